@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_HERMITIAN_SPARSE_MATRIX_H
+#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_HERMITIAN_SPARSE_MATRIX_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/algebra/Sparse_pattern.h>
+#include <Conformal_geometry_processing/algebra/scalar.h>
+
+#include <memory>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgAlgebra
+/// \brief a Hermitian sparse matrix, A_ji = conjugate(A_ij), with values on a fixed pattern.
+///
+/// Only the lower triangle is stored; assembly writes straight into `value(k)` of an entry whose
+/// position is known beforehand. Acts on vectors from the left, so it is right-linear over the
+/// scalars: A (x q) = (A x) q.
+///
+/// \tparam Scalar_ a floating point type, `std::complex` or `Quaternion` of one
+template <class Scalar_>
+class Hermitian_sparse_matrix {
+ public:
+  using Scalar = Scalar_;
+  using FT = typename Scalar_traits<Scalar>::FT;
+
+  /// the empty matrix
+  Hermitian_sparse_matrix() : m_pattern(std::make_shared<Sparse_pattern>()) {}
+
+  /// the zero matrix on a pattern, which is shared and not copied
+  explicit Hermitian_sparse_matrix(std::shared_ptr<const Sparse_pattern> pattern)
+      : m_pattern(std::move(pattern)), m_values(m_pattern->size_of_entries())
+  {
+    set_zero();
+  }
+
+  int size() const { return m_pattern->size(); }
+  const Sparse_pattern& pattern() const { return *m_pattern; }
+  const std::shared_ptr<const Sparse_pattern>& shared_pattern() const { return m_pattern; }
+
+  /// the value at position k of the pattern
+  Scalar& value(int k) { return m_values[k]; }
+  const Scalar& value(int k) const { return m_values[k]; }
+
+  void set_zero() { m_values.setConstant(Scalar{}); }
+
+  /// the (real) diagonal entry of column j
+  FT diagonal(int j) const
+  {
+    return Scalar_traits<Scalar>::real(m_values[m_pattern->offsets[static_cast<std::size_t>(j)]]);
+  }
+
+  /// entry (i, j) of the full matrix, zero outside the pattern; O(log degree)
+  Scalar coefficient(int i, int j) const
+  {
+    const int k = i >= j ? m_pattern->find(i, j) : m_pattern->find(j, i);
+    if (k < 0) return Scalar{};
+    return i >= j ? m_values[k] : conjugate(m_values[k]);
+  }
+
+  /// y = A x
+  template <class X>
+  Vector<Scalar> operator*(const Eigen::MatrixBase<X>& x) const
+  {
+    Vector<Scalar> y = Vector<Scalar>::Constant(size(), Scalar{});
+    for_each_entry([&](int i, int j, const Scalar& a) {
+      y[i] += a * x[j];
+      if (i != j) y[j] += conjugate(a) * x[i];
+    });
+    return y;
+  }
+
+  /// calls visit(i, j, A_ij) for every stored entry, i >= j, in the order of the pattern
+  template <class Visitor>
+  void for_each_entry(Visitor visit) const
+  {
+    const int* const rows = m_pattern->indices.data();
+    const int* const offsets = m_pattern->offsets.data();
+    for (int j = 0; j < size(); ++j)
+      for (int k = offsets[j]; k < offsets[j + 1]; ++k) visit(rows[k], j, m_values[k]);
+  }
+
+ private:
+  std::shared_ptr<const Sparse_pattern> m_pattern;
+  Vector<Scalar> m_values;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

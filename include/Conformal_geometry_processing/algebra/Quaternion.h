@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_QUATERNION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_QUATERNION_H
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <type_traits>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgAlgebra
+/// \brief the quaternion w + x i + y j + z k with ij = k, jk = i, ki = j [CGP 2.7].
+///
+/// Vectors of R^3 are the imaginary quaternions (w = 0); for those pq = p x q - <p, q>.
+/// An aggregate of four numbers without padding: an array of quaternions is an array of numbers.
+///
+/// \tparam FT_ a floating point type
+template <class FT_>
+struct Quaternion {
+  using FT = FT_;
+  FT w{}, x{}, y{}, z{};
+
+  constexpr Quaternion& operator+=(const Quaternion& q)
+  {
+    w += q.w, x += q.x, y += q.y, z += q.z;
+    return *this;
+  }
+  constexpr Quaternion& operator-=(const Quaternion& q)
+  {
+    w -= q.w, x -= q.x, y -= q.y, z -= q.z;
+    return *this;
+  }
+  constexpr Quaternion& operator*=(FT s)
+  {
+    w *= s, x *= s, y *= s, z *= s;
+    return *this;
+  }
+
+  friend constexpr Quaternion operator+(Quaternion p, const Quaternion& q) { return p += q; }
+  friend constexpr Quaternion operator-(Quaternion p, const Quaternion& q) { return p -= q; }
+  friend constexpr Quaternion operator-(const Quaternion& q) { return {-q.w, -q.x, -q.y, -q.z}; }
+  friend constexpr Quaternion operator*(Quaternion q, FT s) { return q *= s; }
+  friend constexpr Quaternion operator*(FT s, Quaternion q) { return q *= s; }
+  friend constexpr Quaternion operator/(const Quaternion& q, FT s)
+  {
+    return {q.w / s, q.x / s, q.y / s, q.z / s};
+  }
+
+  /// the Hamilton product
+  friend constexpr Quaternion operator*(const Quaternion& p, const Quaternion& q)
+  {
+    return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z,
+            p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
+            p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x,
+            p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
+  }
+
+  friend constexpr bool operator==(const Quaternion& p, const Quaternion& q)
+  {
+    return p.w == q.w && p.x == q.x && p.y == q.y && p.z == q.z;
+  }
+  friend constexpr bool operator!=(const Quaternion& p, const Quaternion& q) { return !(p == q); }
+};
+
+/// \relates Quaternion
+/// w - x i - y j - z k, so that conjugate(p q) = conjugate(q) conjugate(p)
+template <class FT>
+constexpr Quaternion<FT> conjugate(const Quaternion<FT>& q)
+{
+  return {q.w, -q.x, -q.y, -q.z};
+}
+
+/// \relates Quaternion
+/// <p, q> = Re(conjugate(p) q), the scalar product of R^4
+template <class FT>
+constexpr FT dot(const Quaternion<FT>& p, const Quaternion<FT>& q)
+{
+  return p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z;
+}
+
+/// \relates Quaternion
+/// |q|^2 = conjugate(q) q
+template <class FT>
+constexpr FT squared_norm(const Quaternion<FT>& q)
+{
+  return dot(q, q);
+}
+
+/// \relates Quaternion
+/// |q|
+template <class FT>
+FT norm(const Quaternion<FT>& q)
+{
+  using std::sqrt;
+  return sqrt(squared_norm(q));
+}
+
+/// \relates Quaternion
+/// conjugate(q) / |q|^2
+/// \pre q is not zero
+template <class FT>
+constexpr Quaternion<FT> inverse(const Quaternion<FT>& q)
+{
+  return conjugate(q) / squared_norm(q);
+}
+
+/// \relates Quaternion
+/// the vector (x, y, z)
+template <class FT>
+Eigen::Matrix<FT, 3, 1> imaginary_part(const Quaternion<FT>& q)
+{
+  return {q.x, q.y, q.z};
+}
+
+/// \relates Quaternion
+/// the imaginary quaternion of a vector of R^3
+template <class Vector3>
+Quaternion<typename Vector3::Scalar> imaginary(const Eigen::MatrixBase<Vector3>& v)
+{
+  return {0, v(0), v(1), v(2)};
+}
+
+/// \relates Quaternion
+/// conjugate(q) v q for a vector v: rotates by +theta about u (right hand rule) where
+/// q = |q| (cos(theta/2) - sin(theta/2) u), and scales by |q|^2 [CGP 2.7]
+template <class FT, class Vector3>
+Eigen::Matrix<FT, 3, 1> spin(const Quaternion<FT>& q, const Eigen::MatrixBase<Vector3>& v)
+{
+  return imaginary_part(conjugate(q) * imaginary(v) * q);
+}
+
+static_assert(std::is_aggregate_v<Quaternion<double>> &&
+              std::is_trivially_copyable_v<Quaternion<double>> &&
+              sizeof(Quaternion<double>) == 4 * sizeof(double));
+
+}  // namespace Conformal_geometry_processing
+
+#endif

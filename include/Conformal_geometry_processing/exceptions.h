@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_EXCEPTIONS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_EXCEPTIONS_H
+
+#include <stdexcept>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \brief the base of every exception that this library throws itself.
+class Error : public std::runtime_error {
+ public:
+  /// \param function the function that gives up, \param message what, where, how many, what was
+  /// wanted
+  Error(const std::string& function, const std::string& message)
+      : std::runtime_error(function + ": " + message), m_function(function), m_message(message)
+  {}
+
+  /// the function that gave up
+  const std::string& function() const { return m_function; }
+
+  /// the message without the name of the function
+  const std::string& message() const { return m_message; }
+
+ private:
+  std::string m_function, m_message;
+};
+
+/// \brief the data break a documented precondition; the message names the offending element.
+class Precondition_error : public Error {
+ public:
+  using Error::Error;
+};
+
+/// \brief a factorization failed although the preconditions hold.
+class Solver_error : public Error {
+ public:
+  using Error::Error;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

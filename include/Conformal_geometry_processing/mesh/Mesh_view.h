@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_MESH_VIEW_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_MESH_VIEW_H
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// one point or vector of R^3 per column
+using Points = Eigen::Matrix3Xd;
+
+/// \ingroup PkgMesh
+/// \brief a triangle mesh as flat arrays: what every kernel of the library reads.
+///
+/// Vertices, edges and faces are numbered from 0 without gaps. Corner c of face f is the vertex
+/// `corners(f)[c]`; the halfedge h = 3 f + c runs along the edge *opposite* that corner, from
+/// corner c + 1 to corner c + 2, as the edges e_c of [CGP 5.1] do. Faces are oriented counter-
+/// clockwise seen from outside. Coordinates are `double` whatever the kernel of the mesh was.
+///
+/// Made by `mesh_view()` from any CGAL mesh, or directly from arrays. The constructor does not
+/// check; `mesh/requirements.h` does, and names the offending element. O(|V| + |F|).
+class Mesh_view {
+ public:
+  using Corners = std::vector<std::array<int, 3>>;
+
+  Mesh_view() = default;
+
+  /// \param positions 3 x |V| \param corners the vertices of each face, counter-clockwise
+  /// \pre every index is in [0, |V|)
+  Mesh_view(Points positions, Corners corners)
+      : m_positions(std::move(positions)), m_corners(std::move(corners))
+  {
+    find_edges();
+  }
+
+  int size_of_vertices() const { return static_cast<int>(m_positions.cols()); }
+  int size_of_faces() const { return static_cast<int>(m_corners.size()); }
+  int size_of_edges() const { return static_cast<int>(m_ends.size()); }
+  int size_of_halfedges() const { return 3 * size_of_faces(); }
+
+  const Points& positions() const { return m_positions; }
+  Eigen::Vector3d position(int v) const { return m_positions.col(v); }
+
+  /// the same connectivity with other positions, 3 x |V|
+  void set_positions(Points positions) { m_positions = std::move(positions); }
+
+  const Corners& corners() const { return m_corners; }
+  const std::array<int, 3>& corners(int f) const { return m_corners[index(f)]; }
+
+  /// the ends of halfedge h, from -> to
+  int from(int h) const { return m_corners[index(h / 3)][index((h + 1) % 3)]; }
+  int to(int h) const { return m_corners[index(h / 3)][index((h + 2) % 3)]; }
+  static int face(int h) { return h / 3; }
+
+  /// the vector along halfedge h
+  Eigen::Vector3d vector(int h) const { return position(to(h)) - position(from(h)); }
+
+  /// the halfedge of the neighbouring face along the same edge, -1 at the boundary
+  int twin(int h) const { return m_twins[index(h)]; }
+
+  /// the number of the edge of halfedge h
+  int edge(int h) const { return m_edges[index(h)]; }
+
+  /// the ends i < j of edge k, which is oriented i -> j; edges are sorted by (i, j)
+  const std::array<int, 2>& ends(int k) const { return m_ends[index(k)]; }
+
+  /// the halfedges along edge k: two opposite ones inside, one at the boundary, more where the
+  /// mesh is not a manifold
+  const int* halfedges_begin(int k) const { return m_halfedges.data() + m_first[index(k)]; }
+  const int* halfedges_end(int k) const { return m_halfedges.data() + m_first[index(k) + 1]; }
+
+  /// e_0 x e_1 of face f: the outward normal, as long as twice the area
+  Eigen::Vector3d double_area_vector(int f) const { return vector(3 * f).cross(vector(3 * f + 1)); }
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  int low(int h) const { return std::min(from(h), to(h)); }
+  int high(int h) const { return std::max(from(h), to(h)); }
+
+  // Buckets the halfedges by their lower end, sorts each bucket by the higher one: no hash map,
+  // and a numbering that depends on nothing but the faces.
+  void find_edges()
+  {
+    std::vector<int> bucket(index(size_of_vertices()) + 1, 0);
+    for (int h = 0; h < size_of_halfedges(); ++h) ++bucket[index(low(h)) + 1];
+    std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
+    m_halfedges.resize(index(size_of_halfedges()));
+    std::vector<int> next(bucket.begin(), bucket.end() - 1);
+    for (int h = 0; h < size_of_halfedges(); ++h) m_halfedges[index(next[index(low(h))]++)] = h;
+    for (int v = 0; v < size_of_vertices(); ++v)
+      std::sort(m_halfedges.begin() + bucket[index(v)], m_halfedges.begin() + bucket[index(v) + 1],
+                [this](int g, int h) { return std::pair(high(g), g) < std::pair(high(h), h); });
+    number_edges();
+    pair_halfedges();
+  }
+
+  void number_edges()
+  {
+    m_edges.resize(m_halfedges.size());
+    for (int k = 0; k < size_of_halfedges(); ++k) {
+      const int h = m_halfedges[index(k)];
+      const std::array<int, 2> ends = {low(h), high(h)};
+      if (m_ends.empty() || m_ends.back() != ends) {
+        m_first.push_back(k);
+        m_ends.push_back(ends);
+      }
+      m_edges[index(h)] = size_of_edges() - 1;
+    }
+    m_first.push_back(size_of_halfedges());
+  }
+
+  void pair_halfedges()
+  {
+    m_twins.assign(m_halfedges.size(), -1);
+    for (int k = 0; k < size_of_edges(); ++k) {
+      if (halfedges_end(k) - halfedges_begin(k) != 2) continue;
+      const int g = halfedges_begin(k)[0], h = halfedges_begin(k)[1];
+      m_twins[index(g)] = h;
+      m_twins[index(h)] = g;
+    }
+  }
+
+  Points m_positions;                      // 3 x |V|
+  Corners m_corners;                       // |F|
+  std::vector<int> m_halfedges;            // all of them, sorted by edge
+  std::vector<int> m_first;                // |E| + 1: where an edge begins in m_halfedges
+  std::vector<std::array<int, 2>> m_ends;  // |E|
+  std::vector<int> m_edges, m_twins;       // 3 |F|
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,14 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_VERSION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_VERSION_H
+
+/// \file version.h
+/// \brief the version of the library; CMake reads it from here.
+
+#define CONFORMAL_GEOMETRY_PROCESSING_VERSION_MAJOR 0
+#define CONFORMAL_GEOMETRY_PROCESSING_VERSION_MINOR 1
+#define CONFORMAL_GEOMETRY_PROCESSING_VERSION_PATCH 0
+#define CONFORMAL_GEOMETRY_PROCESSING_VERSION "0.1.0"
+
+#endif
