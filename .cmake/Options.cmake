@@ -1,0 +1,59 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# What is built and with which checks. A project that adds this one as a subdirectory gets the
+# headers alone: everything below is off there.
+
+option(CGP_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(CGP_BUILD_EXAMPLES "Build the examples and the program conformal" ${PROJECT_IS_TOP_LEVEL})
+option(CGP_BUILD_BENCHMARKS "Build the benchmarks" ${PROJECT_IS_TOP_LEVEL})
+option(CGP_BUILD_DOC "Check and build the reference manual" ${PROJECT_IS_TOP_LEVEL})
+option(CGP_WARNINGS_AS_ERRORS "Stop at a warning in our own code" ${PROJECT_IS_TOP_LEVEL})
+option(CGP_NATIVE "Compile for this very machine (-march=native)" OFF)
+set(CGP_SANITIZE "" CACHE STRING "address (with undefined behaviour), thread, or nothing")
+set_property(CACHE CGP_SANITIZE PROPERTY STRINGS "" address thread)
+
+if(PROJECT_IS_TOP_LEVEL)
+  if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    # The numerics are unusable without optimization, and CGAL warns otherwise.
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug or RelWithDebInfo" FORCE)
+  endif()
+  set(CMAKE_CXX_EXTENSIONS OFF)
+
+  # CGAL, Eigen and the others come in through imported targets, that is with -isystem.
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    add_compile_options(-Wall -Wextra -Wshadow -Wconversion)
+    if(CGP_WARNINGS_AS_ERRORS)
+      add_compile_options(-Werror)
+    endif()
+  endif()
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    # CGAL asks for -frounding-math, which some versions of clang do not know.
+    add_compile_options(-Wno-unknown-warning-option -Wno-ignored-optimization-argument
+                        -Wno-unused-command-line-argument)
+  endif()
+  if(CGP_NATIVE)
+    add_compile_options(-march=native)
+  endif()
+
+  if(CGP_SANITIZE STREQUAL "address")
+    set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=undefined)
+  elseif(CGP_SANITIZE STREQUAL "thread")
+    set(sanitizers -fsanitize=thread)
+  elseif(CGP_SANITIZE)
+    message(FATAL_ERROR "CGP_SANITIZE is \"${CGP_SANITIZE}\"; it can be address, thread or empty")
+  endif()
+  if(sanitizers)
+    add_compile_options(${sanitizers} -fno-omit-frame-pointer -g1)
+    add_link_options(${sanitizers})
+  endif()
+endif()
+
+# find_package that says which Debian package is wanted: cgp_find(<variable> <Debian package>
+# <arguments of find_package>) sets <variable>.
+macro(cgp_find variable debian_package package)
+  find_package(${package} ${ARGN})
+  set(${variable} ${${package}_FOUND})
+  if(NOT ${variable})
+    message(STATUS "${package} not found; on Debian: apt-get install ${debian_package}")
+  endif()
+endmacro()
