@@ -61,6 +61,10 @@ class Mesh_view {
   int to(int h) const { return m_corners[index(h / 3)][index((h + 2) % 3)]; }
   static int face(int h) { return h / 3; }
 
+  /// the next and the previous halfedge around the same face
+  static int next_in_face(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static int previous_in_face(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
   /// the vector along halfedge h
   Eigen::Vector3d vector(int h) const { return position(to(h)) - position(from(h)); }
 
@@ -94,8 +98,8 @@ class Mesh_view {
     for (int h = 0; h < size_of_halfedges(); ++h) ++bucket[index(low(h)) + 1];
     std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
     m_halfedges.resize(index(size_of_halfedges()));
-    std::vector<int> next(bucket.begin(), bucket.end() - 1);
-    for (int h = 0; h < size_of_halfedges(); ++h) m_halfedges[index(next[index(low(h))]++)] = h;
+    std::vector<int> slot(bucket.begin(), bucket.end() - 1);
+    for (int h = 0; h < size_of_halfedges(); ++h) m_halfedges[index(slot[index(low(h))]++)] = h;
     for (int v = 0; v < size_of_vertices(); ++v)
       std::sort(m_halfedges.begin() + bucket[index(v)], m_halfedges.begin() + bucket[index(v) + 1],
                 [this](int g, int h) { return std::pair(high(g), g) < std::pair(high(h), h); });

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MEASURE_QUASI_CONFORMAL_ERROR_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_QUASI_CONFORMAL_ERROR_H
+
+#include <Conformal_geometry_processing/measure/Distribution.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// a triangle laid out in the plane, at (0, 0), (length, 0) and (x, y), y >= 0
+struct Flat_triangle {
+  double length, x, y;
+};
+
+inline Flat_triangle flattened(const Points& positions, const std::array<int, 3>& corners)
+{
+  const Eigen::Vector3d u = positions.col(corners[1]) - positions.col(corners[0]);
+  const Eigen::Vector3d v = positions.col(corners[2]) - positions.col(corners[0]);
+  const double length = u.norm();
+  return {length, u.dot(v) / length, u.cross(v).norm() / length};
+}
+
+}  // namespace internal
+
+/// \ingroup PkgMeasure
+/// \brief Q >= 1 for each face: the ratio of the singular values of the linear map between the
+/// old and the new triangle, 1 if it is a similarity [CGP 5.8.1].
+///
+/// Infinite where the new triangle has area zero. Of first order in the edge length also for
+/// exactly conformal maps; `length_cross_ratio_change()` is the discretely exact yardstick.
+/// \param positions the new ones, 3 x |V|
+inline Eigen::VectorXd quasi_conformal_errors(const Mesh_view& mesh, const Points& positions)
+{
+  Eigen::VectorXd Q(mesh.size_of_faces());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const auto s = internal::flattened(mesh.positions(), mesh.corners(f));
+    const auto t = internal::flattened(positions, mesh.corners(f));
+    // The map is the upper triangular matrix (a b; 0 d).
+    const double a = t.length / s.length, b = (t.x - a * s.x) / s.y, d = t.y / s.y;
+    const double largest = (std::hypot(a + d, b) + std::hypot(a - d, b)) / 2;
+    Q[f] = largest / (a * d / largest);  // the smaller one from the determinant: no cancellation
+    if (std::isnan(Q[f])) Q[f] = HUGE_VAL;
+  }
+  return Q;
+}
+
+/// \ingroup PkgMeasure
+/// their distribution, weighted by the areas of the old faces
+inline Distribution quasi_conformal_error(const Mesh_view& mesh, const Points& positions)
+{
+  return distribution(quasi_conformal_errors(mesh, positions), face_areas(mesh));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALS_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgMesh
+/// how much each incident face contributes to the normal of a vertex
+enum class Normal_weight {
+  area,    ///< its area: the sum is the gradient of the enclosed volume
+  angle,   ///< its angle at the vertex: does not depend on how a flat region is triangulated
+  uniform  ///< 1
+};
+
+/// \ingroup PkgMesh
+/// the unit normals of the faces, 3 x |F|, outward on a counter-clockwise oriented surface
+/// \pre no face has area zero
+inline Points face_normals(const Mesh_view& mesh)
+{
+  Points normals(3, mesh.size_of_faces());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    normals.col(f) = mesh.double_area_vector(f).stableNormalized();
+  return normals;
+}
+
+/// \ingroup PkgMesh
+/// the angle of face f at its corner c, in (0, pi)
+inline double corner_angle(const Mesh_view& mesh, int f, int c)
+{
+  const Eigen::Vector3d a = mesh.vector(3 * f + (c + 2) % 3), b = -mesh.vector(3 * f + (c + 1) % 3);
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// \ingroup PkgMesh
+/// the unit normals of the vertices, 3 x |V|; zero where the faces around a vertex cancel out
+inline Points vertex_normals(const Mesh_view& mesh, Normal_weight weight = Normal_weight::area)
+{
+  Points normals = Points::Zero(3, mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const Eigen::Vector3d a = mesh.double_area_vector(f), n = a.stableNormalized();
+    for (int c = 0; c < 3; ++c) {
+      auto sum = normals.col(mesh.corners(f)[static_cast<std::size_t>(c)]);
+      switch (weight) {
+        case Normal_weight::area:
+          sum += a;
+          break;
+        case Normal_weight::angle:
+          sum += corner_angle(mesh, f, c) * n;
+          break;
+        case Normal_weight::uniform:
+          sum += n;
+          break;
+      }
+    }
+  }
+  for (Eigen::Index v = 0; v < normals.cols(); ++v) normals.col(v).stableNormalize();
+  return normals;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

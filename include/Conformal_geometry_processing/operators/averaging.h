@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_AVERAGING_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_AVERAGING_H
+
+#include <Conformal_geometry_processing/algebra/Quaternionic_sparse_matrix.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgOperators
+/// \brief B: |F| x |V|, the mean of the three corners of each face [CGP 5.2]. Dimensionless.
+/// \param mesh must outlive the matrix
+inline Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh)
+{
+  Quaternionic_sparse_matrix<double> B(mesh.corners(), mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    for (int c = 0; c < 3; ++c) B.value(f, c) = {1. / 3, 0, 0, 0};
+  return B;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

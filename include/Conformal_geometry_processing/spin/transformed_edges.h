@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORMED_EDGES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORMED_EDGES_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief the edge vectors of the spin transformed surface, df~ = conjugate(lambda) df lambda
+/// integrated along each edge [CGP (5.4)]; |E| x 3, edge k runs i -> j with i < j.
+///
+/// With lambda linear along the edge e from i to j,
+///
+///     e~ = 1/3 l_i^ e l_i + 1/6 l_i^ e l_j + 1/6 l_j^ e l_i + 1/3 l_j^ e l_j,   l^ = conjugate(l),
+///
+/// which is imaginary by itself. Constant lambda gives conjugate(lambda) e lambda exactly.
+/// \param lambda |V| quaternions
+inline Eigen::MatrixX3d transformed_edges(const Mesh_view& mesh,
+                                          const Quaternion_vector<double>& lambda)
+{
+  Eigen::MatrixX3d edges(mesh.size_of_edges(), 3);
+  for (int k = 0; k < mesh.size_of_edges(); ++k) {
+    const auto [i, j] = mesh.ends(k);
+    const Quaternion<double> e = imaginary(mesh.position(j) - mesh.position(i));
+    const Quaternion<double> mixed = conjugate(lambda[i]) * e * lambda[j];
+    // The two mixed terms are minus conjugates of each other: their sum is twice Im(mixed).
+    edges.row(k) = (spin(lambda[i], imaginary_part(e)) + imaginary_part(mixed) +
+                    spin(lambda[j], imaginary_part(e)))
+                       .transpose() /
+                   3;
+  }
+  return edges;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
