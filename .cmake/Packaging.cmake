@@ -13,15 +13,16 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/Config.cmake.in ${config
                               INSTALL_DESTINATION ${config_folder})
 write_basic_package_version_file(${config_version} COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 
-install(TARGETS cgp_core EXPORT core FILE_SET HEADERS)
+install(TARGETS cgp_core EXPORT core FILE_SET HEADERS COMPONENT headers)
 install(EXPORT core NAMESPACE ${PROJECT_NAME}:: DESTINATION ${config_folder}
-        FILE core_targets.cmake)
+        FILE core_targets.cmake COMPONENT headers)
 if(CGP_HAS_CHOLMOD)
   # An export set of its own, so that a user of core alone never needs SuiteSparse.
-  install(TARGETS cgp_cholmod EXPORT cholmod FILE_SET HEADERS)
+  install(TARGETS cgp_cholmod EXPORT cholmod FILE_SET HEADERS COMPONENT headers)
   install(EXPORT cholmod NAMESPACE ${PROJECT_NAME}:: DESTINATION ${config_folder}
-          FILE cholmod_targets.cmake)
+          FILE cholmod_targets.cmake COMPONENT headers)
 endif()
 install(FILES ${config} ${config_version} ${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.cmake
-        DESTINATION ${config_folder})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc/licenses/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
+        DESTINATION ${config_folder} COMPONENT headers)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc/licenses/ DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT headers)

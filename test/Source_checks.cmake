@@ -1,0 +1,60 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Checks of the sources themselves: layers, licences, lengths, ... one ctest each, `sources.<what>`.
+
+find_package(Python3 QUIET COMPONENTS Interpreter)
+if(NOT Python3_FOUND)
+  message(STATUS "No checks of the sources without python3; on Debian: apt-get install python3")
+else()
+  set(licences_arguments ${CMAKE_CXX_COMPILER})
+  foreach(folder IN LISTS EIGEN3_INCLUDE_DIRS CGAL_INCLUDE_DIRS)
+    if(NOT folder STREQUAL "/usr/include") # -isystem /usr/include breaks #include_next
+      list(APPEND licences_arguments -isystem ${folder})
+    endif()
+  endforeach()
+  foreach(what layers licences mirrored_tests format lengths heads)
+    add_test(NAME sources.${what} COMMAND ${Python3_EXECUTABLE}
+             ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_${what}.py ${${what}_arguments})
+  endforeach()
+endif()
+
+# Every core header in two translation units that are linked: a function that is not inline, or a
+# variable that is defined twice, does not link.
+set(include_all "")
+foreach(header IN LISTS CGP_CORE_HEADERS)
+  cmake_path(RELATIVE_PATH header BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/include)
+  string(APPEND include_all "#include <${header}>\n")
+endforeach()
+file(GENERATE OUTPUT first_unit.cpp CONTENT "${include_all}")
+file(GENERATE OUTPUT second_unit.cpp CONTENT "${include_all}int main() {}\n")
+add_executable(sources.two_units ${CMAKE_CURRENT_BINARY_DIR}/first_unit.cpp
+               ${CMAKE_CURRENT_BINARY_DIR}/second_unit.cpp)
+target_compile_options(sources.two_units PRIVATE -O0)
+target_link_libraries(sources.two_units PRIVATE cgp_core)
+add_test(NAME sources.two_units COMMAND sources.two_units)
+
+# test/compile_fail/*.cpp must not compile, and the message must match the first line's
+# `// expect: <regular expression>`.
+file(GLOB failing CONFIGURE_DEPENDS compile_fail/*.cpp)
+foreach(source IN LISTS failing)
+  cmake_path(GET source STEM name)
+  file(STRINGS ${source} expectation REGEX "^// expect: " LIMIT_COUNT 1)
+  string(REPLACE "// expect: " "" expectation "${expectation}")
+  if(expectation STREQUAL "")
+    message(FATAL_ERROR "${source} has no line \"// expect: <regular expression>\"")
+  endif()
+  add_library(compile_fail.${name} OBJECT EXCLUDE_FROM_ALL ${source})
+  target_link_libraries(compile_fail.${name} PRIVATE cgp_core)
+  target_include_directories(compile_fail.${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  add_test(NAME compile_fail.${name} COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR}
+           --target compile_fail.${name})
+  set_tests_properties(compile_fail.${name} PROPERTIES RESOURCE_LOCK build_tree
+                       PASS_REGULAR_EXPRESSION "${expectation}")
+endforeach()
+
+# Projects that use the library as its users do: found after installation, and as a subdirectory.
+foreach(way installed subdirectory)
+  add_test(NAME downstream.${way} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_downstream.sh
+           ${way} ${PROJECT_BINARY_DIR} ${CMAKE_CXX_COMPILER} ${CMAKE_GENERATOR})
+  set_tests_properties(downstream.${way} PROPERTIES TIMEOUT 600)
+endforeach()

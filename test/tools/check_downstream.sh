@@ -1,0 +1,26 @@
+#!/bin/bash
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Builds and runs test/downstream/ as a user of the library would.
+# usage: check_downstream.sh installed|subdirectory BUILD_FOLDER COMPILER GENERATOR
+set -euo pipefail
+
+way=$1 build=$2 compiler=$3 generator=$4
+root=$(cd "$(dirname "$0")/../.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+arguments=(-S "$root/test/downstream" -B "$work/build" -G "$generator"
+           -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Release)
+if [ "$way" = installed ]; then
+  cmake --install "$build" --component headers --prefix "$work/prefix" >"$work/log"
+  arguments+=(-DCMAKE_PREFIX_PATH="$work/prefix")
+else
+  arguments+=(-DSUBDIRECTORY="$root")
+fi
+
+cmake "${arguments[@]}" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+cmake --build "$work/build" --parallel 1 >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+for program in "$work"/build/downstream_*; do
+  "$program"
+done

@@ -1,0 +1,19 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""One idea per file: no file of code is longer than 300 lines."""
+
+import sources
+
+LONGEST = 300
+
+
+def complaints():
+    for path in sources.files(".h", ".cpp", ".py"):
+        lines = len((sources.ROOT / path).read_text(encoding="utf-8").splitlines())
+        if lines > LONGEST:
+            yield f"{path}: {lines} lines, more than {LONGEST}"
+
+
+if __name__ == "__main__":
+    sources.finish(list(complaints()), "lengths")

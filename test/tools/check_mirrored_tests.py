@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Every header has the test of its own path, and every test names a file that exists.
+
+include/.../mesh/Mesh_view.h is tested by test/mesh/mesh_view.cpp (letter case is free), or by a
+test whose head says so: `// Tests include/.../mesh/Mesh_view.h`.
+"""
+
+import re
+
+import sources
+
+UNTESTED = {"version.h", "exceptions.h"}  # nothing that computes
+CLAIM = re.compile(r"^// Tests\s+(.*)", re.MULTILINE)
+
+
+def tests():
+    outside = ("tools", "downstream", "compile_fail", "support")
+    return [path for path in sources.files(".cpp")
+            if path.parts[0] == "test" and path.parts[1] not in outside]
+
+
+def claims(test):
+    """The files named on the `// Tests` lines in the first ten lines."""
+    head = "\n".join((sources.ROOT / test).read_text(encoding="utf-8").splitlines()[:10])
+    return [name for claim in CLAIM.findall(head)
+            for name in re.findall(r"[\w./+-]+\.(?:h|cpp)\b", claim)]
+
+
+def complaints():
+    mirrored = {test.relative_to("test").with_suffix("").as_posix().lower() for test in tests()}
+    claimed = {name for test in tests() for name in claims(test)}
+    for header in sources.headers():
+        path = f"include/{sources.LIBRARY}/{header.as_posix()}"
+        if (header.name not in UNTESTED and path not in claimed
+                and header.with_suffix("").as_posix().lower() not in mirrored):
+            yield f"{path}: has no test/{header.with_suffix('.cpp').as_posix()}"
+    for test in tests():
+        for name in claims(test):
+            if not (sources.ROOT / name).exists():
+                yield f"{test}: says it tests {name}, which does not exist"
+
+
+if __name__ == "__main__":
+    sources.finish(list(complaints()), f"the tests of {len(sources.headers())} headers")

@@ -1,0 +1,44 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""What the checks share: where the sources are, what they include, how a check reports."""
+
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LIBRARY = "Conformal_geometry_processing"
+INCLUDE = ROOT / "include" / LIBRARY
+FOLDERS = ("include", "test", "examples", "benchmark", "doc")
+
+# The only headers that may reach CGAL's GPL parts: one per mesh type, and CHOLMOD's.
+GPL_HEADER = re.compile(r"(_Surface_mesh|_Polyhedron_3)\.h$|^linear_algebra/Cholmod_[^/]*\.h$")
+
+
+def headers():
+    """The headers of the library, as paths below include/Conformal_geometry_processing."""
+    return sorted(path.relative_to(INCLUDE) for path in INCLUDE.rglob("*.h"))
+
+
+def files(*suffixes):
+    """All our own files with one of the suffixes, as paths below the root."""
+    found = (path for folder in FOLDERS for path in (ROOT / folder).rglob("*"))
+    return sorted(path.relative_to(ROOT) for path in found
+                  if path.is_file() and path.suffix in suffixes)
+
+
+def includes(path):
+    """(line number, included name) of every #include in the file."""
+    pattern = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        match = pattern.match(line)
+        if match:
+            yield number, match.group(1)
+
+
+def finish(complaints, checked):
+    """Prints the complaints, one a line, and exits as a test should."""
+    for complaint in complaints:
+        print(complaint)
+    print(f"{len(complaints)} complaints about {checked}")
+    sys.exit(1 if complaints else 0)
