@@ -18,9 +18,11 @@ namespace Conformal_geometry_processing {
 /// \param positions the new ones, 3 x |V|
 inline Eigen::VectorXd length_scales(const Mesh_view& mesh, const Points& positions)
 {
-  Mesh_view image = mesh;
-  image.set_positions(positions);
-  return face_areas(image).cwiseQuotient(face_areas(mesh)).cwiseSqrt();
+  Eigen::VectorXd scale(mesh.size_of_faces());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    scale[f] =
+        std::sqrt(mesh.double_area_vector(f, positions).norm() / mesh.double_area_vector(f).norm());
+  return scale;
 }
 
 /// \ingroup PkgMeasure

@@ -25,14 +25,15 @@ inline Points neighbourhood_normals(const Mesh_view& mesh)
 }
 
 /// \ingroup PkgMeasure
-/// the number of faces whose normal makes an obtuse angle with the one expected, or that have area
-/// zero
+/// the number of faces whose new normal makes an obtuse angle with the one expected, or that have
+/// area zero
+/// \param positions the new ones, 3 x |V|
 /// \param expected 3 x |F|, for instance the old normals rotated by the spins of the faces
-inline int flipped_faces(const Mesh_view& mesh, const Points& expected)
+inline int flipped_faces(const Mesh_view& mesh, const Points& positions, const Points& expected)
 {
   int count = 0;
   for (int f = 0; f < mesh.size_of_faces(); ++f)
-    count += !(mesh.double_area_vector(f).dot(expected.col(f)) > 0);
+    count += !(mesh.double_area_vector(f, positions).dot(expected.col(f)) > 0);
   return count;
 }
 

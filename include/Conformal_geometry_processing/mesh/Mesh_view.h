@@ -83,7 +83,15 @@ class Mesh_view {
   const int* halfedges_end(int k) const { return m_halfedges.data() + m_first[index(k) + 1]; }
 
   /// e_0 x e_1 of face f: the outward normal, as long as twice the area
-  Eigen::Vector3d double_area_vector(int f) const { return vector(3 * f).cross(vector(3 * f + 1)); }
+  Eigen::Vector3d double_area_vector(int f) const { return double_area_vector(f, m_positions); }
+
+  /// the same for other positions of the vertices, 3 x |V|
+  Eigen::Vector3d double_area_vector(int f, const Points& positions) const
+  {
+    const std::array<int, 3>& v = corners(f);
+    const Eigen::Vector3d p = positions.col(v[2]);
+    return (p - positions.col(v[1])).cross(positions.col(v[0]) - p);
+  }
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
