@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_READ_OBJ_H
+#define CONFORMAL_IO_READ_OBJ_H
+
+#include "Surface_file.h"
+
+#include <string>
+#include <string_view>
+
+namespace conformal {
+
+/// Reads the polygons of an OBJ file: `v` with colours, `vt`, `vn`, `f` with absolute or relative
+/// indices, lines continued by a backslash. `g o s usemtl mtllib` and the like are kept with the
+/// face that they precede, comments are kept; points, lines and free-form curves and surfaces are
+/// not read. A word that OBJ does not define is an error, since it may be a damaged face.
+/// O(bytes). \throws Read_error
+Surface_file read_obj(const std::string& path);
+
+/// the same from memory; `path` is for messages
+Surface_file parse_obj(std::string_view bytes, const std::string& path);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "read_surface.h"
+
+#include "detect_format.h"
+#include "read_bytes.h"
+#include "read_obj.h"
+#include "read_off.h"
+#include "read_ply.h"
+#include "read_stl.h"
+
+namespace conformal {
+
+Surface_file parse_surface(std::string_view bytes, const std::string& path)
+{
+  switch (detect_format(bytes, path)) {
+    case File_format::off:
+      return parse_off(bytes, path);
+    case File_format::obj:
+      return parse_obj(bytes, path);
+    case File_format::ply:
+      return parse_ply(bytes, path);
+    default:
+      return parse_stl(bytes, path);  // GLB is refused by name
+  }
+}
+
+Surface_file read_surface(const std::string& path)
+{
+  return parse_surface(read_bytes(path), path);
+}
+
+}  // namespace conformal

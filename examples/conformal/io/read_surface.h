@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_READ_SURFACE_H
+#define CONFORMAL_IO_READ_SURFACE_H
+
+#include "Surface_file.h"
+
+#include <string>
+#include <string_view>
+
+namespace conformal {
+
+/// Reads a mesh file of the format that its content shows, or else its extension: OFF, OBJ, PLY or
+/// STL. The whole file is held in memory while it is read (16 GiB at most).
+/// \throws Read_error, whose message begins with `path:line:` where there are lines
+Surface_file read_surface(const std::string& path);
+
+/// the same from memory; `path` is for messages and for its extension
+Surface_file parse_surface(std::string_view bytes, const std::string& path);
+
+}  // namespace conformal
+
+#endif
