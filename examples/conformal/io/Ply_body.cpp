@@ -15,8 +15,9 @@ namespace {
 // Reads values from text. Rows are not bound to lines, as in the programs that read such files.
 class Ascii_source {
  public:
-  Ascii_source(std::string_view bytes, const std::string& path, std::size_t line)
-      : m_scanner(bytes, path, Text_scanner::plain, line)
+  Ascii_source(std::string_view bytes, const std::string& path, std::size_t line,
+               std::vector<std::string>* notes)
+      : m_scanner(bytes, path, Text_scanner::plain, line), m_notes(notes)
   {}
 
   // a digit and a blank

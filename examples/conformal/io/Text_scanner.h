@@ -54,7 +54,7 @@ class Text_scanner {
   [[noreturn]] void fail_at(std::size_t line, const std::string& message) const;
 
  private:
-  bool has(Options option) const { return (m_options & option) != 0; }
+  bool has(Option option) const { return (m_options & option) != 0; }
   std::size_t length_of_line_end(std::size_t i) const;
   bool is_continuation(std::size_t i) const;
   bool skip_continuation();
