@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_SUPPORT_BOUNDED_MESHES_H
+#define TEST_SUPPORT_BOUNDED_MESHES_H
+
+#include <cmath>
+#include <utility>
+
+#include "support/mesh_tools.h"
+
+/// Surfaces with boundary. Flat ones lie in the plane z = 0 with normals +z.
+namespace cgp_test {
+
+/// (0, 0), (2, 0), (0, 1): area 1, the triangle whose matrices the specification tables
+inline Mesh_view single_triangle()
+{
+  return {points({{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}), {{0, 1, 2}}};
+}
+
+/// two triangles along the diagonal (0, 0)-(1, 1)
+inline Mesh_view unit_square()
+{
+  return {points({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}), {{0, 1, 2}, {0, 2, 3}}};
+}
+
+/// two triangles for the square between (i, j) and (i + 1, j + 1), diagonals alternating
+inline void add_square(Corners& corners, int i, int j, int v00, int v10, int v11, int v01)
+{
+  if ((i + j) % 2 == 0)
+    corners.insert(corners.end(), {{v00, v10, v11}, {v00, v11, v01}});
+  else
+    corners.insert(corners.end(), {{v00, v10, v01}, {v10, v11, v01}});
+}
+
+/// the rectangle [0, a] x [0, b] in nx x ny squares; vertex i + (nx + 1) j
+inline Mesh_view grid(int nx, int ny, double a = 1, double b = 1)
+{
+  Points p(3, (nx + 1) * (ny + 1));
+  Corners corners;
+  const auto number = [nx](int i, int j) { return i + (nx + 1) * j; };
+  for (int j = 0; j <= ny; ++j)
+    for (int i = 0; i <= nx; ++i) {
+      p.col(number(i, j)) << a * i / nx, b * j / ny, 0;
+      if (i < nx && j < ny)
+        add_square(corners, i, j, number(i, j), number(i + 1, j), number(i + 1, j + 1),
+                   number(i, j + 1));
+    }
+  return {std::move(p), std::move(corners)};
+}
+
+/// a ring of m squares around the z axis (m even) and n across; vertex j m + i is point(angle, s)
+/// with s = j/n in [0, 1]. The normal is d point / d angle x d point / d s.
+template <class Point>
+Mesh_view ring(int m, int n, Point point)
+{
+  Points p(3, m * (n + 1));
+  Corners corners;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i < m; ++i) {
+      p.col(j * m + i) = point(2 * pi * i / m, double(j) / n);
+      const int k = (i + 1) % m;
+      if (j < n) add_square(corners, i, j, j * m + i, j * m + k, (j + 1) * m + k, (j + 1) * m + i);
+    }
+  return {std::move(p), std::move(corners)};
+}
+
+/// around the z axis, z in [0, height], normals outward
+inline Mesh_view cylinder(double radius, double height, int m, int n)
+{
+  return ring(m, n, [=](double angle, double s) {
+    return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), height * s);
+  });
+}
+
+/// the plane annulus between two circles; the outer one is s = 0
+inline Mesh_view annulus(double inner, double outer, int m, int n)
+{
+  return ring(m, n, [=](double angle, double s) {
+    const double r = outer + (inner - outer) * s;
+    return Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), 0);
+  });
+}
+
+/// the concentric unit disk of the specification: ring k has 6k vertices, F = 6 n^2
+inline Mesh_view disk(int n)
+{
+  Points p(3, 1 + 3 * n * (n + 1));
+  p.col(0).setZero();
+  const auto number = [](int k, int j) { return k == 0 ? 0 : 1 + 3 * k * (k - 1) + j % (6 * k); };
+  Corners corners;
+  for (int k = 1; k <= n; ++k) {
+    for (int j = 0; j < 6 * k; ++j) {
+      const double angle = 2 * pi * j / (6 * k), r = double(k) / n;
+      p.col(number(k, j)) << r * std::cos(angle), r * std::sin(angle), 0;
+    }
+    for (int s = 0; s < 6; ++s)
+      for (int j = 0; j < k; ++j) {
+        const int o0 = number(k, s * k + j), o1 = number(k, s * k + j + 1);
+        const int i0 = number(k - 1, s * (k - 1) + j), i1 = number(k - 1, s * (k - 1) + j + 1);
+        corners.push_back({i0, o0, o1});
+        if (j < k - 1) corners.push_back({i0, o1, i1});
+      }
+  }
+  return {std::move(p), std::move(corners)};
+}
+
+/// the conformal (stereographic) image of a plane disk: the spherical cap of polar angle alpha
+/// around +z, normals outward
+inline Mesh_view cap_from_disk(const Mesh_view& disk, double alpha)
+{
+  return mapped(disk, [alpha](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d w = std::tan(alpha / 2) * p;
+    return Eigen::Vector3d(Eigen::Vector3d(2 * w.x(), 2 * w.y(), 1 - w.squaredNorm()) /
+                           (1 + w.squaredNorm()));
+  });
+}
+
+}  // namespace cgp_test
+
+#endif

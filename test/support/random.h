@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_SUPPORT_RANDOM_H
+#define TEST_SUPPORT_RANDOM_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "support/mesh_tools.h"
+
+/// Random input that is the same on every machine: distributions of <random> are not.
+namespace cgp_test {
+
+using Conformal_geometry_processing::Quaternion;
+using Conformal_geometry_processing::Quaternion_vector;
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : m_engine(seed) {}
+
+  /// in [-1, 1)
+  double number() { return std::ldexp(static_cast<double>(m_engine() >> 11), -52) - 1; }
+
+  /// in [0, n)
+  int below(int n) { return static_cast<int>(m_engine() % static_cast<std::uint64_t>(n)); }
+
+  Eigen::Vector3d vector()
+  {
+    const double x = number(), y = number(), z = number();
+    return {x, y, z};
+  }
+
+  Quaternion<double> quaternion()
+  {
+    const double w = number(), x = number(), y = number(), z = number();
+    return {w, x, y, z};
+  }
+
+  /// a rotation of R^3
+  Eigen::Matrix3d rotation()
+  {
+    const double angle = pi * number();
+    return Eigen::AngleAxisd(angle, vector().normalized()).toRotationMatrix();
+  }
+
+ private:
+  std::mt19937_64 m_engine;  // its sequence is fixed by the standard
+};
+
+/// n numbers in [-1, 1)
+inline Eigen::VectorXd random_numbers(int n, std::uint64_t seed)
+{
+  Random random(seed);
+  Eigen::VectorXd x(n);
+  for (double& value : x) value = random.number();
+  return x;
+}
+
+/// n quaternions with components in [-1, 1)
+inline Quaternion_vector<double> random_quaternions(int n, std::uint64_t seed)
+{
+  Random random(seed);
+  Quaternion_vector<double> q(n);
+  for (int i = 0; i < n; ++i) q[i] = random.quaternion();
+  return q;
+}
+
+/// a permutation of 0..n-1
+inline std::vector<int> random_permutation(int n, std::uint64_t seed)
+{
+  Random random(seed);
+  std::vector<int> order(at(n));
+  std::iota(order.begin(), order.end(), 0);
+  for (int i = n - 1; i > 0; --i) std::swap(order[at(i)], order[at(random.below(i + 1))]);
+  return order;
+}
+
+/// every coordinate of every vertex moves by up to `amount`
+inline Mesh_view perturbed(const Mesh_view& mesh, double amount, std::uint64_t seed = 1)
+{
+  Random random(seed);
+  return mapped(mesh, [&](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(p + amount * random.vector());
+  });
+}
+
+/// every vertex of a surface around the origin moves to or from it by up to the share `amount`
+inline Mesh_view radially_perturbed(const Mesh_view& mesh, double amount, std::uint64_t seed = 1)
+{
+  Random random(seed);
+  return mapped(mesh, [&](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(p * (1 + amount * random.number()));
+  });
+}
+
+}  // namespace cgp_test
+
+#endif

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_SUPPORT_TORI_H
+#define TEST_SUPPORT_TORI_H
+
+#include <cmath>
+#include <utility>
+
+#include "support/mesh_tools.h"
+
+/// Tori around the z axis: vertex i n + j is at u = i/m (around the axis), v = j/n (around the
+/// tube); the diagonals run from (i, j) to (i + 1, j + 1); normals point outward.
+namespace cgp_test {
+
+/// \param radius of the tube, a function of (u, v) in [0, 1)^2
+template <class Radius>
+Mesh_view tube_torus(double R, int m, int n, Radius radius)
+{
+  Points p(3, m * n);
+  Corners corners;
+  for (int i = 0; i < m; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double u = double(i) / m, v = double(j) / n, r = radius(u, v);
+      const double distance = R + r * std::cos(2 * pi * v);
+      p.col(i * n + j) << distance * std::cos(2 * pi * u), distance * std::sin(2 * pi * u),
+          r * std::sin(2 * pi * v);
+      const int i1 = (i + 1) % m * n, j1 = (j + 1) % n;
+      corners.push_back({i * n + j, i1 + j, i1 + j1});
+      corners.push_back({i * n + j, i1 + j1, i * n + j1});
+    }
+  return {std::move(p), std::move(corners)};
+}
+
+/// the torus of revolution
+inline Mesh_view torus(double R, double r, int m, int n)
+{
+  return tube_torus(R, m, n, [r](double, double) { return r; });
+}
+
+/// the bumpy torus of the specification, generic: area 4 pi
+inline Mesh_view btorus(int n)
+{
+  const auto radius = [](double u, double v) {
+    return 1 + .1 * std::cos(4 * pi * u + 2 * pi * v) + .06 * std::sin(6 * pi * v);
+  };
+  return scaled_to_area(tube_torus(std::sqrt(2.), n, n, radius), 4 * pi);
+}
+
+/// a bumpy torus with reflections, hence of rectangular conformal class: area 4 pi
+inline Mesh_view storus(int n)
+{
+  const auto radius = [](double u, double v) {
+    return 1 + .12 * std::cos(4 * pi * u) * std::cos(2 * pi * v) + .05 * std::cos(6 * pi * v);
+  };
+  return scaled_to_area(tube_torus(std::sqrt(2.), n, n, radius), 4 * pi);
+}
+
+}  // namespace cgp_test
+
+#endif
