@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/geometry_traits.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/properties.h>
@@ -27,7 +28,7 @@ namespace Conformal_geometry_processing {
 /// `faces(mesh)`: `num_vertices()` and the index maps count removed elements too. Touches the mesh
 /// once, because the dynamic property maps of some meshes are hash maps. O(|V| + |F|).
 ///
-/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
 template <class TriangleMesh>
 class Graph_view {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
@@ -35,6 +36,13 @@ class Graph_view {
  public:
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
+
+  /// reads the points and the traits that a pack of named parameters tells, or else the mesh's own
+  template <class NamedParameters>
+  Graph_view(const TriangleMesh& mesh, const NamedParameters& np, const std::string& function)
+      : Graph_view(mesh, internal::vertex_points(mesh, np),
+                   internal::geometry_traits<TriangleMesh>(np), function)
+  {}
 
   /// \param mesh is read only, and not kept
   /// \param points a readable map from vertices to points
@@ -45,6 +53,8 @@ class Graph_view {
   Graph_view(const TriangleMesh& mesh, VertexPointMap points, const GeomTraits& traits,
              const std::string& function)
   {
+    static_assert(internal::is_conformal_geometry_traits<GeomTraits>,
+                  "geom_traits is not a model of ConformalGeometryTraits_3");
     auto number = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
     for (vertex_descriptor v : vertices(mesh)) {
       put(number, v, static_cast<int>(m_vertices.size()));
@@ -69,6 +79,19 @@ class Graph_view {
   /// the vertex with number v, and the face with number f
   vertex_descriptor vertex(int v) const { return m_vertices[static_cast<std::size_t>(v)]; }
   face_descriptor face(int f) const { return m_faces[static_cast<std::size_t>(f)]; }
+
+  /// writes a point for each vertex into a map
+  /// \param positions 3 x |V|
+  template <class VertexPointMap, class GeomTraits>
+  void write_positions(const Points& positions, VertexPointMap points,
+                       const GeomTraits& traits) const
+  {
+    using FT = typename GeomTraits::FT;
+    const auto point = traits.construct_point_3_object();
+    for (Eigen::Index v = 0; v < positions.cols(); ++v)
+      put(points, vertex(static_cast<int>(v)),
+          point(FT(positions(0, v)), FT(positions(1, v)), FT(positions(2, v))));
+  }
 
  private:
   template <class VertexPointMap, class GeomTraits>
