@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DIRAC_FORMS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DIRAC_FORMS_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgOperators
+/// \brief the two forms whose quotient is the eigenvalue of D - rho *with its sign*, on k vectors
+/// V: |V| x k. Both k x k, Hermitian.
+struct Dirac_forms {
+  Block<Quaternion<double>> dirac;  ///< the Hermitian part of V^H B^H M_F (D - R) V; indefinite
+  Block<Quaternion<double>> mass;   ///< V^H B^H M_F B V; positive definite
+};
+
+/// \ingroup PkgOperators
+/// the forms on the columns of `vectors`; O(|F|), without assembling a matrix
+inline Dirac_forms dirac_forms(const Mesh_view& mesh, const Curvature_potential& rho,
+                               const Block<Quaternion<double>>& vectors)
+{
+  const Eigen::Index k = vectors.cols();
+  Dirac_forms forms{Block<Quaternion<double>>(k, k), Block<Quaternion<double>>(k, k)};
+  Block<Quaternion<double>> half(k, k);
+  Quaternion_vector<double> average(k), image(k);  // of B, and of M_F (D - R), on one face
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const double A = mesh.double_area_vector(f).norm() / 2;
+    const Eigen::Vector3d r = rho.at_corners(mesh, f);
+    for (Eigen::Index a = 0; a < k; ++a) {
+      average[a] = image[a] = {};
+      for (int c = 0; c < 3; ++c) {
+        const auto& l = vectors(mesh.corners(f)[static_cast<std::size_t>(c)], a);
+        average[a] += l / 3.;
+        image[a] -= imaginary(mesh.vector(3 * f + c)) * l / 2. + (A * r[c] / 3) * l;
+      }
+    }
+    for (Eigen::Index a = 0; a < k; ++a)
+      for (Eigen::Index b = 0; b < k; ++b) {
+        half(a, b) += conjugate(average[a]) * image[b] / 2.;
+        forms.mass(a, b) += A * (conjugate(average[a]) * average[b]);
+      }
+  }
+  for (Eigen::Index a = 0; a < k; ++a)
+    for (Eigen::Index b = 0; b < k; ++b) forms.dirac(a, b) = half(a, b) + conjugate(half(b, a));
+  return forms;
+}
+
+/// \ingroup PkgOperators
+/// \brief gamma = Re <B lambda, M_F (D - R) lambda> / <B lambda, M_F B lambda> for an eigenvector
+/// lambda of X; in 1/length.
+///
+/// The eigenvalue mu of X is gamma^2 plus the discretisation error (unlike [CGP (5.3)], which
+/// writes gamma for it): its root has no sign, and near zero not the right size either.
+inline double dirac_quotient(const Mesh_view& mesh, const Curvature_potential& rho,
+                             const Quaternion_vector<double>& lambda)
+{
+  const Dirac_forms forms = dirac_forms(mesh, rho, lambda);
+  return forms.dirac(0, 0).w / forms.mass(0, 0).w;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

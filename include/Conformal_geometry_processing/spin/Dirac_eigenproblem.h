@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_EIGENPROBLEM_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_EIGENPROBLEM_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/Lobpcg.h>
+#include <Conformal_geometry_processing/linear_algebra/Stopwatch.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief the eigenvalue problem X lambda = mu M_V lambda of one mesh, for any number of rho
+/// [CGP (5.3)].
+///
+/// The pattern, the ordering of the vertices and the symbolic factorization are made once;
+/// `set_potential()` repeats the numbers only.
+///
+/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
+template <class SolverTraits = Default_solver_traits,
+          class EigensolverTraits = Lobpcg_eigensolver_traits>
+class Dirac_eigenproblem {
+ public:
+  using Vectors = Block<Quaternion<double>>;
+  using Matrix = Hermitian_sparse_matrix<Quaternion<double>>;
+  using Solver = typename SolverTraits::template Solver<Quaternion<double>>;
+
+  /// \param mesh must outlive the object
+  /// \pre `require_surface(mesh)` holds
+  /// \throw Solver_error if the analysis fails
+  explicit Dirac_eigenproblem(const Mesh_view& mesh)
+      : m_mesh(mesh), m_areas(vertex_areas(mesh)), m_X(vertex_graph(mesh))
+  {
+    check("analysis", m_solver.analyze(m_X.pattern()));
+  }
+
+  const Mesh_view& mesh() const { return m_mesh; }
+  const Eigen::VectorXd& areas() const { return m_areas; }
+  const Matrix& matrix() const { return m_X; }
+  const Solver& solver() const { return m_solver; }
+
+  /// 4 pi / area: the size of the low eigenvalues
+  double unit() const
+  {
+    const double pi = std::acos(-1.);
+    return 4 * pi / m_areas.sum();
+  }
+
+  /// \brief assembles X for rho and factors it, shifted by a thousandth of `unit()`.
+  ///
+  /// X is singular for rho = 0 and nearly so for small rho. A smaller shift would let the rounding
+  /// of the solves blow up along the wanted vector; Rayleigh-Ritz takes the effect of this one out.
+  /// \throw Solver_error if X is not positive definite to rounding, or memory is short
+  void set_potential(const Curvature_potential& rho, Dirac_solution::Seconds& seconds)
+  {
+    const double relative_shift = 1e-3;
+    Stopwatch watch;
+    assemble_dirac_energy(m_mesh, rho, m_X);
+    seconds.assembly += watch.lap();
+    check("factorization", m_solver.factorize(m_X, relative_shift * unit() * m_areas));
+    seconds.factorization += watch.lap();
+  }
+
+  /// \brief the smallest eigenpairs, as many as `start` has columns; `wanted` of them converge.
+  /// \pre `set_potential()` has been called
+  template <class GoFurther>
+  Eigen_result smallest(Vectors start, int wanted, double tolerance, int max_iterations,
+                        GoFurther go_further) const
+  {
+    Eigen_options options;
+    options.wanted = wanted;
+    options.tolerance = tolerance;
+    options.max_iterations = max_iterations;
+    options.scale = std::sqrt(unit());
+    return EigensolverTraits()(m_X, m_areas, m_solver, std::move(start), options, go_further);
+  }
+
+  /// \brief two start vectors: `guide`, and X^-1 applied to noise, which has a part of every low
+  /// eigenvector, symmetric or not.
+  /// \pre `set_potential()` has been called
+  Vectors start(const Quaternion_vector<double>& guide, unsigned seed) const
+  {
+    std::mt19937 generator(seed);
+    // The distributions of the standard library differ between implementations; these bits do not.
+    const auto noise = [&] { return static_cast<double>(generator()) / 4294967296. - 0.5; };
+    Vectors b(guide.size(), 1), x;
+    for (Eigen::Index i = 0; i < guide.size(); ++i) {
+      b(i, 0) = {noise(), noise(), noise(), noise()};
+      b(i, 0) *= m_areas[i];
+    }
+    check("solution", m_solver.solve(b, x));
+    Vectors both(guide.size(), 2);
+    both << guide, x;
+    return both;
+  }
+
+  /// |<a, b>| / (|a| |b|) in [0, 1]: one if the vectors differ by a right factor only
+  double overlap(const Quaternion_vector<double>& a, const Quaternion_vector<double>& b) const
+  {
+    return norm(inner_product(a, m_areas, b)) /
+           std::sqrt(inner_product(a, m_areas, a).w * inner_product(b, m_areas, b).w);
+  }
+
+ private:
+  static void check(const char* step, Solver_status status)
+  {
+    if (status != Solver_status::success)
+      throw Solver_error("Dirac_equation",
+                         std::string(step) + " of X failed: " + to_string(status));
+  }
+
+  const Mesh_view& m_mesh;
+  Eigen::VectorXd m_areas;  // |V|
+  Matrix m_X;
+  Solver m_solver;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SOLUTION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SOLUTION_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// which discrete eigenvalue problem stands for (D - rho) lambda = gamma lambda
+enum class Eigenproblem {
+  standard,    ///< X lambda = mu M_V lambda [CGP (5.3)]; always works
+  generalized  ///< X lambda = gamma B^H M_F (D - R) lambda [CGP (5.2)]; rho on faces
+};
+
+/// \ingroup PkgSpin
+/// how to solve the Dirac equation
+struct Dirac_options {
+  Eigenproblem problem = Eigenproblem::standard;
+  double tolerance = 1e-8;  ///< on `Dirac_solution::residual`
+  int max_iterations = 200;
+  int max_substeps = 64;     ///< of the continuation, where one is needed
+  unsigned random_seed = 0;  ///< of the second start vector
+};
+
+/// \ingroup PkgSpin
+/// \brief a solution of the Dirac equation, with the evidence for it.
+struct Dirac_solution {
+  Quaternion_vector<double> lambda;  ///< |V|; mean real and positive, mean of |lambda|^2 one
+  double eigenvalue = 0;             ///< gamma with its sign, in 1/length
+  double energy = 0;                 ///< mu = <lambda, X lambda> / <lambda, M_V lambda> >= 0
+  double residual = 0;  ///< estimate of the error of lambda: the norm of X lambda - mu M_V lambda
+                        ///< dual to the energy, divided by sqrt(4 pi / area) |lambda|
+  double gap = 0;      ///< distance from sqrt(mu) to that of the other vector computed, in 1/length
+  double overlap = 0;  ///< |<lambda, 1>| / (|lambda| |1|), one for the identity
+  int iterations = 0;  ///< of the eigensolver, all substeps together
+  int substeps = 1;    ///< of the continuation from rho = 0; one if none was needed
+  double spectral_shift = 0;    ///< sigma: solved for the eigenvalue nearest to it; zero in (5.3)
+  bool is_generalized = false;  ///< the generalized problem was asked for, solved and trusted
+  double generalized_eigenvalue = 0;  ///< that of (5.2), gamma + (mu - gamma^2) / gamma
+  bool converged = false;
+  bool cancelled = false;
+
+  /// wall clock seconds of the stages
+  struct Seconds {
+    double assembly = 0, factorization = 0, eigenvectors = 0;
+  } seconds;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POISSON_RECONSTRUCTION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POISSON_RECONSTRUCTION_H
+
+#include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/Grounded_solver.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/divergence.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief finds the vertex positions whose edge vectors fit prescribed ones best [CGP (5.5)].
+///
+/// Given one vector e_ij per edge i -> j, minimises sum_ij w_ij |f_j - f_i - e_ij|^2 over the
+/// positions f, where w are the cotan weights of the mesh. The minimiser solves L f = d0^T w e with
+/// the positive semidefinite cotan Laplacian; where weights are negative the sum is still convex.
+///
+/// L depends on the mesh alone and is factored once, in the constructor; every call costs two
+/// triangular solves with three right-hand sides.
+///
+/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+template <class SolverTraits = Default_solver_traits>
+class Poisson_reconstruction {
+ public:
+  /// \param mesh must outlive the object
+  /// \param pattern `vertex_graph(mesh)`
+  /// \pre `require_surface(mesh)` holds
+  /// \throw Solver_error if the Laplacian cannot be factored
+  Poisson_reconstruction(const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern)
+      : m_mesh(mesh), m_weights(cotan_weights(mesh)), m_solver(pattern)
+  {
+    m_solver.factorize(cotan_laplacian(mesh, std::move(pattern)));
+  }
+
+  /// with an ordering of the vertices that another solver on the same pattern has found
+  Poisson_reconstruction(const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern,
+                         const Ordering& order)
+      : m_mesh(mesh), m_weights(cotan_weights(mesh)), m_solver(pattern, order)
+  {
+    m_solver.factorize(cotan_laplacian(mesh, std::move(pattern)));
+  }
+
+  /// returns f, 3 x |V|, the one minimiser whose vertices have mean zero
+  /// \param edges |E| x 3, edge k runs from `mesh.ends(k)[0]` to `mesh.ends(k)[1]`
+  Points positions(const Eigen::MatrixX3d& edges) const
+  {
+    return m_solver.solve(codifferential(m_mesh, m_weights, edges)).transpose();
+  }
+
+  /// \brief |d0 f - e| / |e|: zero exactly when the edge vectors close up around every face.
+  ///
+  /// The norms use |w|, for w itself is negative opposite large angles and then defines none.
+  double residual(const Points& f, const Eigen::MatrixX3d& edges) const
+  {
+    double difference = 0, total = 0;
+    for (int k = 0; k < m_mesh.size_of_edges(); ++k) {
+      const Eigen::Vector3d e = edges.row(k);
+      const Eigen::Vector3d d = f.col(m_mesh.ends(k)[1]) - f.col(m_mesh.ends(k)[0]);
+      difference += std::abs(m_weights[k]) * (d - e).squaredNorm();
+      total += std::abs(m_weights[k]) * e.squaredNorm();
+    }
+    return std::sqrt(difference / total);
+  }
+
+  Solver_statistics statistics() const { return m_solver.statistics(); }
+
+ private:
+  const Mesh_view& m_mesh;
+  Eigen::VectorXd m_weights;  // |E|
+  Grounded_solver<SolverTraits> m_solver;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_GENERALIZED_DIRAC_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_GENERALIZED_DIRAC_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/Lobpcg.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief replaces a solution of the standard problem by that of the generalized one,
+/// X lambda = g K lambda with K = B^H M_F (D - R) [CGP (5.2)], where that can be trusted.
+///
+/// Unlike the text, which calls it more robust, the generalized problem loses the wanted vector
+/// when gamma is near zero: with the discretisation error delta^2 = mu - gamma^2 its eigenvalue is
+/// g = (gamma^2 + delta^2) / gamma, and once that exceeds the next one in modulus another
+/// eigenvector is the smallest. So the standard solution is the guess and the judge: the result
+/// is taken only if it is the smallest, has converged, and is on the same branch.
+///
+/// Solved as K lambda = (1/g) X lambda, whose right-hand side is positive definite.
+/// \param problem a `Dirac_eigenproblem` whose potential was rho in the last solve
+/// \param s a converged solution of the standard problem; unchanged if the other is not trusted
+/// \throw Precondition_error if rho is on vertices: K is not Hermitian then
+template <class Problem, class GoFurther>
+void solve_generalized_dirac(const Problem& problem, const Curvature_potential& rho,
+                             const Dirac_options& options, Dirac_solution& s, GoFurther go_further)
+{
+  if (rho.on != Curvature_potential::On::faces)
+    throw Precondition_error("Dirac_equation",
+                             "the generalized eigenproblem (5.2) needs rho on faces");
+  const double gamma = dirac_quotient(problem.mesh(), rho, s.lambda);
+  if (s.spectral_shift != 0 || gamma == 0 || s.energy <= 0) return;
+  const double guess = gamma / s.energy;  // 1 / g
+  const auto K = dirac_form(problem.mesh(), rho);
+  const auto energy = block_operator(problem.matrix());
+  const auto form = block_operator(K);
+  // The vector of largest |1/g| and of the sign of gamma is the smallest of the pencil (-+K, X).
+  const auto apply_k = [&](const Block<Quaternion<double>>& x) {
+    return Block<Quaternion<double>>(form(x) * (gamma > 0 ? -1. : 1.));
+  };
+  // Eigenvectors have X > 0; the constants, where rho is tiny, only just.
+  const double positive = 1e-12 * problem.unit();
+  const auto apply_x = [&](const Block<Quaternion<double>>& x) {
+    Block<Quaternion<double>> y = energy(x);
+    for (Eigen::Index c = 0; c < x.cols(); ++c)
+      for (Eigen::Index i = 0; i < x.rows(); ++i)
+        y(i, c) += (positive * problem.areas()[i]) * x(i, c);
+    return y;
+  };
+  Eigen_options eigen;
+  eigen.tolerance = options.tolerance;
+  eigen.max_iterations = options.max_iterations;
+  eigen.scale = std::abs(guess);
+  const Eigen_result r = lobpcg(apply_k, apply_x, inverse_operator(problem.solver()),
+                                problem.start(s.lambda, options.random_seed), eigen, go_further);
+  s.iterations += r.iterations;
+  s.cancelled = r.cancelled;
+  const Quaternion_vector<double> lambda = r.vectors.col(0);
+  const double same_branch = 0.99;
+  if (!r.converged || problem.overlap(lambda, s.lambda) < same_branch) return;
+  s.lambda = lambda;
+  s.residual = r.estimates[0];
+  s.is_generalized = true;
+  s.generalized_eigenvalue = (gamma > 0 ? -1 : 1) / r.values[0];
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SEPARATE_SIGNS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SEPARATE_SIGNS_H
+
+#include <Conformal_geometry_processing/linear_algebra/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/quaternionic_jacobi.h>
+#include <Conformal_geometry_processing/operators/dirac_forms.h>
+
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief whether X has mixed two eigenvectors of D - rho of opposite sign.
+///
+/// X is a square: where D - rho has eigenvalues near +g and -g, those of X nearly coincide, and its
+/// eigenvectors are any combination of the two wanted ones. In the signed form a mixture shows as
+/// an off-diagonal entry s that is not small against the difference of the diagonal ones; the angle
+/// of the rotation that takes it away is atan(2 |s| / difference) / 2.
+/// \param forms those of two vectors
+inline bool has_mixed_signs(const Dirac_forms& forms)
+{
+  const double visible = 0.2;  // tan of twice the angle: six degrees
+  const auto& S = forms.dirac;
+  const double a = S(0, 0).w / forms.mass(0, 0).w, b = S(1, 1).w / forms.mass(1, 1).w;
+  const double s = norm(S(0, 1)) / std::sqrt(forms.mass(0, 0).w * forms.mass(1, 1).w);
+  return 2 * s > visible * std::abs(a - b);
+}
+
+/// \ingroup PkgSpin
+/// the vectors in the span of `vectors` on which the signed form is diagonal: Rayleigh-Ritz for
+/// D - rho itself; |V| x k, normalised to <B v, M_F B v> = 1, ascending in their signed eigenvalue
+inline Block<Quaternion<double>> separate_signs(const Block<Quaternion<double>>& vectors,
+                                                const Dirac_forms& forms)
+{
+  const auto mass = quaternionic_jacobi(forms.mass);
+  Block<Quaternion<double>> C = mass.vectors;  // C^H mass C = 1
+  for (Eigen::Index j = 0; j < C.cols(); ++j) scale_column(C, j, 1 / std::sqrt(mass.values[j]));
+  const auto S = gram_matrix(C, combination(forms.dirac, C));
+  return combination(vectors, combination(C, quaternionic_jacobi(S).vectors));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
