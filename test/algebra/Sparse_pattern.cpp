@@ -1,0 +1,39 @@
+// Tests algebra/Sparse_pattern.h
+#include <Conformal_geometry_processing/algebra/Sparse_pattern.h>
+
+#include <gtest/gtest.h>
+
+namespace CGP = Conformal_geometry_processing;
+
+namespace {
+
+// The path 0 - 1 - 2, and the edge 0 - 3.
+const CGP::Sparse_pattern pattern{{0, 3, 5, 6, 7}, {0, 1, 3, 1, 2, 2, 3}};
+
+}  // namespace
+
+TEST(Sparse_pattern, counts_rows_and_entries)
+{
+  EXPECT_EQ(pattern.size(), 4);
+  EXPECT_EQ(pattern.size_of_entries(), 7);
+  EXPECT_EQ(CGP::Sparse_pattern{}.size(), 0);
+}
+
+TEST(Sparse_pattern, finds_what_it_stores_and_nothing_else)
+{
+  EXPECT_EQ(pattern.find(0, 0), 0);
+  EXPECT_EQ(pattern.find(3, 0), 2);
+  EXPECT_EQ(pattern.find(2, 1), 4);
+  EXPECT_EQ(pattern.find(3, 3), 6);
+  EXPECT_EQ(pattern.find(2, 0), -1);
+  EXPECT_EQ(pattern.find(3, 1), -1);
+  EXPECT_EQ(pattern.find(3, 2), -1);
+}
+
+TEST(Sparse_pattern, compares_by_content)
+{
+  CGP::Sparse_pattern other = pattern;
+  EXPECT_TRUE(other == pattern);
+  other.indices[2] = 2;
+  EXPECT_FALSE(other == pattern);
+}

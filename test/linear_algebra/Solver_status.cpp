@@ -1,0 +1,21 @@
+// Tests linear_algebra/Solver_status.h
+#include <Conformal_geometry_processing/linear_algebra/Solver_status.h>
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+namespace CGP = Conformal_geometry_processing;
+using CGP::Solver_status;
+
+TEST(Solver_status, says_something_different_about_each_case)
+{
+  std::set<std::string> words;
+  for (const Solver_status status :
+       {Solver_status::success, Solver_status::not_positive_definite,
+        Solver_status::numerical_issue, Solver_status::out_of_memory, Solver_status::wrong_state})
+    words.insert(CGP::to_string(status));
+  EXPECT_EQ(words.size(), 5u);
+  EXPECT_EQ(words.count("unknown"), 0u);
+}

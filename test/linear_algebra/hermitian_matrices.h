@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_LINEAR_ALGEBRA_HERMITIAN_MATRICES_H
+#define TEST_LINEAR_ALGEBRA_HERMITIAN_MATRICES_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/algebra/quaternion_blocks.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <set>
+#include <type_traits>
+
+#include "support/random.h"
+
+/// Random sparse Hermitian matrices, and the dense real matrices they stand for.
+namespace cgp_test {
+
+namespace CGP = Conformal_geometry_processing;
+using Pattern = std::shared_ptr<const CGP::Sparse_pattern>;
+
+/// n vertices in a ring, and n chords: a connected graph
+inline Pattern random_pattern(int n, std::uint64_t seed)
+{
+  Random random(seed);
+  std::vector<std::set<int>> rows(at(n));
+  const auto connect = [&](int i, int j) { rows[at(std::min(i, j))].insert(std::max(i, j)); };
+  for (int i = 0; i < n; ++i) {
+    rows[at(i)].insert(i);
+    connect(i, (i + 1) % n);
+    connect(i, random.below(n));
+  }
+  CGP::Sparse_pattern pattern;
+  pattern.offsets.push_back(0);
+  for (const std::set<int>& column : rows) {
+    pattern.indices.insert(pattern.indices.end(), column.begin(), column.end());
+    pattern.offsets.push_back(static_cast<int>(pattern.indices.size()));
+  }
+  return std::make_shared<const CGP::Sparse_pattern>(std::move(pattern));
+}
+
+template <class Scalar>
+Scalar random_scalar(Random& random)
+{
+  if constexpr (std::is_same_v<Scalar, double>)
+    return random.number();
+  else
+    return random.quaternion();
+}
+
+/// random entries with a real diagonal
+template <class Scalar>
+CGP::Hermitian_sparse_matrix<Scalar> random_hermitian(const Pattern& pattern, std::uint64_t seed)
+{
+  Random random(seed);
+  CGP::Hermitian_sparse_matrix<Scalar> A(pattern);
+  for (int j = 0; j < A.size(); ++j)
+    for (int k = pattern->offsets[at(j)]; k < pattern->offsets[at(j) + 1]; ++k)
+      A.value(k) = k == pattern->offsets[at(j)]
+                       ? CGP::Scalar_traits<Scalar>::from_real(random.number())
+                       : random_scalar<Scalar>(random);
+  return A;
+}
+
+/// adds s to the diagonal
+template <class Scalar>
+CGP::Hermitian_sparse_matrix<Scalar> plus_diagonal(CGP::Hermitian_sparse_matrix<Scalar> A,
+                                                   const Eigen::VectorXd& s)
+{
+  for (int j = 0; j < A.size(); ++j)
+    A.value(A.pattern().offsets[at(j)]) += CGP::Scalar_traits<Scalar>::from_real(s[j]);
+  return A;
+}
+
+/// diagonally dominant
+template <class Scalar>
+CGP::Hermitian_sparse_matrix<Scalar> random_definite(const Pattern& pattern, std::uint64_t seed)
+{
+  const auto A = random_hermitian<Scalar>(pattern, seed);
+  Eigen::VectorXd s = Eigen::VectorXd::Constant(A.size(), 1.1);
+  A.for_each_entry([&](int i, int j, const Scalar& a) {
+    using std::abs;
+    using CGP::norm;
+    double size = 0;
+    if constexpr (std::is_same_v<Scalar, double>)
+      size = abs(a);
+    else
+      size = norm(a);
+    s[i] += size;
+    s[j] += size;
+  });
+  return plus_diagonal(A, s);
+}
+
+/// the Laplacian of the graph with random positive weights
+inline CGP::Hermitian_sparse_matrix<double> random_laplacian(const Pattern& pattern,
+                                                             std::uint64_t seed)
+{
+  Random random(seed);
+  CGP::Hermitian_sparse_matrix<double> L(pattern);
+  Eigen::VectorXd degrees = Eigen::VectorXd::Zero(L.size());
+  for (int j = 0; j < L.size(); ++j)
+    for (int k = pattern->offsets[at(j)] + 1; k < pattern->offsets[at(j) + 1]; ++k) {
+      const double weight = 1.5 + random.number();
+      L.value(k) = -weight;
+      degrees[j] += weight;
+      degrees[pattern->indices[at(k)]] += weight;
+    }
+  return plus_diagonal(L, degrees);
+}
+
+/// n x n, or 4n x 4n: left multiplication on components w, x, y, z
+inline Eigen::MatrixXd dense(const CGP::Hermitian_sparse_matrix<double>& A)
+{
+  Eigen::MatrixXd D(A.size(), A.size());
+  for (int j = 0; j < A.size(); ++j)
+    for (int i = 0; i < A.size(); ++i) D(i, j) = A.coefficient(i, j);
+  return D;
+}
+inline Eigen::MatrixXd dense(const CGP::Block<Quaternion<double>>& A)
+{
+  Eigen::MatrixXd D(4 * A.rows(), 4 * A.cols());
+  for (Eigen::Index j = 0; j < A.cols(); ++j)
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+      D.block<4, 4>(4 * i, 4 * j) = CGP::real_block(A(i, j));
+  return D;
+}
+inline Eigen::MatrixXd dense(const CGP::Hermitian_sparse_matrix<Quaternion<double>>& A)
+{
+  CGP::Block<Quaternion<double>> D(A.size(), A.size());
+  for (int j = 0; j < A.size(); ++j)
+    for (int i = 0; i < A.size(); ++i) D(i, j) = A.coefficient(i, j);
+  return dense(D);
+}
+
+/// the components of the columns
+inline Eigen::MatrixXd real_columns(const CGP::Block<double>& b)
+{
+  return b;
+}
+inline Eigen::MatrixXd real_columns(const CGP::Block<Quaternion<double>>& b)
+{
+  return Eigen::Map<const Eigen::MatrixXd>(reinterpret_cast<const double*>(b.data()), 4 * b.rows(),
+                                           b.cols());
+}
+
+template <class Scalar>
+CGP::Block<Scalar> random_block(int rows, int columns, std::uint64_t seed)
+{
+  Random random(seed);
+  CGP::Block<Scalar> b(rows, columns);
+  for (int c = 0; c < columns; ++c)
+    for (int i = 0; i < rows; ++i) b(i, c) = random_scalar<Scalar>(random);
+  return b;
+}
+
+/// one mass on all components of a quaternion
+inline Eigen::VectorXd four_times(const Eigen::VectorXd& m)
+{
+  Eigen::VectorXd d(4 * m.size());
+  for (Eigen::Index i = 0; i < m.size(); ++i) d.segment<4>(4 * i).setConstant(m[i]);
+  return d;
+}
+
+}  // namespace cgp_test
+
+#endif
