@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <cmath>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 

@@ -14,7 +14,8 @@ namespace Conformal_geometry_processing {
 /// \brief the boundary curves of a surface, each as its vertices in order, the surface on the left.
 ///
 /// A loop starts at its vertex of smallest number; loops are sorted by it. O(|V| + |E|).
-/// \pre `require_manifold(mesh)` holds: from every boundary vertex one boundary edge goes out
+/// \pre `require_manifold_edges(mesh)` and `require_manifold_vertices(mesh)` hold: from every
+/// boundary vertex one boundary edge goes out
 inline std::vector<std::vector<int>> boundary_loops(const Mesh_view& mesh)
 {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };

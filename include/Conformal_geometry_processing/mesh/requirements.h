@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/boundary_loops.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -52,7 +53,8 @@ struct Topology {
 
 /// \ingroup PkgMesh
 /// the topology of an oriented manifold mesh
-/// \pre `require_manifold(mesh)` holds and no vertex is without a face
+/// \pre `require_manifold_edges(mesh)` and `require_manifold_vertices(mesh)` hold, and no vertex is
+/// without a face
 inline Topology topology(const Mesh_view& mesh)
 {
   Topology t;

@@ -8,8 +8,10 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <memory>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 

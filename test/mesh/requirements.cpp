@@ -1,0 +1,242 @@
+// Tests include/Conformal_geometry_processing/mesh/requirements.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/mesh/requirements.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "support/meshes.h"
+
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+
+namespace {
+
+using Requirement = void (*)(const Mesh_view&, const std::string&);
+
+/// what the requirement says, empty if it is fulfilled
+std::string complaint(Requirement require, const Mesh_view& mesh)
+{
+  try {
+    require(mesh, "some_function");
+  } catch (const CGP::Precondition_error& error) {
+    EXPECT_EQ(error.function(), "some_function");
+    return error.message();
+  }
+  return "";
+}
+
+/// refused for this reason, also as part of all requirements of a surface
+void expect_refused(Requirement require, const Mesh_view& mesh, const std::string& message)
+{
+  EXPECT_EQ(complaint(require, mesh), message);
+  EXPECT_EQ(complaint(CGP::require_surface, mesh), message);
+}
+
+Mesh_view with_coordinate(Mesh_view mesh, int v, int axis, double value)
+{
+  Points p = mesh.positions();
+  p(axis, v) = value;
+  mesh.set_positions(p);
+  return mesh;
+}
+
+Mesh_view with_faces(const Mesh_view& mesh, const Corners& more)
+{
+  Corners corners = mesh.corners();
+  corners.insert(corners.end(), more.begin(), more.end());
+  return {mesh.positions(), std::move(corners)};
+}
+
+/// an isosceles triangle with base 1 and the given height
+Mesh_view flat_triangle(double height)
+{
+  return {points({{0, 0, 0}, {1, 0, 0}, {.5, height, 0}}), {{0, 1, 2}}};
+}
+
+}  // namespace
+
+TEST(Require_surface, accepts_every_oriented_manifold)
+{
+  for (const Mesh_view& mesh :
+       {tetrahedron(), icosphere(2), torus(2, 1, 5, 4), double_torus(), single_triangle(),
+        unit_square(), disk(3), annulus(1, 2, 6, 1), cylinder(1, 1, 4, 1)})
+    EXPECT_EQ(complaint(CGP::require_surface, mesh), "");
+}
+
+TEST(Require_surface, names_the_function_that_asks)
+{
+  try {
+    CGP::require_surface(Mesh_view(), "spin_transform");
+    FAIL();
+  } catch (const CGP::Precondition_error& error) {
+    EXPECT_STREQ(error.what(), "spin_transform: the mesh has no faces");
+  }
+}
+
+TEST(Require_not_empty, refuses_meshes_without_faces)
+{
+  expect_refused(CGP::require_not_empty, Mesh_view(), "the mesh has no faces");
+  expect_refused(CGP::require_not_empty, Mesh_view(Points::Zero(3, 5), {}),
+                 "the mesh has no faces");
+}
+
+TEST(Require_finite_positions, refuses_what_is_not_a_number)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_refused(CGP::require_finite_positions, with_coordinate(icosphere(1), 17, 2, nan),
+                 "1 vertices with a coordinate that is not finite, the first is vertex 17; "
+                 "finite coordinates are needed");
+}
+
+TEST(Require_finite_positions, refuses_infinity_of_either_sign)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Mesh_view mesh = with_coordinate(icosphere(1), 8, 0, -infinity);
+  expect_refused(CGP::require_finite_positions, with_coordinate(mesh, 5, 1, infinity),
+                 "2 vertices with a coordinate that is not finite, the first is vertex 5; "
+                 "finite coordinates are needed");
+}
+
+TEST(Require_no_isolated_vertices, names_the_first)
+{
+  Points p(3, 7);
+  p << tetrahedron().positions(), Points::Random(3, 3);
+  expect_refused(CGP::require_no_isolated_vertices, {p, tetrahedron().corners()},
+                 "3 vertices without a face, the first is vertex 4; remove them first");
+}
+
+TEST(Require_distinct_corners, refuses_a_repeated_vertex_in_any_two_places)
+{
+  for (const std::array<int, 3>& corners : Corners{{1, 1, 2}, {1, 2, 2}, {1, 2, 1}}) {
+    const std::string name = "(vertices " + std::to_string(corners[0]) + ", " +
+                             std::to_string(corners[1]) + ", " + std::to_string(corners[2]) + ")";
+    expect_refused(
+        CGP::require_distinct_corners, with_faces(tetrahedron(), {corners}),
+        "1 faces with a repeated vertex, the first is face 4 " + name + "; remove them first");
+  }
+}
+
+TEST(Require_manifold_edges, refuses_three_faces_on_one_edge)
+{
+  const Mesh_view book(points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}}),
+                       {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+  expect_refused(CGP::require_manifold_edges, book,
+                 "1 non-manifold edges (more than two faces), the first is edge 0-1; "
+                 "a manifold is needed");
+}
+
+TEST(Require_manifold_edges, refuses_a_face_that_is_turned_around)
+{
+  Corners corners = icosphere(1).corners();
+  std::swap(corners[9][0], corners[9][1]);
+  std::array<int, 3> v = corners[9];
+  std::sort(v.begin(), v.end());
+  expect_refused(CGP::require_manifold_edges, {icosphere(1).positions(), corners},
+                 "3 edges whose two faces are oriented against each other, the first is edge " +
+                     std::to_string(v[0]) + "-" + std::to_string(v[1]) +
+                     "; a consistent orientation is needed");
+}
+
+TEST(Require_manifold_edges, refuses_a_moebius_strip)
+{
+  Points p(3, 5);
+  for (int i = 0; i < 5; ++i) p.col(i) << i * i, i, i * i * i;
+  const Mesh_view strip(p, {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 0}, {4, 0, 1}});
+  expect_refused(CGP::require_manifold_edges, strip,
+                 "1 edges whose two faces are oriented against each other, the first is edge 0-1; "
+                 "a consistent orientation is needed");
+}
+
+TEST(Require_manifold_vertices, refuses_two_disks_that_touch_in_a_vertex)
+{
+  const Mesh_view bow_tie(points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}),
+                          {{0, 1, 2}, {0, 3, 4}});
+  expect_refused(CGP::require_manifold_vertices, bow_tie,
+                 "1 non-manifold vertices (several fans of faces), the first is vertex 0; "
+                 "a manifold is needed");
+}
+
+TEST(Require_manifold_vertices, refuses_an_hourglass_of_closed_surfaces)
+{
+  const Mesh_view pair = disjoint_union(tetrahedron(), tetrahedron(), {9, 0, 0});
+  Corners corners = pair.corners();
+  for (auto& face : corners)
+    for (int& v : face) v = v == 7 ? 3 : v;
+  const Mesh_view hourglass(pair.positions().leftCols(7), corners);
+  expect_refused(CGP::require_manifold_vertices, hourglass,
+                 "1 non-manifold vertices (several fans of faces), the first is vertex 3; "
+                 "a manifold is needed");
+}
+
+TEST(Require_manifold_vertices, refuses_an_open_fan_that_touches_a_closed_one)
+{
+  // A tetrahedron with one more triangle at its vertex 2.
+  Points p(3, 6);
+  p << tetrahedron().positions(), Points::Random(3, 2);
+  expect_refused(CGP::require_manifold_vertices,
+                 with_faces({p, tetrahedron().corners()}, {{2, 4, 5}}),
+                 "1 non-manifold vertices (several fans of faces), the first is vertex 2; "
+                 "a manifold is needed");
+}
+
+TEST(Require_manifold_vertices, ends_also_where_faces_are_turned_around)
+{
+  Corners corners = icosphere(1).corners();
+  for (std::size_t f = 0; f < corners.size(); f += 3) std::swap(corners[f][0], corners[f][1]);
+  EXPECT_NO_THROW(complaint(CGP::require_manifold_vertices, {icosphere(1).positions(), corners}));
+}
+
+TEST(Require_connected, refuses_two_components)
+{
+  expect_refused(CGP::require_connected, disjoint_union(icosphere(1), disk(2), {9, 0, 0}),
+                 "the mesh has 2 components, the second begins at vertex 42; "
+                 "one component is needed, transform each alone");
+}
+
+TEST(Require_positive_areas, refuses_faces_whose_corners_coincide_or_are_in_line)
+{
+  Points p = icosphere(1).positions();
+  const auto& corners = icosphere(1).corners(30);
+  p.col(corners[0]) = (p.col(corners[1]) + p.col(corners[2])) / 2;
+  const std::string message = complaint(CGP::require_surface, {p, icosphere(1).corners()});
+  EXPECT_EQ(message.substr(0, 43), "1 faces of area zero, the first is face 30 ") << message;
+  expect_refused(CGP::require_positive_areas, Mesh_view(Points::Ones(3, 3), {{0, 1, 2}}),
+                 "1 faces of area zero, the first is face 0 (vertices 0, 1, 2); "
+                 "remove or repair them first");
+}
+
+TEST(Require_positive_areas, refuses_slivers_that_are_rounding_errors)
+{
+  expect_refused(CGP::require_positive_areas, flat_triangle(1e-14),
+                 "1 faces of area zero, the first is face 0 (vertices 0, 1, 2); "
+                 "remove or repair them first");
+}
+
+TEST(Require_positive_areas, accepts_slivers_of_a_millionth_of_a_degree)
+{
+  const double radians = 1e-6 * pi / 180;
+  EXPECT_EQ(complaint(CGP::require_surface, flat_triangle(radians / 2)), "");  // two such angles
+  EXPECT_EQ(complaint(CGP::require_surface, flat_triangle(1 / radians)), "");  // one
+}
+
+TEST(Require_positive_areas, is_the_same_for_any_unit_of_length)
+{
+  for (double size : {1e-300, 1e-150, 1e150, 1e300}) {
+    EXPECT_EQ(complaint(CGP::require_surface, scaled(icosphere(2), size)), "") << size;
+    EXPECT_EQ(complaint(CGP::require_surface, scaled(flat_triangle(1e-8), size)), "") << size;
+    EXPECT_NE(complaint(CGP::require_surface, scaled(flat_triangle(1e-14), size)), "") << size;
+  }
+}
+
+TEST(Require_closed, counts_boundary_edges)
+{
+  EXPECT_EQ(complaint(CGP::require_closed, icosphere(1)), "");
+  EXPECT_EQ(complaint(CGP::require_closed, unit_square()),
+            "4 boundary edges, the first is edge 0-1; a closed surface is needed");
+  EXPECT_EQ(complaint(CGP::require_closed, without_face(tetrahedron(), 3)),
+            "3 boundary edges, the first is edge 1-2; a closed surface is needed");
+}
