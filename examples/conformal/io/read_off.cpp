@@ -51,6 +51,7 @@ class Off_reader {
     read_counts();
     read_vertices();
     read_faces();
+    keep_comments(bytes);
     if (!m_scanner.at_end())
       m_scanner.fail(quoted(m_scanner.word("")) +
                      " after the last face, wanted the end of the file");
@@ -59,6 +60,18 @@ class Off_reader {
   Surface_file take() { return std::move(m_file); }
 
  private:
+  // In an OFF file, every `#` begins a comment.
+  void keep_comments(std::string_view bytes)
+  {
+    std::size_t begin = bytes.find('#');
+    while (begin != std::string_view::npos) {
+      const std::size_t end = std::min(bytes.find_first_of("\r\n", begin), bytes.size());
+      begin += begin + 1 < end && bytes[begin + 1] == ' ' ? 2 : 1;
+      m_file.comments.emplace_back(bytes.substr(begin, end - begin));
+      begin = bytes.find('#', end);
+    }
+  }
+
   static constexpr int comments = Text_scanner::hash_comments | Text_scanner::hash_ends_words;
 
   void read_header(std::string_view bytes, const std::string& path)

@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Temporary_file.h"
+
+#include "io_errors.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+
+namespace conformal {
+namespace {
+
+// The register of temporaries: plain memory and lock-free flags, for a signal handler reads it.
+enum Slot_state { vacant, being_filled, filled };
+struct Slot {
+  std::atomic<int> state{vacant};
+  std::array<char, PATH_MAX> path{};
+};
+constexpr std::size_t slots = 16;
+std::array<Slot, slots> registered;
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not wait for a lock");
+
+// The slot that the path went into, or `slots` if the path is too long or no slot is vacant.
+std::size_t enter(const std::string& path)
+{
+  if (path.size() >= PATH_MAX) return slots;
+  for (std::size_t i = 0; i < slots; ++i) {
+    int expected = vacant;
+    if (!registered[i].state.compare_exchange_strong(expected, being_filled)) continue;
+    std::memcpy(registered[i].path.data(), path.c_str(), path.size() + 1);
+    registered[i].state = filled;
+    return i;
+  }
+  return slots;
+}
+
+void leave(std::size_t slot)
+{
+  if (slot < slots) registered[slot].state = vacant;
+}
+
+std::string folder_of(const std::string& path)
+{
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "./" : path.substr(0, slash + 1);
+}
+
+// the file that a path stands for, through symbolic links if it exists
+std::string resolved(const std::string& path)
+{
+  char* real = ::realpath(path.c_str(), nullptr);
+  if (real == nullptr) return path;
+  const std::string result = real;
+  std::free(real);
+  return result;
+}
+
+bool is_unsupported(int error)
+{
+  return error == EINVAL || error == ENOTSUP || error == ENOSYS;
+}
+
+}  // namespace
+
+Temporary_file::Temporary_file(const std::string& target)
+    : m_target(target), m_path(resolved(target)), m_slot(slots)
+{
+  struct stat status {};
+  const bool exists = ::stat(m_path.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) throw Write_error(m_target, "is a directory");
+  if (exists && ::access(m_path.c_str(), W_OK) != 0) fail("cannot be replaced");
+  if (exists && !S_ISREG(status.st_mode)) {
+    m_file = ::open(m_path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (m_file < 0) fail("cannot be opened");
+    return;
+  }
+  open_temporary();
+  // Where the mode cannot be kept, the default one does no harm.
+  if (exists) static_cast<void>(::fchmod(m_file, status.st_mode & 07777));
+}
+
+Temporary_file::~Temporary_file()
+{
+  if (m_file >= 0) ::close(m_file);
+  if (!m_temporary.empty()) ::unlink(m_temporary.c_str());
+  leave(m_slot);
+}
+
+void Temporary_file::open_temporary()
+{
+  static std::atomic<unsigned> counter{0};
+  const std::string stem = folder_of(m_path) + ".conformal-" + std::to_string(::getpid()) + '-';
+  do {
+    leave(m_slot);
+    const std::string path = stem + std::to_string(counter++) + ".tmp";
+    m_slot = enter(path);  // before it exists: a signal may come at once
+    m_file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (m_file >= 0) m_temporary = path;
+  } while (m_file < 0 && errno == EEXIST);
+  if (m_file >= 0) return;
+  const int error = errno;
+  leave(m_slot);
+  errno = error;
+  fail("cannot be written in its folder");
+}
+
+void Temporary_file::write(std::string_view bytes)
+{
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(m_file, bytes.data(), std::min(bytes.size(), std::size_t{1} << 30));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail("cannot be written");
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+}
+
+void Temporary_file::commit()
+{
+  if (::fsync(m_file) != 0 && !is_unsupported(errno)) fail("cannot be brought to the disk");
+  close_file();
+  if (m_temporary.empty()) return;
+  if (::rename(m_temporary.c_str(), m_path.c_str()) != 0) fail("cannot be replaced");
+  m_temporary.clear();
+  leave(m_slot);
+  m_slot = slots;
+  flush_folder();
+}
+
+void Temporary_file::close_file()
+{
+  const int file = m_file;
+  m_file = -1;
+  if (::close(file) != 0) fail("cannot be closed");
+}
+
+// The new name survives a power cut; where folders cannot be flushed, the file is still complete.
+void Temporary_file::flush_folder() const
+{
+  const int folder = ::open(folder_of(m_path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  static_cast<void>(::fsync(folder));
+  ::close(folder);
+}
+
+void Temporary_file::fail(const std::string& what) const
+{
+  throw Write_error(m_target, what + ": " + std::strerror(errno));
+}
+
+void remove_temporary_files() noexcept
+{
+  for (Slot& slot : registered)
+    if (slot.state == filled) ::unlink(slot.path.data());
+}
+
+void write_file(const std::string& path, std::string_view bytes)
+{
+  Temporary_file file(path);
+  file.write(bytes);
+  file.commit();
+}
+
+}  // namespace conformal

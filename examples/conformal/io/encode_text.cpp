@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "encode_text.h"
+
+#include <algorithm>
+
+namespace conformal {
+
+void append_value(std::string& text, const Property& property, std::size_t i)
+{
+  if (is_integer(property.type()))
+    append_number(text, property.integer(i));
+  else if (property.type() == Value_type::float32)
+    append_number(text, static_cast<float>(property.value(i)));
+  else
+    append_number(text, property.value(i));
+}
+
+void append_word(std::string& text, double value)
+{
+  text += ' ';
+  append_number(text, value);
+}
+
+std::string on_one_line(std::string text)
+{
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::replace(text.begin(), text.end(), '\r', ' ');
+  return text;
+}
+
+void note_lost_properties(const Element& element, const std::vector<std::string_view>& written,
+                          const char* format, std::vector<std::string>& notes)
+{
+  for (const Property& property : element.properties)
+    if (std::find(written.begin(), written.end(), property.name()) == written.end())
+      notes.push_back("the " + element.name + " property " + property.name() +
+                      " is not written to " + format);
+}
+
+}  // namespace conformal

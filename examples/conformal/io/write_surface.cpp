@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "write_surface.h"
+
+#include "detect_format.h"
+#include "io_errors.h"
+#include "write_glb.h"
+#include "write_obj.h"
+#include "write_off.h"
+#include "write_ply.h"
+
+namespace conformal {
+
+File_format output_format(const std::string& path)
+{
+  const auto format = format_of_extension(path);
+  if (!format) throw Write_error(path, "has no known extension, wanted .ply, .off, .obj or .glb");
+  if (*format == File_format::stl)
+    throw Write_error(path, "STL cannot keep vertices or colours, wanted .ply, .off, .obj or .glb");
+  return *format;
+}
+
+std::vector<std::string> write_surface(const std::string& path, const Surface_file& file)
+{
+  switch (output_format(path)) {
+    case File_format::off:
+      return write_off(path, file);
+    case File_format::obj:
+      return write_obj(path, file);
+    case File_format::glb:
+      return write_glb(path, file);
+    default:
+      return write_ply(path, file);
+  }
+}
+
+}  // namespace conformal

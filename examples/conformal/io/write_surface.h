@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_WRITE_SURFACE_H
+#define CONFORMAL_IO_WRITE_SURFACE_H
+
+#include "Surface_file.h"
+
+#include <string>
+#include <vector>
+
+namespace conformal {
+
+/// The format that `write_surface` will use, by the extension: PLY, OFF, OBJ or GLB.
+/// \throws Write_error for any other, so that a program can refuse before it computes
+File_format output_format(const std::string& path);
+
+/// Writes a mesh file in the format of its extension; vertices and faces keep their order. Either
+/// the whole file appears or the old one stays; `path` may be the file that was read.
+/// \return what the format has no place for, a line each. \throws Write_error
+std::vector<std::string> write_surface(const std::string& path, const Surface_file& file);
+
+}  // namespace conformal
+
+#endif
