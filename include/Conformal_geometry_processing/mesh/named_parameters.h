@@ -164,6 +164,11 @@ template <class NamedParameters, class Tag>
 inline constexpr bool has_parameter =
     !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
 
+/// the type of a parameter, or the fallback's if it is not given
+template <class NamedParameters, class Tag, class Fallback>
+using Parameter_type =
+    typename CGAL::internal_np::Lookup_named_param_def<Tag, NamedParameters, Fallback>::type;
+
 /// the value of a parameter (what `std::ref` refers to, if it was passed so), or else the fallback
 template <class NamedParameters, class Tag, class Fallback>
 decltype(auto) parameter_or(const NamedParameters& np, Tag tag, Fallback&& fallback)

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MEASURE_CONFORMALITY_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_CONFORMALITY_H
+
+#include <Conformal_geometry_processing/measure/Distribution.h>
+#include <Conformal_geometry_processing/measure/area_distortion.h>
+#include <Conformal_geometry_processing/measure/flipped_faces.h>
+#include <Conformal_geometry_processing/measure/length_cross_ratio.h>
+#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgMeasure
+/// \brief how conformal the map between two surfaces of the same connectivity is: the certificate
+/// that every transformation of the library carries.
+struct Conformality {
+  Distribution quasi_conformal;  ///< of Q >= 1 over the area
+  Length_cross_ratio_change length_cross_ratio;
+  Area_distortion scale;  ///< of lengths
+  int flipped_faces = 0;
+};
+
+/// \ingroup PkgMeasure
+/// \param positions the new ones, 3 x |V|
+/// \param expected_normals 3 x |F|, to tell which faces have flipped (`flipped_faces()`)
+inline Conformality conformality(const Mesh_view& mesh, const Points& positions,
+                                 const Points& expected_normals)
+{
+  return {quasi_conformal_error(mesh, positions), length_cross_ratio_change(mesh, positions),
+          area_distortion(mesh, positions), flipped_faces(mesh, positions, expected_normals)};
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_REPORT_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_REPORT_H
+
+#include <Conformal_geometry_processing/measure/Conformality.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief the result of a spin transformation in numbers, which are its proof.
+struct [[nodiscard]] Spin_report {
+  bool converged = false;  ///< the Dirac equation is solved to the tolerance
+  bool cancelled = false;  ///< the visitor said no; nothing has been written
+
+  double eigenvalue =
+      0;  ///< gamma with its sign, in 1/length: the curvature that came is rho + gamma
+  double residual = 0;  ///< error estimate of lambda, see `Dirac_solution::residual`
+  double gap = 0;       ///< distance to the next singular value of D - rho, in 1/length
+  double overlap = 0;   ///< of lambda with the identity, in [0, 1]
+  int iterations = 0;   ///< of the eigensolver
+  int substeps = 1;     ///< in which rho was switched on; one if a single solve found the branch
+  double spectral_shift = 0;    ///< zero unless the branch was not that of the smallest eigenvalue
+  bool is_generalized = false;  ///< solved as [CGP (5.2)]
+  double generalized_eigenvalue = 0;  ///< of [CGP (5.2)], if so
+
+  double closure_residual = 0;  ///< how far the new edges are from closing up, relative
+  Conformality conformality;    ///< of the map from the old surface to the new one
+  double min_spin_ratio = 0;  ///< min |lambda| / max |lambda|; near zero where the map degenerates
+
+  /// wall clock seconds
+  struct Seconds {
+    double setup = 0;  ///< pattern, ordering, symbolic analysis, Laplacian: once per mesh
+    double assembly = 0, factorization = 0, eigenvectors = 0, reconstruction = 0, certificate = 0;
+  } seconds;
+
+  /// whether the transformation was carried out: solved, and every number of it finite
+  explicit operator bool() const { return converged && !cancelled; }
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_H
+
+#include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/spin/Dirac_equation.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// the transformed surface with its report
+struct Spin_result {
+  Points positions;                  ///< 3 x |V|
+  Quaternion_vector<double> lambda;  ///< |V|; df~ = conjugate(lambda) df lambda
+  Spin_report report;
+};
+
+/// \ingroup PkgSpin
+/// \brief spin transformations of one closed surface: prescribes a change rho of its mean curvature
+/// and finds the conformally equivalent surface that has it [CGP (5.3)-(5.5)].
+///
+/// H~ |lambda|^2 = H + rho + gamma, so positive rho bulges along the normals. The result has the
+/// area and the centroid of the mesh. All that depends on the mesh alone is done in the
+/// constructor: checks, orderings, symbolic analyses and the factorization of the Laplacian; every
+/// call of `transform()` costs one numeric factorization of the Dirac matrix, some ten solves with
+/// it and one with the Laplacian.
+///
+/// Computes in a frame of unit size around the centre, so that neither scale nor position matter.
+///
+/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
+template <class SolverTraits = Default_solver_traits,
+          class EigensolverTraits = Lobpcg_eigensolver_traits>
+class Spin_transformation {
+ public:
+  /// \param mesh is copied
+  /// \param function named in exceptions
+  /// \throw Precondition_error if the mesh is not a closed, connected, oriented manifold with
+  /// finite coordinates and positive areas; the message names the first element in the way \throw
+  /// Solver_error if the Laplacian cannot be factored
+  explicit Spin_transformation(const Mesh_view& mesh,
+                               const std::string& function = "Spin_transformation")
+      : m_function(function),
+        m_frame(checked(mesh, function).positions()),
+        m_mesh(mesh),
+        m_dirac(in_frame(m_mesh, m_frame)),
+        m_reconstruction(m_mesh, m_dirac.problem().matrix().shared_pattern(),
+                         m_dirac.problem().solver().ordering()),
+        m_setup_seconds(m_watch.lap())
+  {}
+
+  Spin_transformation(const Spin_transformation&) = delete;
+  Spin_transformation& operator=(const Spin_transformation&) = delete;
+
+  /// \param rho in 1/length of the mesh, one number per vertex or per face
+  /// \param go_further asked between iterations with an `Eigen_progress`; false cancels
+  /// \throw Precondition_error if rho has the wrong length or a value that is not finite
+  /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
+  template <class GoFurther = Always_go_further>
+  Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
+                        GoFurther go_further = {})
+  {
+    require_finite(rho);
+    const Curvature_potential rho_in_frame{rho.on, rho.values * m_frame.unit()};
+    Dirac_solution s = m_dirac.solve(rho_in_frame, options, go_further);
+    Spin_result result;
+    result.report = report_of(s);
+    result.lambda = std::move(s.lambda);
+    if (!s.cancelled) reconstruct(result);
+    return result;
+  }
+
+ private:
+  static const Mesh_view& checked(const Mesh_view& mesh, const std::string& function)
+  {
+    require_surface(mesh, function);
+    require_closed(mesh, function);
+    return mesh;
+  }
+
+  static const Mesh_view& in_frame(Mesh_view& mesh, const Normalized_frame& frame)
+  {
+    mesh.set_positions(frame.to_frame(mesh.positions()));
+    return mesh;
+  }
+
+  void require_finite(const Curvature_potential& rho) const
+  {
+    const bool on_faces = rho.on == Curvature_potential::On::faces;
+    const int size = on_faces ? m_mesh.size_of_faces() : m_mesh.size_of_vertices();
+    const std::string element = on_faces ? "face" : "vertex";
+    if (rho.values.size() != size)
+      throw Precondition_error(m_function, "rho has " + std::to_string(rho.values.size()) +
+                                               " values, one per " + element +
+                                               " is needed: " + std::to_string(size));
+    internal::refuse_if_any(
+        size, [&](int i) { return !std::isfinite(rho.values[i] * m_frame.unit()); },
+        [&](int i) { return element + " " + std::to_string(i); }, m_function,
+        "values of rho that are not finite", "finite values are needed");
+  }
+
+  Spin_report report_of(const Dirac_solution& s) const
+  {
+    Spin_report r;
+    r.converged = s.converged;
+    r.cancelled = s.cancelled;
+    r.eigenvalue = s.eigenvalue / m_frame.unit();
+    r.residual = s.residual;
+    r.gap = s.gap / m_frame.unit();
+    r.overlap = s.overlap;
+    r.iterations = s.iterations;
+    r.substeps = s.substeps;
+    r.spectral_shift = s.spectral_shift / m_frame.unit();
+    r.is_generalized = s.is_generalized;
+    r.generalized_eigenvalue = s.generalized_eigenvalue / m_frame.unit();
+    r.seconds.setup = m_setup_seconds;
+    r.seconds.assembly = s.seconds.assembly;
+    r.seconds.factorization = s.seconds.factorization;
+    r.seconds.eigenvectors = s.seconds.eigenvectors;
+    return r;
+  }
+
+  /// Positions from lambda, with the area and the centroid of the mesh, and the certificate.
+  void reconstruct(Spin_result& result) const
+  {
+    Stopwatch watch;
+    Spin_report& r = result.report;
+    const Eigen::MatrixX3d edges = transformed_edges(m_mesh, result.lambda);
+    Points f = m_reconstruction.positions(edges);
+    r.closure_residual = m_reconstruction.residual(f, edges);
+    r.seconds.reconstruction = watch.lap();
+    restore_area(f, result.lambda);
+    r.conformality = conformality(m_mesh, f, rotated_normals(result.lambda));
+    const auto size = components(result.lambda).colwise().norm();
+    r.min_spin_ratio = size.minCoeff() / size.maxCoeff();
+    r.converged = r.converged && f.allFinite();
+    result.positions = m_frame.from_frame(std::move(f));
+    r.seconds.certificate = watch.lap();
+  }
+
+  /// Scales positions and lambda together to the area of the mesh, and moves the centroid back.
+  void restore_area(Points& f, Quaternion_vector<double>& lambda) const
+  {
+    const Eigen::VectorXd areas = face_areas(m_mesh);
+    Eigen::VectorXd new_areas(areas.size());
+    for (int i = 0; i < m_mesh.size_of_faces(); ++i)
+      new_areas[i] = m_mesh.double_area_vector(i, f).norm() / 2;
+    const double scale = std::sqrt(areas.sum() / new_areas.sum());
+    f *= scale;
+    components(lambda) *= std::sqrt(scale);
+    f.colwise() += centroid(m_mesh.positions(), areas) - centroid(f, new_areas);
+  }
+
+  Eigen::Vector3d centroid(const Points& f, const Eigen::VectorXd& areas) const
+  {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int i = 0; i < m_mesh.size_of_faces(); ++i)
+      for (int v : m_mesh.corners(i)) sum += areas[i] / 3 * f.col(v);
+    return sum / areas.sum();
+  }
+
+  /// the normals of the faces turned by the mean spin of their corners, 3 x |F|, not normalised
+  Points rotated_normals(const Quaternion_vector<double>& lambda) const
+  {
+    Points normals(3, m_mesh.size_of_faces());
+    for (int f = 0; f < m_mesh.size_of_faces(); ++f) {
+      const auto& v = m_mesh.corners(f);
+      normals.col(f) =
+          spin(lambda[v[0]] + lambda[v[1]] + lambda[v[2]], m_mesh.double_area_vector(f));
+    }
+    return normals;
+  }
+
+  Stopwatch m_watch;  // started before everything else is constructed
+  std::string m_function;
+  Normalized_frame m_frame;
+  Mesh_view m_mesh;  // in the frame
+  Dirac_equation<SolverTraits, EigensolverTraits> m_dirac;
+  Poisson_reconstruction<SolverTraits> m_reconstruction;
+  double m_setup_seconds;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

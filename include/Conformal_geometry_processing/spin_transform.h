@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORM_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORM_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_access.h>
+#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/geometry_traits.h>
+#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/Spin_visitor.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <type_traits>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+template <class TriangleMesh, class CurvaturePotentialMap>
+Curvature_potential read_curvature_potential(const Graph_view<TriangleMesh>& graph,
+                                             CurvaturePotentialMap rho)
+{
+  using Key = typename boost::property_traits<CurvaturePotentialMap>::key_type;
+  constexpr bool on_vertices =
+      std::is_same_v<Key, typename Graph_view<TriangleMesh>::vertex_descriptor>;
+  constexpr bool on_faces = std::is_same_v<Key, typename Graph_view<TriangleMesh>::face_descriptor>;
+  static_assert(on_vertices || on_faces,
+                "the key type of rho must be the vertex or the face descriptor of the mesh");
+  const Mesh_view& mesh = graph.view();
+  Eigen::VectorXd values(on_vertices ? mesh.size_of_vertices() : mesh.size_of_faces());
+  for (int i = 0; i < values.size(); ++i) {
+    if constexpr (on_vertices)
+      values[i] = CGAL::to_double(get(rho, graph.vertex(i)));
+    else
+      values[i] = CGAL::to_double(get(rho, graph.face(i)));
+  }
+  return {on_vertices ? Curvature_potential::On::vertices : Curvature_potential::On::faces,
+          std::move(values)};
+}
+
+template <class NamedParameters>
+Dirac_options dirac_options(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Dirac_options o;
+  o.problem = choose_parameter(get_parameter(np, internal_np::eigenproblem), o.problem);
+  o.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), o.tolerance);
+  o.max_iterations = static_cast<int>(choose_parameter(
+      get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_iterations));
+  o.max_substeps = static_cast<int>(
+      choose_parameter(get_parameter(np, internal_np::maximum_number_of_substeps), o.max_substeps));
+  o.random_seed = static_cast<unsigned>(
+      choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.random_seed));
+  return o;
+}
+
+/// Writes lambda, then the points. A map that throws leaves the points as they were if they can be
+/// read, which they can unless they go to a map of their own.
+template <class TriangleMesh, class NamedParameters>
+void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph,
+                       const Spin_result& result, const NamedParameters& np)
+{
+  if constexpr (has_parameter<NamedParameters, internal_np::vertex_spin_map_t>) {
+    auto spins = CGAL::parameters::get_parameter(np, internal_np::vertex_spin_map);
+    using Value = typename boost::property_traits<decltype(spins)>::value_type;
+    for (int v = 0; v < graph.view().size_of_vertices(); ++v)
+      put(spins, graph.vertex(v), Quaternion_access<Value>::to(result.lambda[v]));
+  }
+  const auto points = output_vertex_points(mesh, np);
+  const auto traits = geometry_traits<TriangleMesh>(np);
+  if constexpr (has_parameter<NamedParameters, internal_np::output_vertex_point_map_t>) {
+    graph.write_positions(result.positions, points, traits);
+  } else {
+    std::vector<typename boost::property_traits<std::decay_t<decltype(points)>>::value_type> old;
+    for (int v = 0; v < graph.view().size_of_vertices(); ++v)
+      old.push_back(get(points, graph.vertex(v)));
+    try {
+      graph.write_positions(result.positions, points, traits);
+    } catch (...) {
+      for (int v = 0; v < graph.view().size_of_vertices(); ++v)
+        put(points, graph.vertex(v), old[static_cast<std::size_t>(v)]);
+      throw;
+    }
+  }
+}
+
+}  // namespace internal
+
+/// \ingroup PkgEntryPoints
+/// \brief deforms a closed surface conformally so that its mean curvature changes as prescribed
+/// [CGP (5.3)-(5.5)].
+///
+/// Solves (D - rho) lambda = gamma lambda for the spins lambda and integrates the new edges
+/// conjugate(lambda) df lambda. The new surface has H~ |lambda|^2 = H + rho + gamma: positive rho
+/// bulges along the normals, its constant part has no effect. Angles are kept up to the fineness of
+/// the mesh; area and centroid stay. On a surface of genus > 0 not every rho belongs to a surface
+/// that closes up: the report's `closure_residual` tells.
+///
+/// Computes in double precision whatever the kernel. One sparse factorization of a complex matrix
+/// of twice the number of vertices dominates time and memory. Use `Spin_transformation` for several
+/// rho on one mesh.
+///
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
+/// \tparam CurvaturePotentialMap a model of `ReadablePropertyMap` whose key is the vertex or the
+/// face descriptor of the mesh, and whose value converts by `CGAL::to_double()`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the surface, oriented with normals outward; its points are overwritten
+/// \param rho the change of mean curvature, in 1/length of the mesh
+/// \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices; read, and written unless
+///                           `output_vertex_point_map` is given}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{output_vertex_point_map}
+///     \cgalParamDescription{where the new points go}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{the vertex point map}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_spin_map}
+///     \cgalParamDescription{receives lambda}
+///     \cgalParamType{a model of `WritablePropertyMap`; its value is any type that
+///                    `Quaternion_access` knows}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
+///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_solver}
+///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
+///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
+///     \cgalParamDefault{`Default_solver_traits`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{eigenvalue_solver}
+///     \cgalParamDescription{which eigenvalue solver to use; its type matters, not its value}
+///     \cgalParamType{a model of `SparseHermitianEigensolverTraits`}
+///     \cgalParamDefault{`Lobpcg_eigensolver_traits`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{eigenproblem}
+///     \cgalParamDescription{the discretisation: `Eigenproblem::generalized` needs rho on faces and
+///                           falls back to the standard one where it cannot be trusted}
+///     \cgalParamType{`Eigenproblem`}
+///     \cgalParamDefault{`Eigenproblem::standard`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tolerance}
+///     \cgalParamDescription{of the error estimate of lambda}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-8}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{how many the eigenvalue solver may take, in each substep}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{200}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_substeps}
+///     \cgalParamDescription{in how many substeps a strong rho may be switched on}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{64}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{of the second start vector of the eigenvalue solver}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{watches the iterations and may cancel}
+///     \cgalParamType{a `std::reference_wrapper` of a model of `SpinVisitor`}
+///     \cgalParamDefault{`Spin_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the report, which converts to `true` if the equation was solved. Otherwise (no
+/// convergence, cancelled) nothing has been written.
+/// \throw Precondition_error if the mesh is not a closed, connected, oriented triangle mesh with
+/// finite coordinates and positive areas, or rho is not finite; the message names the element
+/// \throw Solver_error if a factorization fails
+template <class TriangleMesh, class CurvaturePotentialMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
+                           const NamedParameters& np = parameters::default_values())
+{
+  static_assert(
+      internal::only_known_parameters<
+          NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
+          CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
+          CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
+          internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
+          internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::tolerance_t,
+          internal_np::maximum_number_of_substeps_t>,
+      "spin_transform(): unknown named parameter, see the manual for those it accepts");
+  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
+                                                 Default_solver_traits>;
+  using Eigensolver_traits =
+      internal::Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t,
+                               Lobpcg_eigensolver_traits>;
+
+  const Graph_view<TriangleMesh> graph(mesh, np, "spin_transform");
+  const Curvature_potential potential = internal::read_curvature_potential(graph, rho);
+  Spin_visitor silent;
+  auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
+  const auto go_further = [&](const Eigen_progress& progress) {
+    visitor.on_iteration(progress);
+    return visitor.go_further();
+  };
+  Spin_transformation<Solver_traits, Eigensolver_traits> transformation(graph.view(),
+                                                                        "spin_transform");
+  const Spin_result result =
+      transformation.transform(potential, internal::dirac_options(np), go_further);
+  if (result.report) internal::write_spin_result(mesh, graph, result, np);
+  return result.report;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
