@@ -18,7 +18,7 @@ namespace Conformal_geometry_processing {
 /// \tparam TriangleMesh a triangle mesh, see \ref triangle_mesh_requirements
 /// \tparam VertexNormalMap a model of `WritablePropertyMap`, from vertices to a type that is
 /// constructed from three numbers, such as `Vector_3`
-/// \param mesh, it may have a boundary
+/// \param mesh may have a boundary
 /// \param normals written only after all have been computed
 /// \param np optional, as follows
 ///
