@@ -37,6 +37,8 @@ class Embedded_hermitian_solver {
   Solver_status analyze(const Sparse_pattern& pattern)
   {
     return guarded([&] {
+      m_state = State::empty;
+      if (pattern.size() == 0) return Solver_status::wrong_state;
       Ordering order;
       const Solver_status status = Backend<Entry>::find_ordering(pattern, order);
       return status == Solver_status::success ? analyze(pattern, order) : status;

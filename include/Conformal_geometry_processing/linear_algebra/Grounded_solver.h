@@ -54,9 +54,10 @@ class Grounded_solver {
     double largest = 0;
     for (int j = 0; j < L.size(); ++j) largest = std::max(largest, L.diagonal(j));
     for (int k = 0; k < L.pattern().size_of_entries(); ++k) m_grounded.value(k) = L.value(k);
-    // Column 0 of the lower triangle is all there is of row and column 0.
-    for (int k = 1; k < L.pattern().offsets[1]; ++k) m_grounded.value(k) = 0;
-    m_grounded.value(0) = largest;
+    // Column 0 of the lower triangle is all there is of row and column 0. Times zero, and not zero:
+    // a value that is not finite must not go unnoticed.
+    for (int k = 0; k < L.pattern().offsets[1]; ++k) m_grounded.value(k) *= 0;
+    m_grounded.value(0) += largest;
     check("factorization", m_solver.factorize(m_grounded, {}));
   }
 

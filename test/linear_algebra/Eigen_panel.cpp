@@ -1,0 +1,95 @@
+// Tests linear_algebra/Eigen_panel.h
+#include <Conformal_geometry_processing/linear_algebra/Eigen_panel.h>
+#include <Conformal_geometry_processing/linear_algebra/block_operators.h>
+
+#include <gtest/gtest.h>
+
+#include "linear_algebra/hermitian_matrices.h"
+
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+using Q = CGP::Quaternion<double>;
+
+namespace {
+
+constexpr int n = 12;
+
+class Eigen_panel : public testing::Test {
+ protected:
+  CGP::Eigen_panel panel(const CGP::Block<Q>& v) const
+  {
+    return CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N), v);
+  }
+
+  // What a panel claims to be: v, K v, N v.
+  void expect_consistent(const CGP::Eigen_panel& p) const
+  {
+    EXPECT_LE((real_columns(p.kv) - dense(K) * real_columns(p.v)).norm(), 1e-11);
+    EXPECT_LE((real_columns(p.nv) - dense(N) * real_columns(p.v)).norm(), 1e-11);
+  }
+
+  CGP::Hermitian_sparse_matrix<Q> K = random_hermitian<Q>(random_pattern(n, 1), 2);
+  CGP::Hermitian_sparse_matrix<Q> N = random_definite<Q>(random_pattern(n, 3), 4);
+};
+
+double distance_to_identity(const CGP::Block<Q>& A)
+{
+  return (dense(A) - Eigen::MatrixXd::Identity(4 * A.rows(), 4 * A.cols())).norm();
+}
+
+}  // namespace
+
+TEST_F(Eigen_panel, holds_what_k_and_n_make_of_the_vectors)
+{
+  const auto p = panel(random_block<Q>(n, 3, 5)), q = panel(random_block<Q>(n, 2, 6));
+  expect_consistent(p);
+  expect_consistent(CGP::combination(p, random_block<Q>(3, 2, 7)));
+  const auto both = CGP::beside(p, q);
+  ASSERT_EQ(both.size(), 5);
+  expect_consistent(both);
+  EXPECT_EQ(CGP::beside(p, {}).size(), 3);
+}
+
+TEST_F(Eigen_panel, has_a_residual_orthogonal_to_the_vector)
+{
+  const auto p = panel(random_block<Q>(n, 1, 8));
+  const CGP::Block<Q> r = p.residual();
+  EXPECT_LE(std::abs(CGP::inner_product(p.v.col(0), r.col(0)).w), 1e-13);
+}
+
+TEST_F(Eigen_panel, becomes_an_orthonormal_basis_of_the_same_span)
+{
+  const auto p = panel(random_block<Q>(n, 4, 9));
+  const auto basis = CGP::orthonormal_basis(p);
+  ASSERT_EQ(basis.size(), 4);
+  expect_consistent(basis);
+  EXPECT_LE(distance_to_identity(CGP::gram_matrix(basis.v, basis.nv)), 1e-13);
+  auto rest = p;
+  CGP::project_out(rest, basis);
+  EXPECT_LE(real_columns(rest.v).norm(), 1e-13);
+}
+
+TEST_F(Eigen_panel, loses_directions_that_depend_on_others)
+{
+  CGP::Block<Q> v = random_block<Q>(n, 5, 10);
+  const Q q{0, 1, -2, 0.5};
+  for (int i = 0; i < n; ++i) {
+    v(i, 1) = v(i, 0) * q;               // over the quaternions the same direction
+    v(i, 3) = v(i, 2) + 1e-8 * v(i, 3);  // nearly the same
+    v(i, 4) = v(i, 2) + 1e-3 * v(i, 4);  // clearly another
+  }
+  EXPECT_EQ(CGP::orthonormal_basis(panel(v)).size(), 3);
+  EXPECT_EQ(CGP::orthonormal_basis(panel(CGP::Block<Q>(n, 2))).size(), 0);
+}
+
+TEST_F(Eigen_panel, is_orthogonal_to_what_was_projected_out)
+{
+  const auto base = CGP::orthonormal_basis(panel(random_block<Q>(n, 2, 11)));
+  CGP::Block<Q> v = base.v.leftCols(1);
+  const auto other = random_block<Q>(n, 1, 12);
+  for (int i = 0; i < n; ++i) v(i, 0) += 1e-9 * other(i, 0);
+  auto p = panel(v);
+  CGP::project_out(p, base);
+  EXPECT_LE(real_columns(CGP::gram_matrix(base.nv, p.v)).norm(), 1e-16);
+  EXPECT_GT(real_columns(p.v).norm(), 1e-10);
+}

@@ -1,0 +1,306 @@
+// Tests linear_algebra/Lobpcg.h
+#include <Conformal_geometry_processing/linear_algebra/Eigen_hermitian_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/Lobpcg.h>
+#include <Conformal_geometry_processing/linear_algebra/inverse_power_method.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "linear_algebra/spectral_problem.h"
+
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+using Q = CGP::Quaternion<double>;
+using Block = CGP::Block<Q>;
+
+namespace {
+
+CGP::Eigen_options until(double tolerance, int wanted = 1, int max_iterations = 200)
+{
+  CGP::Eigen_options options;
+  options.tolerance = tolerance;
+  options.wanted = wanted;
+  options.max_iterations = max_iterations;
+  return options;
+}
+
+template <class GoFurther = CGP::Always_go_further>
+CGP::Eigen_result solve(const Spectral_problem& problem, const Block& x0,
+                        const CGP::Eigen_options& options, double shift = 1e-3,
+                        GoFurther go_further = {})
+{
+  return CGP::lobpcg(problem.k(), problem.n(), problem.inverse(shift), x0, options, go_further);
+}
+
+// A matrix, masses and a solver, with dense eigenvalues to compare.
+struct Matrix_problem {
+  explicit Matrix_problem(std::uint64_t seed) : A(random_definite<Q>(random_pattern(40, seed), 2))
+  {
+    EXPECT_EQ(solver.analyze(A.pattern()), CGP::Solver_status::success);
+    EXPECT_EQ(solver.factorize(A, 1e-3 * masses), CGP::Solver_status::success);
+    const Eigen::MatrixXd N = four_times(masses).asDiagonal();
+    expected = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(dense(A), N).eigenvalues();
+  }
+  CGP::Hermitian_sparse_matrix<Q> A;
+  Eigen::VectorXd masses = (random_numbers(40, 3).array() + 2).matrix();
+  CGP::Eigen_hermitian_solver_traits::Solver<Q> solver;
+  Eigen::VectorXd expected;  // each four times
+};
+
+}  // namespace
+
+TEST(Lobpcg, finds_the_smallest_eigenpairs_of_a_matrix)
+{
+  const Matrix_problem p(1);
+  for (int block = 1; block <= 3; ++block) {
+    const auto r = CGP::Lobpcg_eigensolver_traits{}(
+        p.A, p.masses, p.solver, random_block<Q>(40, block, 4), until(1e-10, block));
+    ASSERT_TRUE(r.converged);
+    for (int j = 0; j < block; ++j) EXPECT_NEAR(r.values[j], p.expected[4 * j], 1e-12);
+    const Eigen::MatrixXd X = dense(r.vectors), N = four_times(p.masses).asDiagonal();
+    EXPECT_LE((dense(p.A) * X - N * X * four_times(r.values).asDiagonal()).norm(), 1e-8);
+    EXPECT_LE((X.transpose() * N * X - Eigen::MatrixXd::Identity(4 * block, 4 * block)).norm(),
+              1e-12);
+    ASSERT_EQ(r.gap.has_value(), block > 1);
+    if (block > 1) {
+      EXPECT_NEAR(*r.gap, p.expected[4] - p.expected[0], 1e-12);
+    }
+  }
+}
+
+TEST(Lobpcg, takes_a_mass_matrix_as_well)
+{
+  const Matrix_problem p(5);
+  const auto N = random_definite<Q>(p.A.shared_pattern(), 6);
+  const auto r =
+      CGP::Lobpcg_eigensolver_traits{}(p.A, N, p.solver, random_block<Q>(40, 1, 7), until(1e-10));
+  using Dense = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>;
+  ASSERT_TRUE(r.converged);
+  EXPECT_NEAR(r.values[0], Dense(dense(p.A), dense(N)).eigenvalues()[0], 1e-12);
+}
+
+TEST(Lobpcg, is_done_at_once_with_the_exact_eigenvector_of_a_singular_matrix)
+{
+  // As rho = 0 does with lambda = 1: the eigenvalue is 0, the vector constant.
+  Eigen::VectorXd values = counting(20);
+  values[0] = 0;
+  const Spectral_problem problem(values);
+  for (const double shift : {1e-2, 1e-6, 1e-12}) {
+    const auto r = solve(problem, problem.vectors().leftCols(1), until(1e-8), shift);
+    EXPECT_TRUE(r.converged);
+    EXPECT_EQ(r.iterations, 0);
+    EXPECT_NEAR(r.values[0], 0, 1e-14);
+  }
+}
+
+TEST(Lobpcg, estimates_the_error_in_the_energy_norm)
+{
+  // x = u_1 + e u_2 has r = e (theta_2 - theta_1) N u_2 and T r = r / theta_2, to first order.
+  const Spectral_problem problem(counting(10));
+  const double e = 1e-4;
+  Block x0 = problem.vectors().leftCols(1);
+  for (int i = 0; i < 10; ++i) x0(i, 0) += e * problem.vectors()(i, 1);
+  CGP::Eigen_options options = until(0, 1, 0);
+  options.scale = 3;
+  const auto r = solve(problem, x0, options, 0);
+  EXPECT_NEAR(r.estimates[0], e * (2 - 1) / std::sqrt(2) / 3, 1e-7 * e);
+  EXPECT_FALSE(r.converged);
+  EXPECT_EQ(r.iterations, 0);
+}
+
+TEST(Lobpcg, stops_when_the_vector_is_as_exact_as_asked)
+{
+  const Spectral_problem problem(counting(30));
+  for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+    const auto r = solve(problem, random_block<Q>(30, 1, 2), until(tolerance));
+    EXPECT_TRUE(r.converged);
+    EXPECT_LE(r.estimates[0], tolerance);
+    // e (theta_2 - theta_1) / sqrt(theta_2) is at least e / sqrt(2) here.
+    EXPECT_LE(problem.sine(r.vectors), 1.5 * tolerance);
+  }
+}
+
+TEST(Lobpcg, stays_at_the_eigenpair_past_the_rounding_floor)
+{
+  for (const double second : {1.001, 1.1, 3.0, 100.0})
+    for (const double shift : {1e-3, 1e-9}) {
+      Eigen::VectorXd values = 100 * counting(30);
+      values[0] = 1;
+      values[1] = second;
+      const Spectral_problem problem(values);
+      const auto r = solve(problem, random_block<Q>(30, 1, 3), until(0, 1, 1000), shift);
+      EXPECT_TRUE(r.stagnated);
+      EXPECT_FALSE(r.converged);
+      EXPECT_NEAR(r.values[0], 1, 1e-11);
+      EXPECT_LE(problem.sine(r.vectors), 1e-12 / (second - 1));
+    }
+}
+
+TEST(Lobpcg, stays_at_a_singular_eigenpair_past_the_rounding_floor)
+{
+  Eigen::VectorXd values = counting(30);
+  values[0] = 0;
+  const Spectral_problem problem(values);
+  for (const double shift : {1e-3, 1e-9}) {
+    const auto r = solve(problem, problem.vectors().leftCols(1), until(0, 1, 1000), shift);
+    EXPECT_TRUE(r.stagnated);
+    EXPECT_LE(problem.sine(r.vectors), 1e-12);
+  }
+}
+
+TEST(Lobpcg, stops_where_there_is_no_direction_left)
+{
+  const Spectral_problem problem(Eigen::VectorXd::Ones(1));
+  const auto r = solve(problem, random_block<Q>(1, 1, 4), until(-1));
+  EXPECT_TRUE(r.stagnated);
+  EXPECT_NEAR(r.values[0], 1, 1e-14);
+}
+
+TEST(Lobpcg, separates_two_nearly_equal_eigenvalues_with_two_columns)
+{
+  Eigen::VectorXd values = 2 + counting(30).array();
+  values[0] = 1;
+  values[1] = 1 + 1e-7;
+  const Spectral_problem problem(values);
+  const auto one = solve(problem, random_block<Q>(30, 1, 5), until(1e-6));
+  EXPECT_TRUE(one.converged);
+  EXPECT_LE(problem.sine(one.vectors, 2), 1e-5);
+  const auto two = solve(problem, random_block<Q>(30, 2, 5), until(1e-9, 2));
+  EXPECT_TRUE(two.converged);
+  EXPECT_NEAR(*two.gap, 1e-7, 1e-13);
+  EXPECT_LE(problem.sine(two.vectors, 2), 1e-8);
+}
+
+TEST(Lobpcg, finds_both_vectors_of_a_double_eigenvalue)
+{
+  // As for the square of an operator with eigenvalues +-1, +-2, ...
+  Eigen::VectorXd values(24);
+  for (int i = 0; i < 24; ++i) values[i] = (i / 2 + 1) * (i / 2 + 1);
+  const Spectral_problem problem(values);
+  const auto one = solve(problem, random_block<Q>(24, 1, 6), until(1e-9));
+  EXPECT_TRUE(one.converged);
+  EXPECT_LE(problem.sine(one.vectors, 2), 1e-8);
+  const auto two = solve(problem, random_block<Q>(24, 2, 6), until(1e-9, 2));
+  EXPECT_TRUE(two.converged);
+  EXPECT_LE(problem.sine(two.vectors, 2), 1e-8);
+  EXPECT_NEAR(*two.gap, 0, 1e-13);
+  // A block that ends between two equal eigenvalues.
+  const auto three = solve(problem, random_block<Q>(24, 3, 6), until(1e-9, 3));
+  EXPECT_TRUE(three.converged);
+  EXPECT_LE(problem.sine(three.vectors, 4), 1e-8);
+}
+
+TEST(Lobpcg, leaves_an_initial_vector_that_is_nearly_orthogonal_to_the_answer)
+{
+  const Spectral_problem problem(counting(30));
+  Block x0 = Block::Constant(30, 1, Q{});
+  for (int i = 0; i < 30; ++i) {
+    x0(i, 0) = 1e-6 * problem.vectors()(i, 0);
+    for (int j = 1; j < 30; ++j) x0(i, 0) += problem.vectors()(i, j);
+  }
+  const auto r = solve(problem, x0, until(1e-8));
+  EXPECT_TRUE(r.converged);
+  EXPECT_NEAR(r.values[0], 1, 1e-12);
+}
+
+TEST(Lobpcg, converges_with_a_crude_preconditioner)
+{
+  const Spectral_problem problem(counting(60));
+  const auto nothing = [](const Block& r) { return r; };
+  const auto r =
+      CGP::lobpcg(problem.k(), problem.n(), nothing, random_block<Q>(60, 2, 7), until(1e-8));
+  EXPECT_TRUE(r.converged);
+  EXPECT_LE(problem.sine(r.vectors.leftCols(1)), 1e-7);
+  EXPECT_GT(r.iterations, 10);
+}
+
+TEST(Lobpcg, needs_fewer_iterations_than_the_inverse_power_method)
+{
+  Eigen::VectorXd values = 2 * counting(40);
+  values[0] = 1;
+  values[1] = 1 / 0.83;
+  const Spectral_problem problem(values);
+  const Block x0 = random_block<Q>(40, 1, 8);
+  const auto fast = solve(problem, x0, until(1e-8));
+  const auto slow =
+      CGP::inverse_power_method(problem.k(), problem.n(), problem.inverse(), x0, until(1e-8));
+  ASSERT_TRUE(fast.converged && slow.converged);
+  EXPECT_LT(3 * fast.iterations, slow.iterations);
+}
+
+TEST(Lobpcg, turns_its_answer_with_the_initial_vector)
+{
+  const Spectral_problem problem(counting(20));
+  const Q q = Q{1, 2, -2, 4} / 5;
+  const Block x0 = random_block<Q>(20, 1, 9), gauge = Block::Constant(1, 1, q);
+  const auto a = solve(problem, x0, until(1e-8));
+  const auto b = solve(problem, CGP::combination(x0, gauge), until(1e-8));
+  EXPECT_LE((real_columns(CGP::combination(a.vectors, gauge)) - real_columns(b.vectors)).norm(),
+            1e-12);
+}
+
+TEST(Lobpcg, gives_the_same_bits_again)
+{
+  const Spectral_problem problem(counting(20));
+  const auto a = solve(problem, random_block<Q>(20, 2, 10), until(1e-8));
+  const auto b = solve(problem, random_block<Q>(20, 2, 10), until(1e-8));
+  EXPECT_EQ(real_columns(a.vectors), real_columns(b.vectors));
+}
+
+TEST(Lobpcg, can_be_cancelled)
+{
+  const Spectral_problem problem(counting(30));
+  std::vector<int> seen;
+  double value = 0;
+  const auto r = solve(problem, random_block<Q>(30, 1, 11), until(0), 1e-3,
+                       [&](const CGP::Eigen_progress& progress) {
+                         seen.push_back(progress.iteration);
+                         value = progress.value;
+                         EXPECT_GT(progress.estimate, 0);
+                         return progress.iteration < 2;
+                       });
+  EXPECT_TRUE(r.cancelled);
+  EXPECT_FALSE(r.converged);
+  EXPECT_EQ(seen, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(r.iterations, 2);
+  EXPECT_EQ(r.values[0], value);
+}
+
+TEST(Lobpcg, gives_up_after_the_maximal_number_of_iterations)
+{
+  const Spectral_problem problem(counting(30));
+  const auto r = solve(problem, random_block<Q>(30, 1, 12), until(1e-14, 1, 3));
+  EXPECT_FALSE(r.converged);
+  EXPECT_FALSE(r.stagnated);
+  EXPECT_EQ(r.iterations, 3);
+  EXPECT_EQ(r.solves, 4);
+  EXPECT_GT(r.estimates[0], 1e-14);
+}
+
+TEST(Lobpcg, refuses_initial_vectors_that_cannot_do)
+{
+  const Spectral_problem problem(counting(10));
+  EXPECT_THROW(solve(problem, Block(10, 0), until(1e-6)), CGP::Precondition_error);
+  EXPECT_THROW(solve(problem, random_block<Q>(10, 1, 1), until(1e-6, 2)), CGP::Precondition_error);
+  EXPECT_THROW(solve(problem, random_block<Q>(10, 1, 1), until(1e-6, 0)), CGP::Precondition_error);
+  EXPECT_THROW(solve(problem, Block(10, 1), until(1e-6)), CGP::Precondition_error);
+  Block same = random_block<Q>(10, 2, 1);
+  same.col(1) = same.col(0);
+  EXPECT_THROW(solve(problem, same, until(1e-6)), CGP::Precondition_error);
+}
+
+TEST(Lobpcg, refuses_operators_that_return_values_that_are_not_finite)
+{
+  const Spectral_problem problem(counting(10));
+  const auto broken = [](Block r) {
+    r(3, 0).x = std::numeric_limits<double>::quiet_NaN();
+    return r;
+  };
+  EXPECT_THROW(
+      CGP::lobpcg(problem.k(), problem.n(), broken, random_block<Q>(10, 1, 1), until(1e-6)),
+      CGP::Solver_error);
+}

@@ -1,0 +1,33 @@
+// Tests linear_algebra/block_products.h
+#include <Conformal_geometry_processing/linear_algebra/block_products.h>
+
+#include <gtest/gtest.h>
+
+#include "linear_algebra/hermitian_matrices.h"
+
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+using Q = CGP::Quaternion<double>;
+
+TEST(Gram_matrix, is_the_conjugate_transpose_times_the_other)
+{
+  const auto A = random_block<Q>(9, 2, 1), B = random_block<Q>(9, 3, 2);
+  EXPECT_LE((dense(CGP::gram_matrix(A, B)) - dense(A).transpose() * dense(B)).norm(), 1e-14);
+}
+
+TEST(Combination, multiplies_from_the_right)
+{
+  const auto V = random_block<Q>(9, 3, 3), C = random_block<Q>(3, 2, 4);
+  EXPECT_LE((dense(CGP::combination(V, C)) - dense(V) * dense(C)).norm(), 1e-14);
+}
+
+TEST(Scale_column, scales_just_that_one)
+{
+  const auto V = random_block<Q>(4, 2, 5);
+  auto W = V;
+  CGP::scale_column(W, 1, 2.0);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(W(i, 0), V(i, 0));
+    EXPECT_EQ(W(i, 1), V(i, 1) + V(i, 1));
+  }
+}
