@@ -107,6 +107,17 @@ TEST(Named_parameters, refer_to_an_lvalue_fallback_and_return_an_rvalue_one)
   static_assert(std::is_same_v<Returned, double>);
 }
 
+TEST(Named_parameters, tell_the_type_of_a_value_through_a_reference_too)
+{
+  Stateful solver;
+  const auto np = P::time_step(.5F).sparse_solver(std::ref(solver));
+  using Pack = std::decay_t<decltype(np)>;
+  using CGP::internal::Parameter_type;
+  static_assert(std::is_same_v<Parameter_type<Pack, Tags::time_step_t, int>, float>);
+  static_assert(std::is_same_v<Parameter_type<Pack, Tags::sparse_solver_t, int>, Stateful>);
+  static_assert(std::is_same_v<Parameter_type<Pack, Tags::tolerance_t, int>, int>);
+}
+
 TEST(Named_parameters, are_known_or_not)
 {
   EXPECT_TRUE(is_only_time_step_and_iterations(P::default_values()));

@@ -19,11 +19,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// the points of a mesh, where the pack does not say otherwise
-template <class TriangleMesh, class NamedParameters>
-using Point_of = typename boost::property_traits<
-    typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::const_type>::value_type;
-
 template <class GeomTraits, class = void>
 struct Is_conformal_geometry_traits : std::false_type {};
 
@@ -48,6 +43,21 @@ template <class GeomTraits>
 inline constexpr bool is_conformal_geometry_traits =
     Is_conformal_geometry_traits<GeomTraits>::value;
 
+/// the points of the vertices, to be read
+template <class TriangleMesh, class NamedParameters>
+auto vertex_points(const TriangleMesh& mesh, const NamedParameters& np)
+{
+  if constexpr (has_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>)
+    return CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point);
+  else
+    return CGAL::get_const_property_map(CGAL::vertex_point, mesh);
+}
+
+/// the type of these points. Looks at the mesh only if the pack does not tell: it may have none
+template <class TriangleMesh, class NamedParameters>
+using Point_of = typename boost::property_traits<decltype(vertex_points(
+    std::declval<const TriangleMesh&>(), std::declval<const NamedParameters&>()))>::value_type;
+
 /// the `geom_traits` of a pack, or else the kernel of the points. The latter is looked for only
 /// where it is needed: `CGAL::GetGeomTraits` breaks on points without a kernel even if the pack
 /// brings their traits.
@@ -62,16 +72,6 @@ auto geometry_traits(const NamedParameters& np)
                   "the points of the mesh belong to no kernel: pass geom_traits()");
     return Kernel();
   }
-}
-
-/// the points of the vertices, to be read
-template <class TriangleMesh, class NamedParameters>
-auto vertex_points(const TriangleMesh& mesh, const NamedParameters& np)
-{
-  if constexpr (has_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>)
-    return CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point);
-  else
-    return CGAL::get_const_property_map(CGAL::vertex_point, mesh);
 }
 
 /// where the transformed points go: `output_vertex_point_map`, by default in place

@@ -6,6 +6,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -164,10 +165,20 @@ template <class NamedParameters, class Tag>
 inline constexpr bool has_parameter =
     !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
 
-/// the type of a parameter, or the fallback's if it is not given
+template <class T>
+struct Referred {
+  using type = T;
+};
+
+template <class T>
+struct Referred<std::reference_wrapper<T>> {
+  using type = std::remove_const_t<T>;
+};
+
+/// the type of a parameter (of what `std::ref` refers to, if it was passed so), or the fallback
 template <class NamedParameters, class Tag, class Fallback>
-using Parameter_type =
-    typename CGAL::internal_np::Lookup_named_param_def<Tag, NamedParameters, Fallback>::type;
+using Parameter_type = typename Referred<
+    typename CGAL::internal_np::Lookup_named_param_def<Tag, NamedParameters, Fallback>::type>::type;
 
 /// the value of a parameter (what `std::ref` refers to, if it was passed so), or else the fallback
 template <class NamedParameters, class Tag, class Fallback>
