@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_REPORT_IO_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_REPORT_IO_H
+
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+
+#include <ostream>
+
+namespace Conformal_geometry_processing {
+
+/// \relates Spin_report
+/// the certificate in words, a line per fact, each ended
+inline std::ostream& operator<<(std::ostream& out, const Spin_report& r)
+{
+  const Conformality& c = r.conformality;
+  out << "Dirac equation         " << (r.converged ? "solved" : "NOT solved") << ", residual "
+      << r.residual << " after " << r.iterations << " iterations";
+  if (r.substeps > 1) out << " in " << r.substeps << " substeps";
+  out << "\neigenvalue             " << r.eigenvalue << " (next one " << r.gap
+      << " away, overlap with the identity " << r.overlap << ")\n"
+      << "closure                " << r.closure_residual << " of the edge lengths\n"
+      << "quasi-conformal error  " << c.quasi_conformal.mean << " mean, " << c.quasi_conformal.p99
+      << " for 99 %, " << c.quasi_conformal.max << " at most (1 is conformal)\n"
+      << "length cross-ratios    changed by " << c.length_cross_ratio.rms << " rms, "
+      << c.length_cross_ratio.max << " at most (0 is conformal)\n"
+      << "lengths                scaled by " << c.scale.min_scale << " to " << c.scale.max_scale
+      << "\nflipped faces          " << c.flipped_faces << '\n';
+  return out;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
