@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/// \ingroup PkgConcepts
+/// \cgalConcept
+///
+/// \brief finds the smallest eigenpairs of A x = N x theta over the quaternions, given a
+/// factorization of A plus a small shift: what the named parameter `eigenvalue_solver` takes.
+///
+/// Eigenvectors are right ones and defined up to a quaternion on their right; each eigenvalue
+/// counts once. Not to converge is no error: it is told in the result.
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{`Conformal_geometry_processing::Lobpcg_eigensolver_traits`, the default;}
+/// \cgalHasModels{`Conformal_geometry_processing::Inverse_power_eigensolver_traits`}
+/// \cgalHasModelsEnd
+class SparseHermitianEigensolverTraits {
+ public:
+  /// \brief runs the iteration.
+  ///
+  /// \tparam Masses `Vector<double>`, the diagonal of N; a model may also take a
+  /// `Hermitian_sparse_matrix<Quaternion<double>>`
+  /// \tparam Solver a model of `SparseHermitianSolver` for quaternions
+  /// \tparam GoFurther a callable `bool(const Eigen_progress&)`
+  /// \param A Hermitian, positive semidefinite
+  /// \param N positive definite
+  /// \param solver has factorized A plus a small positive definite shift, which does not move the
+  /// result
+  /// \param x0 the initial vectors, one or more
+  /// \param options when to stop, and how many eigenpairs are wanted: at most the columns of x0
+  /// \param go_further is asked before every iteration; false cancels
+  template <class Masses, class Solver, class GoFurther = Always_go_further>
+  Eigen_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A, const Masses& N,
+                          const Solver& solver, Block<Quaternion<double>> x0,
+                          const Eigen_options& options = {}, GoFurther go_further = {}) const;
+};

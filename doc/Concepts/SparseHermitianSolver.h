@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/// \ingroup PkgConcepts
+/// \cgalConcept
+///
+/// \brief solves linear systems with sparse Hermitian positive definite matrices of real numbers
+/// or quaternions, on one pattern, with many values and many right-hand sides.
+///
+/// How the matrix is represented inside is the business of the model; only the ordering of the n
+/// rows is visible, so that the solvers for different scalars on one mesh can share it. Failure is
+/// a status and never an exception; a call that does not fit the earlier ones returns
+/// `Solver_status::wrong_state`. After a failure, the last step that succeeded before the failing
+/// one can be built upon. Models are default constructible; they need be neither copied nor moved.
+/// One object is used by one thread at a time.
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{`Conformal_geometry_processing::Embedded_hermitian_solver`}
+/// \cgalHasModelsEnd
+class SparseHermitianSolver {
+ public:
+  /// \name Types
+  /// @{
+
+  /// `double` or `Quaternion<double>`
+  typedef unspecified_type Scalar;
+
+  /// the numbers below the scalars: `double`
+  typedef unspecified_type FT;
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /// \brief prepares for matrices on a pattern, and chooses an ordering.
+  ///
+  /// Done once per connectivity. The pattern need not outlive the call.
+  Solver_status analyze(const Sparse_pattern& pattern);
+
+  /// \brief the same with a given ordering.
+  ///
+  /// \param order a permutation of the rows, as another solver's `ordering()` gives it
+  Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order);
+
+  /// the ordering in use
+  const Ordering& ordering() const;
+
+  /// \brief factorizes A + diag(shift).
+  ///
+  /// Done any number of times, for matrices on the analyzed pattern.
+  /// \param shift one number per row, or empty
+  /// \returns `Solver_status::not_positive_definite` where a pivot is zero or negative,
+  /// `Solver_status::numerical_issue` where a value is not finite
+  Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift);
+
+  /// \brief solves for several right-hand sides, the columns of b.
+  ///
+  /// \param x is resized; stays as it is unless the status is `Solver_status::success`
+  Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;
+
+  /// the cost of the factorization; zeros before `analyze()`
+  Solver_statistics statistics() const;
+
+  /// @}
+};

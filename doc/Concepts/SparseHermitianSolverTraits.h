@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/// \ingroup PkgConcepts
+/// \cgalConcept
+///
+/// \brief one name for the solvers of all scalars: what the named parameter `sparse_solver` takes.
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{`Conformal_geometry_processing::Cholmod_hermitian_solver_traits`,}
+/// \cgalHasModels{`Conformal_geometry_processing::Eigen_hermitian_solver_traits`,}
+/// \cgalHasModels{`Conformal_geometry_processing::Default_solver_traits`, one of the two.}
+/// \cgalHasModelsEnd
+class SparseHermitianSolverTraits {
+ public:
+  /// a model of `SparseHermitianSolver` for `Scalar`, which is `double` or `Quaternion<double>`
+  template <class Scalar>
+  using Solver = unspecified_type;
+};

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_CONCEPTS_SPARSE_HERMITIAN_EIGENSOLVER_ARCHETYPE_H
+#define TEST_CONCEPTS_SPARSE_HERMITIAN_EIGENSOLVER_ARCHETYPE_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/linear_algebra/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/quaternionic_jacobi.h>
+
+#include <cmath>
+
+#include "linear_algebra/hermitian_matrices.h"
+
+namespace cgp_test {
+
+/// What the concept SparseHermitianEigensolverTraits demands, and nothing more: dense, not for
+/// mass matrices, without use for the solver and the initial vectors.
+struct Sparse_hermitian_eigensolver_archetype {
+  template <class Solver, class GoFurther = CGP::Always_go_further>
+  CGP::Eigen_result operator()(const CGP::Hermitian_sparse_matrix<Quaternion<double>>& A,
+                               const CGP::Vector<double>& masses, const Solver&,
+                               const CGP::Block<Quaternion<double>>& x0,
+                               const CGP::Eigen_options& options = {},
+                               GoFurther go_further = {}) const
+  {
+    const int n = A.size();
+    CGP::Block<Quaternion<double>> D(n, n);
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) D(i, j) = A.coefficient(i, j) / std::sqrt(masses[i] * masses[j]);
+    const auto decomposition = CGP::quaternionic_jacobi(D);
+
+    CGP::Eigen_result result;
+    result.cancelled = !go_further(CGP::Eigen_progress{0, decomposition.values[0], 0});
+    result.converged = !result.cancelled && options.wanted <= x0.cols();
+    result.values = decomposition.values.head(x0.cols());
+    result.estimates = CGP::Vector<double>::Zero(x0.cols());
+    result.vectors = decomposition.vectors.leftCols(x0.cols());
+    for (int j = 0; j < x0.cols(); ++j)
+      for (int i = 0; i < n; ++i) result.vectors(i, j) *= 1 / std::sqrt(masses[i]);
+    return result;
+  }
+};
+
+}  // namespace cgp_test
+
+#endif

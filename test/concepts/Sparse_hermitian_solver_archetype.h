@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_CONCEPTS_SPARSE_HERMITIAN_SOLVER_ARCHETYPE_H
+#define TEST_CONCEPTS_SPARSE_HERMITIAN_SOLVER_ARCHETYPE_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/linear_algebra/Ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/Solver_status.h>
+
+#include <Eigen/Dense>
+
+#include <numeric>
+
+#include "linear_algebra/hermitian_matrices.h"
+
+namespace cgp_test {
+
+/// What the concept SparseHermitianSolver demands, and nothing more: dense, and tied to its place.
+template <class Scalar_>
+class Sparse_hermitian_solver_archetype {
+ public:
+  using Scalar = Scalar_;
+  using FT = double;
+
+  Sparse_hermitian_solver_archetype() = default;
+  Sparse_hermitian_solver_archetype(const Sparse_hermitian_solver_archetype&) = delete;
+  Sparse_hermitian_solver_archetype(Sparse_hermitian_solver_archetype&&) = delete;
+  Sparse_hermitian_solver_archetype& operator=(const Sparse_hermitian_solver_archetype&) = delete;
+  Sparse_hermitian_solver_archetype& operator=(Sparse_hermitian_solver_archetype&&) = delete;
+
+  CGP::Solver_status analyze(const CGP::Sparse_pattern& pattern)
+  {
+    CGP::Ordering order(at(pattern.size()));
+    std::iota(order.begin(), order.end(), 0);
+    return analyze(pattern, order);
+  }
+
+  CGP::Solver_status analyze(const CGP::Sparse_pattern& pattern, const CGP::Ordering& order)
+  {
+    m_analyzed = pattern.size() > 0 && at(pattern.size()) == order.size();
+    m_ordering = order;
+    return m_analyzed ? CGP::Solver_status::success : CGP::Solver_status::wrong_state;
+  }
+
+  const CGP::Ordering& ordering() const { return m_ordering; }
+
+  CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>& A,
+                               const CGP::Vector<FT>& shift)
+  {
+    if (!m_analyzed || at(A.size()) != m_ordering.size() ||
+        (shift.size() != 0 && shift.size() != A.size()))
+      return CGP::Solver_status::wrong_state;
+    const Eigen::MatrixXd D = shift.size() == 0 ? dense(A) : dense(plus_diagonal(A, shift));
+    m_factorized = false;
+    if (!D.allFinite()) return CGP::Solver_status::numerical_issue;
+    m_llt.compute(D);
+    m_factorized = m_llt.info() == Eigen::Success;
+    return m_factorized ? CGP::Solver_status::success : CGP::Solver_status::not_positive_definite;
+  }
+
+  CGP::Solver_status solve(const CGP::Block<Scalar>& b, CGP::Block<Scalar>& x) const
+  {
+    if (!m_factorized || at(static_cast<int>(b.rows())) != m_ordering.size())
+      return CGP::Solver_status::wrong_state;
+    const Eigen::MatrixXd solution = m_llt.solve(real_columns(b));
+    x.resize(b.rows(), b.cols());
+    std::copy(solution.data(), solution.data() + solution.size(),
+              reinterpret_cast<double*>(x.data()));
+    return CGP::Solver_status::success;
+  }
+
+  CGP::Solver_statistics statistics() const
+  {
+    const auto n = static_cast<std::int64_t>(m_ordering.size());
+    const double bytes = static_cast<double>(n * n) * sizeof(Scalar);
+    return {n * (n + 1) / 2, static_cast<double>(n * n * n), bytes};
+  }
+
+ private:
+  CGP::Ordering m_ordering;
+  Eigen::LLT<Eigen::MatrixXd> m_llt;
+  bool m_analyzed = false, m_factorized = false;
+};
+
+/// What the concept SparseHermitianSolverTraits demands.
+struct Sparse_hermitian_solver_traits_archetype {
+  template <class Scalar>
+  using Solver = Sparse_hermitian_solver_archetype<Scalar>;
+};
+
+}  // namespace cgp_test
+
+#endif
