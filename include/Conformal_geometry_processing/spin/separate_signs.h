@@ -17,7 +17,9 @@ namespace Conformal_geometry_processing {
 /// X is a square: where D - rho has eigenvalues near +g and -g, those of X nearly coincide, and its
 /// eigenvectors are any combination of the two wanted ones. In the signed form a mixture shows as
 /// an off-diagonal entry s that is not small against the difference of the diagonal ones; the angle
-/// of the rotation that takes it away is atan(2 |s| / difference) / 2.
+/// of the rotation that takes it away is atan(2 |s| / difference) / 2. Vectors of one sign, such as
+/// those of a double eigenvalue on a symmetric surface, need no separation: theirs are
+/// eigenvectors of D - rho too.
 /// \param forms those of two vectors
 inline bool has_mixed_signs(const Dirac_forms& forms)
 {
@@ -25,7 +27,8 @@ inline bool has_mixed_signs(const Dirac_forms& forms)
   const auto& S = forms.dirac;
   const double a = S(0, 0).w / forms.mass(0, 0).w, b = S(1, 1).w / forms.mass(1, 1).w;
   const double s = norm(S(0, 1)) / std::sqrt(forms.mass(0, 0).w * forms.mass(1, 1).w);
-  return 2 * s > visible * std::abs(a - b);
+  const bool are_opposite = a * b < s * s;  // the determinant of the form
+  return are_opposite && 2 * s > visible * std::abs(a - b);
 }
 
 /// \ingroup PkgSpin
