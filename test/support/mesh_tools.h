@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,10 +38,11 @@ inline Points points(const std::vector<std::array<double, 3>>& list)
   return p;
 }
 
-/// every point p becomes map(p)
+/// every point p becomes map(p), a `Vector3d`: an expression would refer to what is gone
 template <class Map>
 Mesh_view mapped(const Mesh_view& mesh, Map map)
 {
+  static_assert(std::is_same_v<decltype(map(Eigen::Vector3d())), Eigen::Vector3d>);
   Points p = mesh.positions();
   for (Eigen::Index v = 0; v < p.cols(); ++v) {
     const Eigen::Vector3d before = p.col(v);

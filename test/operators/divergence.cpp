@@ -1,0 +1,69 @@
+// Tests include/Conformal_geometry_processing/operators/divergence.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/divergence.h>
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+
+namespace {
+
+/// the differences of the columns of f along the edges
+Eigen::MatrixXd differences(const Mesh_view& mesh, const Eigen::MatrixXd& f)
+{
+  Eigen::MatrixXd df(mesh.size_of_edges(), f.cols());
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
+    df.row(k) = f.row(mesh.ends(k)[1]) - f.row(mesh.ends(k)[0]);
+  return df;
+}
+
+}  // namespace
+
+TEST(Codifferential, sums_what_flows_into_a_vertex_minus_what_flows_out)
+{
+  // Edges 01, 02, 12 with weights 1, 2, 3.
+  const Eigen::Vector3d flow(10, 20, 30);
+  EXPECT_EQ(CGP::codifferential(single_triangle(), Eigen::Vector3d(1, 2, 3), flow),
+            Eigen::Vector3d(-10 - 40, 10 - 90, 40 + 90));
+}
+
+TEST(Codifferential, of_a_gradient_is_the_laplacian)
+{
+  for (const Mesh_view& mesh : {perturbed(icosphere(1), .3), perturbed(disk(3), .1)}) {
+    const Eigen::VectorXd w = CGP::cotan_weights(mesh);
+    const Eigen::VectorXd f = random_numbers(mesh.size_of_vertices(), 5);
+    const Eigen::VectorXd wanted = CGP::cotan_laplacian(mesh) * f;
+    EXPECT_LT((CGP::codifferential(mesh, w, differences(mesh, f)) - wanted).norm(), 1e-12);
+  }
+}
+
+TEST(Codifferential, treats_every_column_alone)
+{
+  const Mesh_view mesh = perturbed(icosphere(1), .3);
+  const Eigen::VectorXd w = CGP::cotan_weights(mesh);
+  const Eigen::MatrixX3d omega = differences(mesh, mesh.positions().transpose());
+  const Eigen::MatrixX3d all = CGP::codifferential(mesh, w, omega);
+  for (int c = 0; c < 3; ++c) EXPECT_EQ(all.col(c), CGP::codifferential(mesh, w, omega.col(c)));
+}
+
+TEST(Codifferential, sums_to_zero)
+{
+  const Mesh_view mesh = perturbed(disk(3), .1);
+  const Eigen::VectorXd omega = random_numbers(mesh.size_of_edges(), 2);
+  EXPECT_NEAR(CGP::codifferential(mesh, CGP::cotan_weights(mesh), omega).sum(), 0, 1e-12);
+}
+
+TEST(Codifferential, is_adjoint_to_the_difference)
+{
+  const Mesh_view mesh = perturbed(disk(3), .1);
+  const Eigen::VectorXd w = CGP::cotan_weights(mesh);
+  const Eigen::VectorXd f = random_numbers(mesh.size_of_vertices(), 5);
+  const Eigen::VectorXd omega = random_numbers(mesh.size_of_edges(), 2);
+  EXPECT_NEAR(f.dot(CGP::codifferential(mesh, w, omega)),
+              differences(mesh, f).col(0).dot(w.cwiseProduct(omega)), 1e-12);
+}
