@@ -26,7 +26,7 @@ class Ascii_source {
   // of the values left; the last one needs no blank
   std::size_t bytes_left() const { return m_scanner.bytes_left() + 1; }
 
-  void begin_row(Ply_element& element)
+  void begin_row(Ply_element& element, std::size_t)
   {
     if (m_scanner.at_end()) m_scanner.fail("the file ends, wanted element " + element.name);
     element.lines.push_back(m_scanner.line());
@@ -72,7 +72,7 @@ class Ascii_source {
   void finish()
   {
     if (!m_scanner.at_end())
-      m_scanner.fail(quoted(m_scanner.word("")) + " after the last element, wanted the end");
+      m_scanner.fail(in_quotes(m_scanner.word("")) + " after the last element, wanted the end");
   }
 
  private:
@@ -82,7 +82,7 @@ class Ascii_source {
     const std::string_view word = m_scanner.word("a number");
     const std::optional<double> value =
         type == Value_type::float64 ? parse_double(word) : std::optional<double>(parse_float(word));
-    if (!value) m_scanner.fail(quoted(word) + " is not a number, wanted a number");
+    if (!value) m_scanner.fail(in_quotes(word) + " is not a number, wanted a number");
     return *value;
   }
 
@@ -109,10 +109,10 @@ class Binary_source {
   void end_row(std::size_t) {}
   void end_element(const Element&) {}
 
-  void begin_row(const Ply_element& element)
+  void begin_row(const Ply_element& element, std::size_t row)
   {
     m_element = element.name.c_str();
-    ++m_row;
+    m_row = row;
   }
 
   std::int64_t read_count(const Property& property)
@@ -191,7 +191,7 @@ std::vector<Ply_element> read_elements(Source source, const std::string& path,
       if (!property.is_list()) property.reserve(element.size);
     const std::size_t rows = element.properties.empty() ? 0 : element.size;
     for (std::size_t row = 0; row < rows; ++row) {
-      source.begin_row(element);
+      source.begin_row(element, row);
       for (Property& property : element.properties)
         property.is_list() ? read_list(source, property) : source.read_value(property);
       source.end_row(row);

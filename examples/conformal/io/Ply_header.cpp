@@ -24,7 +24,7 @@ class Header_reader {
         continue;
       }
       read_line(keyword, words, has_format);
-      if (!words.at_end()) fail(quoted(words.word("")) + " ends the line, wanted nothing there");
+      if (!words.at_end()) fail(in_quotes(words.word("")) + " ends the line, wanted nothing there");
     }
     if (!has_format) fail("no format line in the header, wanted format ascii 1.0 or the like");
   }
@@ -77,7 +77,8 @@ class Header_reader {
     } else if (keyword == "property") {
       read_property(words);
     } else {
-      fail(quoted(keyword) + ", wanted format, element, property, comment, obj_info or end_header");
+      fail(in_quotes(keyword) +
+           ", wanted format, element, property, comment, obj_info or end_header");
     }
   }
 
@@ -91,10 +92,10 @@ class Header_reader {
     else if (name == "binary_big_endian")
       m_header.encoding = Ply_encoding::big_endian;
     else
-      fail("the format " + quoted(name) +
+      fail("the format " + in_quotes(name) +
            ", wanted ascii, binary_little_endian or binary_big_endian");
     const std::string_view version = words.word("1.0");
-    if (version != "1.0") fail("the version " + quoted(version) + ", wanted 1.0");
+    if (version != "1.0") fail("the version " + in_quotes(version) + ", wanted 1.0");
   }
 
   void read_element(Text_scanner& words)
@@ -103,7 +104,8 @@ class Header_reader {
     const std::int64_t size = words.integer("the number of elements");
     if (size < 0) fail(std::to_string(size) + ' ' + element.name + " elements, wanted a count");
     for (const Element& other : m_header.elements)
-      if (other.name == element.name) fail("the element " + quoted(element.name) + " comes twice");
+      if (other.name == element.name)
+        fail("the element " + in_quotes(element.name) + " comes twice");
     element.size = static_cast<std::size_t>(size);
     m_header.elements.push_back(std::move(element));
     m_header.element_lines.push_back(m_header.lines);
@@ -113,7 +115,7 @@ class Header_reader {
   {
     const std::string_view name = words.word("a type");
     const auto type = value_type(name);
-    if (!type) fail("the type " + quoted(name) + ", wanted char, uchar, ..., float or double");
+    if (!type) fail("the type " + in_quotes(name) + ", wanted char, uchar, ..., float or double");
     return *type;
   }
 
@@ -130,7 +132,7 @@ class Header_reader {
     const std::string name(words.word("the name of a property"));
     Element& element = m_header.elements.back();
     if (find_property(element, name) != nullptr)
-      fail("the property " + quoted(name) + " comes twice, wanted different names");
+      fail("the property " + in_quotes(name) + " comes twice, wanted different names");
     if (is_list)
       element.properties.emplace_back(name, count_type, type);
     else

@@ -122,7 +122,7 @@ double Text_scanner::number(const char* wanted)
 {
   const std::string_view text = word(wanted);
   const auto value = parse_double(text);
-  if (!value) fail(quoted(text) + " is not a number, wanted " + wanted);
+  if (!value) fail(in_quotes(text) + " is not a number, wanted " + wanted);
   return *value;
 }
 
@@ -130,8 +130,8 @@ double Text_scanner::coordinate(const char* wanted)
 {
   const std::string_view text = word(wanted);
   const auto value = parse_double(text);
-  if (!value) fail(quoted(text) + " is not a number, wanted " + wanted);
-  if (!std::isfinite(*value)) fail(quoted(text) + " is not finite, wanted " + wanted);
+  if (!value) fail(in_quotes(text) + " is not a number, wanted " + wanted);
+  if (!std::isfinite(*value)) fail(in_quotes(text) + " is not finite, wanted " + wanted);
   return *value;
 }
 
@@ -145,7 +145,7 @@ std::int64_t Text_scanner::integer(const char* wanted)
 {
   const std::string_view text = word(wanted);
   const auto value = parse_integer(text);
-  if (!value) fail(quoted(text) + " is not an integer, wanted " + wanted);
+  if (!value) fail(in_quotes(text) + " is not an integer, wanted " + wanted);
   return *value;
 }
 

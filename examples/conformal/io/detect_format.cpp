@@ -137,8 +137,8 @@ File_format detect_format(std::string_view bytes, const std::string& path)
   if (format == File_format::stl) return File_format::stl;
   throw Read_error(path, 0,
                    format ? std::string("is not ") + (format == File_format::ply ? "a " : "an ") +
-                                name_of(*format) + " file: it begins with " + quoted(word)
-                          : "is of no known format: it begins with " + quoted(word) +
+                                name_of(*format) + " file: it begins with " + in_quotes(word)
+                          : "is of no known format: it begins with " + in_quotes(word) +
                                 ", wanted OFF, OBJ, PLY or STL");
 }
 

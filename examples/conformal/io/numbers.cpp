@@ -81,7 +81,7 @@ void append_number(std::string& text, std::int64_t value)
   append(text, value);
 }
 
-std::string quoted(std::string_view word)
+std::string in_quotes(std::string_view word)
 {
   constexpr std::size_t longest = 40;
   std::string text(1, '\'');

@@ -29,7 +29,7 @@ void append_number(std::string& text, float value);
 void append_number(std::string& text, std::int64_t value);
 
 /// the word for an error message: in quotes, shortened, with unprintable bytes as `?`
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 }  // namespace conformal
 

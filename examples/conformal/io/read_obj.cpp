@@ -73,13 +73,13 @@ class Obj_reader {
     else if (is_one_of(word, skipped_words))
       while (!m_scanner.at_end_of_line()) m_scanner.word("");
     else
-      m_scanner.fail(quoted(word) + " is no word of an OBJ file, wanted v, vt, vn, f, ...");
+      m_scanner.fail(in_quotes(word) + " is no word of an OBJ file, wanted v, vt, vn, f, ...");
   }
 
   void end_line(const char* what)
   {
     if (!m_scanner.at_end_of_line())
-      m_scanner.fail(quoted(m_scanner.word("")) + " after " + what + ", wanted a new line");
+      m_scanner.fail(in_quotes(m_scanner.word("")) + " after " + what + ", wanted a new line");
   }
 
   void keep(std::string_view word)
@@ -145,7 +145,8 @@ class Obj_reader {
     word.remove_prefix(std::min(end + 1, word.size()));
     if (text.empty() && !is_needed) return -1;
     const auto index = parse_integer(text);
-    if (!index) m_scanner.fail(quoted(text) + " is not an index, wanted v, v/vt, v//vn or v/vt/vn");
+    if (!index)
+      m_scanner.fail(in_quotes(text) + " is not an index, wanted v, v/vt, v//vn or v/vt/vn");
     const auto n = static_cast<std::int64_t>(so_far);
     if (*index == 0) m_scanner.fail("the index 0, wanted 1 or more, or a negative one");
     if (*index < -n)

@@ -18,7 +18,7 @@ namespace {
 struct Extra_numbers {
   std::vector<double> values;
   std::vector<std::size_t> first = {0};
-  bool all_integer = true;
+  std::vector<bool> is_integer;  // by its spelling: 1 is not 1.0
 
   std::size_t count(std::size_t row) const { return first[row + 1] - first[row]; }
 
@@ -32,7 +32,8 @@ struct Extra_numbers {
   // 0..255 can go into a byte; other integers are kept as they are
   Value_type color_type() const
   {
-    if (!all_integer) return Value_type::float64;
+    if (std::find(is_integer.begin(), is_integer.end(), false) != is_integer.end())
+      return Value_type::float64;
     const auto is_byte = [](double value) { return value >= 0 && value <= 255; };
     const auto is_int = [](double value) { return std::abs(value) <= 2147483647; };
     if (std::all_of(values.begin(), values.end(), is_byte)) return Value_type::uint8;
@@ -53,7 +54,7 @@ class Off_reader {
     read_faces();
     keep_comments(bytes);
     if (!m_scanner.at_end())
-      m_scanner.fail(quoted(m_scanner.word("")) +
+      m_scanner.fail(in_quotes(m_scanner.word("")) +
                      " after the last face, wanted the end of the file");
   }
 
@@ -80,7 +81,7 @@ class Off_reader {
     const std::string_view rest = bytes.substr(bytes.size() - m_scanner.bytes_left());
     const std::size_t length = length_of_off_keyword(rest);
     const std::string_view keyword = rest.substr(0, length);
-    if (length == 0) m_scanner.fail(quoted(m_scanner.word("OFF")) + ", wanted the word OFF");
+    if (length == 0) m_scanner.fail(in_quotes(m_scanner.word("OFF")) + ", wanted the word OFF");
     if (keyword.find_first_of("4n") != std::string_view::npos)
       m_scanner.fail(std::string(keyword) + ": points are not in three dimensions, wanted OFF");
     m_has_texture = keyword.substr(0, 2) == "ST";
@@ -96,11 +97,11 @@ class Off_reader {
     if (word == "BINARY") m_scanner.fail("OFF BINARY is not supported, wanted ASCII");
     const auto vertices = parse_integer(word);
     if (!vertices)
-      m_scanner.fail(quoted(word) + " is not an integer, wanted the number of vertices");
+      m_scanner.fail(in_quotes(word) + " is not an integer, wanted the number of vertices");
     const std::int64_t faces = m_scanner.integer("the number of faces");
     if (!m_scanner.at_end_of_line()) m_scanner.integer("the number of edges");
     if (!m_scanner.at_end_of_line())
-      m_scanner.fail(quoted(m_scanner.word("")) + " after the three counts, wanted a new line");
+      m_scanner.fail(in_quotes(m_scanner.word("")) + " after the three counts, wanted a new line");
     m_scanner.check_count(*vertices, 6, "vertices");  // `0 0 0` and a blank
     m_scanner.check_count(faces, 8, "faces");         // `3 0 1 2` and a blank
     if (*vertices == 0) m_scanner.fail("no vertices, wanted a surface");
@@ -114,9 +115,9 @@ class Off_reader {
     while (!m_scanner.at_end_of_line()) {
       const std::string_view word = m_scanner.word("");
       const auto value = parse_double(word);
-      if (!value) m_scanner.fail(quoted(word) + " is not a number, wanted a colour");
+      if (!value) m_scanner.fail(in_quotes(word) + " is not a number, wanted a colour");
       extra.values.push_back(*value);
-      extra.all_integer = extra.all_integer && parse_integer(word);
+      extra.is_integer.push_back(parse_integer(word).has_value());
     }
     extra.first.push_back(extra.values.size());
   }
@@ -149,6 +150,7 @@ class Off_reader {
       m_scanner.fail("a vertex without texture coordinates, wanted two numbers");
     texture.insert(texture.end(), extra.values.end() - 2, extra.values.end());
     extra.values.resize(extra.values.size() - 2);
+    extra.is_integer.resize(extra.values.size());
     extra.first.back() -= 2;
   }
 

@@ -85,7 +85,7 @@ class Ascii_stl_reader {
   void expect(const char* lower_case)
   {
     const std::string_view word = m_scanner.word(lower_case);
-    if (!are_equal(word, lower_case)) m_scanner.fail(quoted(word) + ", wanted " + lower_case);
+    if (!are_equal(word, lower_case)) m_scanner.fail(in_quotes(word) + ", wanted " + lower_case);
   }
 
   void read_solid()
@@ -96,7 +96,7 @@ class Ascii_stl_reader {
     for (;;) {
       const std::string_view word = m_scanner.word("facet or endsolid");
       if (are_equal(word, "endsolid")) break;
-      if (!are_equal(word, "facet")) m_scanner.fail(quoted(word) + ", wanted facet or endsolid");
+      if (!are_equal(word, "facet")) m_scanner.fail(in_quotes(word) + ", wanted facet or endsolid");
       read_facet();
     }
     m_scanner.rest_of_line();

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_TEST_TOOLS_FUZZ_READERS_SEEDS_H
+#define CONFORMAL_TEST_TOOLS_FUZZ_READERS_SEEDS_H
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+// Small valid files of each format that use all that the readers know.
+
+namespace fuzz {
+
+template <class Number>
+void append_bytes(std::string& bytes, Number number, bool reversed = false)
+{
+  char copy[sizeof(Number)];
+  std::memcpy(copy, &number, sizeof(Number));
+  for (std::size_t i = 0; i < sizeof(Number); ++i)
+    bytes += copy[reversed ? sizeof(Number) - 1 - i : i];
+}
+
+inline std::vector<std::string> off_seeds()
+{
+  return {
+      "OFF\n# a tetrahedron\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 "
+      "3\n",
+      "STCNOFF 4 2 0\n0 0 0 0 0 1 255 0 0 255 0 0\n1 0 0 0 0 1 0 255 0 255 1 0\n"
+      "1 1 0 0 0 1 0 0 255 255 1 1\n0 1 0 0 0 1 9 9 9 255 0 1\n3 0 1 2 0.5 0.25 1\n3 0 2 3 1\n",
+      "  OFF\n5 1 5\n0 0 0 1 2 3\n1 0 0 1 2 3\n2 1 0 1 2 3\n1 2 0 1 2 3\n0 1 1e-3 1 2 3\n"
+      "5\n0\n1\n2\n3\n4\n"};
+}
+
+inline std::vector<std::string> obj_seeds()
+{
+  return {
+      "# a square\nmtllib a.mtl\no square\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 "
+      "nan 0 0\n"
+      "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\nusemtl red\ns 1\nf 1/1/1 2/2/1 3/3/1\ng two\nf "
+      "1/1/1 3/3/1 4/4/1\n",
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 0 0 1\nf 1 \\\n2 \\\n4\nf 1// 4// 3//\nl 1 2\np "
+      "1\n",
+      "v 0 0 0 1\r\nv 1 0 0 1\r\nv 0 1 0 1\r\nvt 0.5\r\nvt 0.5 0.25 0\r\nvn 1 2 3\r\nf 1//1 2//1 "
+      "3//1\r\nf 3/1 2/2 1/2\r\n"};
+}
+
+inline std::string binary_ply(bool big)
+{
+  std::string text =
+      std::string("ply\nformat binary_") + (big ? "big" : "little") +
+      "_endian 1.0\ncomment TextureFile a.png\nelement vertex 4\nproperty float x\n"
+      "property float y\nproperty double z\nproperty uchar red\nproperty uchar green\n"
+      "property uchar blue\nelement face 2\nproperty list uchar int vertex_indices\n"
+      "property list uchar float texcoord\nelement edge 1\nproperty int vertex1\n"
+      "property ushort vertex2\nend_header\n";
+  for (int v = 0; v < 4; ++v) {
+    append_bytes(text, static_cast<float>(v % 2), big);
+    append_bytes(text, static_cast<float>(v / 2), big);
+    append_bytes(text, 0.25 * v, big);
+    for (int i = 0; i < 3; ++i) text += static_cast<char>(50 * i);
+  }
+  const int faces[2][3] = {{0, 1, 3}, {0, 3, 2}};
+  for (const auto& face : faces) {
+    text += '\3';
+    for (const int corner : face) append_bytes(text, corner, big);
+    text += '\6';
+    for (int i = 0; i < 6; ++i) append_bytes(text, 0.125f * static_cast<float>(i), big);
+  }
+  append_bytes(text, 1, big);
+  append_bytes(text, std::uint16_t{2}, big);
+  return text;
+}
+
+inline std::vector<std::string> ply_seeds()
+{
+  return {
+      "ply\nformat ascii 1.0\ncomment TextureFile a.png\nobj_info made by hand\nelement vertex 4\n"
+      "property float x\nproperty float y\nproperty float z\nproperty float quality\n"
+      "property float texture_u\nproperty float texture_v\nelement face 2\n"
+      "property list uchar int vertex_indices\nproperty list uchar float texcoord\nproperty int "
+      "label\n"
+      "end_header\n0 0 0 0.5 0 0\n1 0 0 nan 1 0\n1 1 0 1 1 1\n0 1 0 2 0 1\n"
+      "3 0 1 2 6 0 0 1 0 1 1 7\n3 0 2 3 0 -7\n",
+      binary_ply(false), binary_ply(true),
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+      "property double z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 0 2 1\n"};
+}
+
+inline std::string binary_stl()
+{
+  std::string text(80, ' ');
+  append_bytes(text, std::uint32_t{4});
+  const int points[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  for (const auto& face : faces) {
+    for (int i = 0; i < 3; ++i) append_bytes(text, 0.0f);
+    for (const int corner : face)
+      for (const int x : points[corner]) append_bytes(text, static_cast<float>(x));
+    append_bytes(text, std::uint16_t{5});
+  }
+  return text;
+}
+
+inline std::vector<std::string> stl_seeds()
+{
+  return {
+      "solid two\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "0\nendloop\n"
+      "endfacet\nfacet normal nan nan nan\nouter loop\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n"
+      "endloop\nendfacet\nendsolid two\n",
+      binary_stl()};
+}
+
+}  // namespace fuzz
+
+#endif
