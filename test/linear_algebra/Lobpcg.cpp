@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "linear_algebra/spectral_problem.h"
+#include "linear_algebra/lobpcg_runs.h"
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
@@ -18,23 +18,6 @@ using Q = CGP::Quaternion<double>;
 using Block = CGP::Block<Q>;
 
 namespace {
-
-CGP::Eigen_options until(double tolerance, int wanted = 1, int max_iterations = 200)
-{
-  CGP::Eigen_options options;
-  options.tolerance = tolerance;
-  options.wanted = wanted;
-  options.max_iterations = max_iterations;
-  return options;
-}
-
-template <class GoFurther = CGP::Always_go_further>
-CGP::Eigen_result solve(const Spectral_problem& problem, const Block& x0,
-                        const CGP::Eigen_options& options, double shift = 1e-3,
-                        GoFurther go_further = {})
-{
-  return CGP::lobpcg(problem.k(), problem.n(), problem.inverse(shift), x0, options, go_further);
-}
 
 // A matrix, masses and a solver, with dense eigenvalues to compare.
 struct Matrix_problem {
@@ -83,20 +66,6 @@ TEST(Lobpcg, takes_a_mass_matrix_as_well)
   EXPECT_NEAR(r.values[0], Dense(dense(p.A), dense(N)).eigenvalues()[0], 1e-12);
 }
 
-TEST(Lobpcg, is_done_at_once_with_the_exact_eigenvector_of_a_singular_matrix)
-{
-  // As rho = 0 does with lambda = 1: the eigenvalue is 0, the vector constant.
-  Eigen::VectorXd values = counting(20);
-  values[0] = 0;
-  const Spectral_problem problem(values);
-  for (const double shift : {1e-2, 1e-6, 1e-12}) {
-    const auto r = solve(problem, problem.vectors().leftCols(1), until(1e-8), shift);
-    EXPECT_TRUE(r.converged);
-    EXPECT_EQ(r.iterations, 0);
-    EXPECT_NEAR(r.values[0], 0, 1e-14);
-  }
-}
-
 TEST(Lobpcg, estimates_the_error_in_the_energy_norm)
 {
   // x = u_1 + e u_2 has r = e (theta_2 - theta_1) N u_2 and T r = r / theta_2, to first order.
@@ -122,89 +91,6 @@ TEST(Lobpcg, stops_when_the_vector_is_as_exact_as_asked)
     // e (theta_2 - theta_1) / sqrt(theta_2) is at least e / sqrt(2) here.
     EXPECT_LE(problem.sine(r.vectors), 1.5 * tolerance);
   }
-}
-
-TEST(Lobpcg, stays_at_the_eigenpair_past_the_rounding_floor)
-{
-  for (const double second : {1.001, 1.1, 3.0, 100.0})
-    for (const double shift : {1e-3, 1e-9}) {
-      Eigen::VectorXd values = 100 * counting(30);
-      values[0] = 1;
-      values[1] = second;
-      const Spectral_problem problem(values);
-      const auto r = solve(problem, random_block<Q>(30, 1, 3), until(0, 1, 1000), shift);
-      EXPECT_TRUE(r.stagnated);
-      EXPECT_FALSE(r.converged);
-      EXPECT_NEAR(r.values[0], 1, 1e-11);
-      EXPECT_LE(problem.sine(r.vectors), 1e-12 / (second - 1));
-    }
-}
-
-TEST(Lobpcg, stays_at_a_singular_eigenpair_past_the_rounding_floor)
-{
-  Eigen::VectorXd values = counting(30);
-  values[0] = 0;
-  const Spectral_problem problem(values);
-  for (const double shift : {1e-3, 1e-9}) {
-    const auto r = solve(problem, problem.vectors().leftCols(1), until(0, 1, 1000), shift);
-    EXPECT_TRUE(r.stagnated);
-    EXPECT_LE(problem.sine(r.vectors), 1e-12);
-  }
-}
-
-TEST(Lobpcg, stops_where_there_is_no_direction_left)
-{
-  const Spectral_problem problem(Eigen::VectorXd::Ones(1));
-  const auto r = solve(problem, random_block<Q>(1, 1, 4), until(-1));
-  EXPECT_TRUE(r.stagnated);
-  EXPECT_NEAR(r.values[0], 1, 1e-14);
-}
-
-TEST(Lobpcg, separates_two_nearly_equal_eigenvalues_with_two_columns)
-{
-  Eigen::VectorXd values = 2 + counting(30).array();
-  values[0] = 1;
-  values[1] = 1 + 1e-7;
-  const Spectral_problem problem(values);
-  const auto one = solve(problem, random_block<Q>(30, 1, 5), until(1e-6));
-  EXPECT_TRUE(one.converged);
-  EXPECT_LE(problem.sine(one.vectors, 2), 1e-5);
-  const auto two = solve(problem, random_block<Q>(30, 2, 5), until(1e-9, 2));
-  EXPECT_TRUE(two.converged);
-  EXPECT_NEAR(*two.gap, 1e-7, 1e-13);
-  EXPECT_LE(problem.sine(two.vectors, 2), 1e-8);
-}
-
-TEST(Lobpcg, finds_both_vectors_of_a_double_eigenvalue)
-{
-  // As for the square of an operator with eigenvalues +-1, +-2, ...
-  Eigen::VectorXd values(24);
-  for (int i = 0; i < 24; ++i) values[i] = (i / 2 + 1) * (i / 2 + 1);
-  const Spectral_problem problem(values);
-  const auto one = solve(problem, random_block<Q>(24, 1, 6), until(1e-9));
-  EXPECT_TRUE(one.converged);
-  EXPECT_LE(problem.sine(one.vectors, 2), 1e-8);
-  const auto two = solve(problem, random_block<Q>(24, 2, 6), until(1e-9, 2));
-  EXPECT_TRUE(two.converged);
-  EXPECT_LE(problem.sine(two.vectors, 2), 1e-8);
-  EXPECT_NEAR(*two.gap, 0, 1e-13);
-  // A block that ends between two equal eigenvalues.
-  const auto three = solve(problem, random_block<Q>(24, 3, 6), until(1e-9, 3));
-  EXPECT_TRUE(three.converged);
-  EXPECT_LE(problem.sine(three.vectors, 4), 1e-8);
-}
-
-TEST(Lobpcg, leaves_an_initial_vector_that_is_nearly_orthogonal_to_the_answer)
-{
-  const Spectral_problem problem(counting(30));
-  Block x0 = Block::Constant(30, 1, Q{});
-  for (int i = 0; i < 30; ++i) {
-    x0(i, 0) = 1e-6 * problem.vectors()(i, 0);
-    for (int j = 1; j < 30; ++j) x0(i, 0) += problem.vectors()(i, j);
-  }
-  const auto r = solve(problem, x0, until(1e-8));
-  EXPECT_TRUE(r.converged);
-  EXPECT_NEAR(r.values[0], 1, 1e-12);
 }
 
 TEST(Lobpcg, converges_with_a_crude_preconditioner)

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_LINEAR_ALGEBRA_LOBPCG_RUNS_H
+#define TEST_LINEAR_ALGEBRA_LOBPCG_RUNS_H
+
+#include <Conformal_geometry_processing/linear_algebra/Lobpcg.h>
+
+#include "linear_algebra/spectral_problem.h"
+
+namespace cgp_test {
+
+inline CGP::Eigen_options until(double tolerance, int wanted = 1, int max_iterations = 200)
+{
+  CGP::Eigen_options options;
+  options.tolerance = tolerance;
+  options.wanted = wanted;
+  options.max_iterations = max_iterations;
+  return options;
+}
+
+template <class GoFurther = CGP::Always_go_further>
+CGP::Eigen_result solve(const Spectral_problem& problem, const CGP::Block<Quaternion<double>>& x0,
+                        const CGP::Eigen_options& options, double shift = 1e-3,
+                        GoFurther go_further = {})
+{
+  return CGP::lobpcg(problem.k(), problem.n(), problem.inverse(shift), x0, options, go_further);
+}
+
+}  // namespace cgp_test
+
+#endif
