@@ -45,10 +45,10 @@ inline Eigen::VectorXd bending_angles(const Mesh_view& mesh)
     const int h = mesh.halfedges_begin(k)[0], g = mesh.twin(h);
     if (g < 0) continue;
     const Eigen::Vector3d left = N.col(Mesh_view::face(h)), right = N.col(Mesh_view::face(g));
-    // On a convex edge the normal turns towards the left hand of the edge, that is by a positive
-    // angle about the edge's direction from right to left.
+    // From the left face to the right one the normal of a convex edge turns by a positive angle
+    // about the edge's direction.
     angles[k] =
-        std::atan2(right.cross(left).dot(mesh.vector(h).stableNormalized()), right.dot(left));
+        std::atan2(left.cross(right).dot(mesh.vector(h).stableNormalized()), left.dot(right));
   }
   return angles;
 }
@@ -65,10 +65,11 @@ inline double willmore_energy(const Mesh_view& mesh)
 
 /// \ingroup PkgMeasure
 /// the same with H_i V_i = 1/4 sum of bending angle times length over the edges at i, from
-/// Steiner's formula; depends on the dihedral angles alone and errs to the other side
+/// Steiner's formula, and barycentric areas V_i; knows nothing of cotangents and errs to the other
+/// side
 inline double steiner_willmore_energy(const Mesh_view& mesh)
 {
-  const Eigen::VectorXd angles = bending_angles(mesh), areas = voronoi_areas(mesh);
+  const Eigen::VectorXd angles = bending_angles(mesh), areas = vertex_areas(mesh);
   Eigen::VectorXd integral = Eigen::VectorXd::Zero(mesh.size_of_vertices());
   for (int k = 0; k < mesh.size_of_edges(); ++k)
     for (int v : mesh.ends(k))

@@ -1,0 +1,59 @@
+// Tests include/Conformal_geometry_processing/measure/area_distortion.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/measure/area_distortion.h>
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+
+TEST(Length_scales, are_the_factor_of_a_similarity)
+{
+  const Mesh_view mesh = bumpy_sphere(1);
+  const Points similar =
+      (3 * Random(1).rotation() * mesh.positions()).colwise() + Eigen::Vector3d(1, 2, 3);
+  const Eigen::VectorXd scale = CGP::length_scales(mesh, similar);
+  EXPECT_LT((scale.array() - 3).abs().maxCoeff(), 1e-13);
+}
+
+TEST(Length_scales, are_roots_of_the_quotient_of_areas)
+{
+  Points p = unit_square().positions();
+  p.row(0) *= 2;
+  p.row(1) *= 8;
+  EXPECT_EQ(CGP::length_scales(unit_square(), p), Eigen::Vector2d(4, 4));
+}
+
+TEST(Area_distortion, of_a_similarity_has_no_deviation)
+{
+  const Mesh_view mesh = bumpy_sphere(1);
+  const CGP::Area_distortion d = CGP::area_distortion(mesh, 3 * mesh.positions());
+  EXPECT_NEAR(d.min_scale, 3, 1e-14);
+  EXPECT_NEAR(d.max_scale, 3, 1e-14);
+  EXPECT_NEAR(d.log_deviation, 0, 1e-7);
+}
+
+TEST(Area_distortion, weighs_the_deviation_by_area)
+{
+  // Faces of areas 1 and 3 on both sides of the edge 0-1; the second grows by the factor e^2 in
+  // area, so logs of length are 0 and 1 with weights 1/4 and 3/4: the variance is 3/16.
+  const Mesh_view mesh(points({{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, -3, 0}}),
+                       {{0, 1, 2}, {0, 3, 1}});
+  Points p = mesh.positions();
+  p(1, 3) *= std::exp(2.);
+  const CGP::Area_distortion d = CGP::area_distortion(mesh, p);
+  EXPECT_NEAR(d.min_scale, 1, 1e-15);
+  EXPECT_NEAR(d.max_scale, std::exp(1.), 1e-14);
+  EXPECT_NEAR(d.log_deviation, std::sqrt(3. / 16), 1e-14);
+}
+
+TEST(Area_distortion, of_the_identity_is_none)
+{
+  const CGP::Area_distortion d = CGP::area_distortion(disk(3), disk(3).positions());
+  EXPECT_EQ(d.min_scale, 1);
+  EXPECT_EQ(d.max_scale, 1);
+  EXPECT_EQ(d.log_deviation, 0);
+}
