@@ -132,9 +132,8 @@ class Binary_source {
 
   [[noreturn]] void fail(const std::string& message) const
   {
-    throw Read_error(
-        m_path, 0,
-        std::string(m_element) + " (row " + std::to_string(m_row) + " of the data): " + message);
+    throw Read_error(m_path, 0,
+                     std::string(m_element) + ' ' + std::to_string(m_row) + ": " + message);
   }
 
   void finish() const

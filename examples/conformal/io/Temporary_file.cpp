@@ -74,6 +74,7 @@ bool is_unsupported(int error)
 Temporary_file::Temporary_file(const std::string& target)
     : m_target(target), m_path(resolved(target)), m_slot(slots)
 {
+  if (target.empty()) throw Write_error(target, "no name, wanted a file");
   struct stat status {};
   const bool exists = ::stat(m_path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) throw Write_error(m_target, "is a directory");

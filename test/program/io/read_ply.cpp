@@ -194,7 +194,7 @@ TEST(Read_ply, refuses_bad_values_with_their_line)
             "a.ply:13: a list vertex_indices of 3 values, wanted at most 2, which the bytes left "
             "hold");
   EXPECT_EQ(refusal(replaced(replaced(triangle, "1 0 0", "1"), "0 1 0\n3 0 1 2\n", "0 1 0 1 2")),
-            "a.ply:12: the file ends, wanted element face");
+            "a.ply:7: 1 face elements, but the 1 bytes left hold at most 0");
   EXPECT_EQ(refusal(triangle + "3 0 1 2\n"),
             "a.ply:14: '3' after the last element, wanted the end");
 }
