@@ -1,4 +1,6 @@
 // Tests algebra/Quaternion_access.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/algebra/Quaternion_access.h>
 
 #include <Eigen/Geometry>

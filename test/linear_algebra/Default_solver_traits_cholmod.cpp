@@ -1,4 +1,6 @@
 // Tests linear_algebra/Default_solver_traits.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
 #define CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
 #endif

@@ -1,4 +1,6 @@
 // Tests linear_algebra/Solver_embedding.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/linear_algebra/Solver_embedding.h>
 
 #include <gtest/gtest.h>
