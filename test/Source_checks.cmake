@@ -16,6 +16,14 @@ else()
     add_test(NAME sources.${what} COMMAND ${Python3_EXECUTABLE}
              ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_${what}.py ${${what}_arguments})
   endforeach()
+
+  # Every example succeeds on a sphere.
+  file(GLOB examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.cpp)
+  foreach(example IN LISTS examples)
+    cmake_path(GET example STEM name)
+    add_test(NAME examples.${name} COMMAND ${Python3_EXECUTABLE}
+             ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_example.py $<TARGET_FILE:${name}>)
+  endforeach()
 endif()
 
 # Every core header in two translation units that are linked: a function that is not inline, or a

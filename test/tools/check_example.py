@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""An example runs on a generated sphere: it succeeds and writes as many vertices as it read.
+
+usage: check_example.py PROGRAM   (which takes INPUT OUTPUT.ply)
+"""
+
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+
+def sphere(subdivisions):
+    """(points, faces) of an octahedron, subdivided and put onto the unit sphere."""
+    points = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+    faces = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)]
+    for _ in range(subdivisions):
+        middle = {}
+
+        def between(a, b, middle=middle):
+            key = (min(a, b), max(a, b))
+            if key not in middle:
+                middle[key] = len(points)
+                points.append(tuple((x + y) / 2 for x, y in zip(points[a], points[b])))
+            return middle[key]
+
+        finer = []
+        for a, b, c in faces:
+            ab, bc, ca = between(a, b), between(b, c), between(c, a)
+            finer += [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+        faces = finer
+    return [tuple(x / math.hypot(*p) for x in p) for p in points], faces
+
+
+def write_off(path, points, faces):
+    lines = ["OFF", f"{len(points)} {len(faces)} 0"]
+    lines += [" ".join(map(repr, map(float, point))) for point in points]
+    lines += [" ".join(map(str, (3, *face))) for face in faces]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def main():
+    points, faces = sphere(4)
+    with tempfile.TemporaryDirectory() as folder:
+        source, target = (pathlib.Path(folder) / name for name in ("sphere.off", "result.ply"))
+        write_off(source, points, faces)
+        result = subprocess.run([sys.argv[1], str(source), str(target)], check=False)
+        if result.returncode != 0:
+            sys.exit(f"exit code {result.returncode}")
+        head = target.read_bytes().partition(b"end_header")[0].decode()
+    vertices = int(re.search(r"element vertex (\d+)", head).group(1))
+    if vertices != len(points):
+        sys.exit(f"{len(points)} vertices read, {vertices} written")
+
+
+if __name__ == "__main__":
+    main()
