@@ -24,7 +24,8 @@ class Mutator {
   /// a copy with one fault or a few
   std::string mutant(std::string text)
   {
-    for (std::size_t faults = 1 + below(2) * below(4); faults > 0 && !text.empty(); --faults) mutate(text);
+    for (std::size_t faults = 1 + below(2) * below(4); faults > 0 && !text.empty(); --faults)
+      mutate(text);
     return text;
   }
 
