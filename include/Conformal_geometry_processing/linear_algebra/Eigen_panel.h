@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/linear_algebra/block_products.h>
 
 #include <cmath>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -60,8 +61,7 @@ inline Eigen_panel beside(const Eigen_panel& a, const Eigen_panel& b)
   if (b.size() == 0) return a;
   const auto join = [](const auto& x, const auto& y) {
     Block<Quaternion<double>> both(x.rows(), x.cols() + y.cols());
-    both.leftCols(x.cols()) = x;
-    both.rightCols(y.cols()) = y;
+    both << x, y;
     return both;
   };
   return {join(a.v, b.v), join(a.kv, b.kv), join(a.nv, b.nv)};
@@ -74,40 +74,63 @@ inline Eigen_panel beside(const Eigen_panel& a, const Eigen_panel& b)
 inline void project_out(Eigen_panel& p, const Eigen_panel& base)
 {
   for (int pass = 0; pass < 2; ++pass) {
-    const Eigen_panel shadow = combination(base, gram_matrix(base.nv, p.v));
-    p.v -= shadow.v;
-    p.kv -= shadow.kv;
-    p.nv -= shadow.nv;
+    const Block<Quaternion<double>> shadow = -gram_matrix(base.nv, p.v);
+    add_combination(p.v, base.v, shadow);
+    add_combination(p.kv, base.kv, shadow);
+    add_combination(p.nv, base.nv, shadow);
   }
 }
+
+namespace internal {
+
+// The N-norm of column j.
+inline double column_norm(const Eigen_panel& p, Eigen::Index j)
+{
+  return std::sqrt(inner_product(p.v.col(j), p.nv.col(j)).w);
+}
+
+inline void divide_column(Eigen_panel& p, Eigen::Index j, double s)
+{
+  for (Block<Quaternion<double>>* part : {&p.v, &p.kv, &p.nv}) scale_column(*part, j, 1 / s);
+}
+
+// Takes off column j what lies in the span of the orthonormal columns before it; twice, as above.
+inline void project_column(Eigen_panel& p, Eigen::Index j)
+{
+  for (int pass = 0; pass < 2; ++pass)
+    for (Eigen::Index i = 0; i < j; ++i) {
+      const Quaternion<double> shadow = -inner_product(p.nv.col(i), p.v.col(j));
+      for (Block<Quaternion<double>>* part : {&p.v, &p.kv, &p.nv})
+        add_multiple(part->col(j), part->col(i), shadow);
+    }
+}
+
+}  // namespace internal
 
 /// \relates Eigen_panel
 /// \brief the Gram-Schmidt basis of the columns of p, N-orthonormal.
 ///
 /// Drops columns that depend on those before: of squared sine below 1e-11 to their span. Below
 /// this, a direction is mostly rounding errors, and may lead to another eigenpair.
-inline Eigen_panel orthonormal_basis(const Eigen_panel& p)
+inline Eigen_panel orthonormal_basis(Eigen_panel p)
 {
   const double degenerate = 1e-11;
-  const auto length = [](const Eigen_panel& q) {
-    return std::sqrt(inner_product(q.v.col(0), q.nv.col(0)).w);
-  };
-  const auto scale = [](Eigen_panel& q, double s) {
-    scale_column(q.v, 0, s), scale_column(q.kv, 0, s), scale_column(q.nv, 0, s);
-  };
-  Eigen_panel basis;
+  Eigen::Index kept = 0;
   for (Eigen::Index j = 0; j < p.size(); ++j) {
-    Eigen_panel q{p.v.col(j), p.kv.col(j), p.nv.col(j)};
-    const double whole = length(q);
-    if (!(whole > 0) || !std::isfinite(1 / whole)) continue;
-    scale(q, 1 / whole);
-    if (basis.size() > 0) project_out(q, basis);
-    const double sine = length(q);
+    if (kept < j)
+      for (Block<Quaternion<double>>* part : {&p.v, &p.kv, &p.nv}) part->col(kept) = part->col(j);
+    const double length = internal::column_norm(p, kept);
+    if (!(length > 0) || !std::isfinite(1 / length)) continue;
+    internal::divide_column(p, kept, length);
+    internal::project_column(p, kept);
+    const double sine = internal::column_norm(p, kept);
     if (!(sine * sine > degenerate)) continue;
-    scale(q, 1 / sine);
-    basis = basis.size() > 0 ? beside(basis, q) : q;
+    internal::divide_column(p, kept, sine);
+    ++kept;
   }
-  return basis;
+  for (Block<Quaternion<double>>* part : {&p.v, &p.kv, &p.nv})
+    part->conservativeResize(Eigen::NoChange, kept);
+  return p;
 }
 
 }  // namespace Conformal_geometry_processing

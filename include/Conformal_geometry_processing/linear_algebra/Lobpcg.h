@@ -13,6 +13,23 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
+// S^H K S for S = [x, d], without putting S together.
+inline Block<Quaternion<double>> projection(const Eigen_panel& x, const Eigen_panel& d)
+{
+  Block<Quaternion<double>> G(x.size() + d.size(), x.size() + d.size());
+  const Block<Quaternion<double>> corner = gram_matrix(x.v, d.kv);
+  G.topLeftCorner(x.size(), x.size()) = gram_matrix(x.v, x.kv);
+  G.topRightCorner(x.size(), d.size()) = corner;
+  G.bottomRightCorner(d.size(), d.size()) = gram_matrix(d.v, d.kv);
+  for (Eigen::Index j = 0; j < d.size(); ++j)
+    for (Eigen::Index i = 0; i < x.size(); ++i) G(x.size() + j, i) = conjugate(corner(i, j));
+  return G;
+}
+
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief the smallest eigenpairs of K x = N x theta by locally optimal block preconditioned
 /// conjugate gradients over the quaternions.
@@ -38,31 +55,33 @@ Eigen_result lobpcg(const K& apply_k, const N& apply_n, const T& precondition,
                     GoFurther go_further = {})
 {
   Eigen_convergence convergence("lobpcg", options, x0);
+  using Vectors = Block<Quaternion<double>>;
   Eigen_panel x = convergence.initial(make_panel(apply_k, apply_n, std::move(x0)));
   x = combination(x, quaternionic_jacobi(gram_matrix(x.v, x.kv)).vectors);
   Eigen_panel p;
   while (true) {
     // Anew, so that the residual is the true one and not that of accumulated combinations.
     x = make_panel(apply_k, apply_n, std::move(x.v));
-    const Block<Quaternion<double>> r = x.residual();
-    Block<Quaternion<double>> w = precondition(r);
+    const Vectors r = x.residual();
+    Vectors w = precondition(r);
     convergence.count_solve();
     if (convergence.is_last(x, r, w, go_further)) break;
 
-    for (int pass = 0; pass < 2; ++pass) w -= combination(x.v, gram_matrix(x.nv, w));
+    for (int pass = 0; pass < 2; ++pass) add_combination(w, x.v, Vectors(-gram_matrix(x.nv, w)));
     Eigen_panel directions = make_panel(apply_k, apply_n, std::move(w));
     if (p.size() > 0) project_out(p, x);
-    directions = orthonormal_basis(p.size() > 0 ? beside(directions, p) : directions);
+    directions = orthonormal_basis(beside(directions, p));
     if (directions.size() == 0) {
       convergence.stop();
       break;
     }
 
-    const Eigen_panel basis = beside(x, directions);
-    const Block<Quaternion<double>> ritz =
-        quaternionic_jacobi(gram_matrix(basis.v, basis.kv)).vectors.leftCols(x.size());
-    p = combination(directions, ritz.bottomRows(directions.size()));
-    x.v = combination(basis.v, ritz);
+    const Vectors ritz =
+        quaternionic_jacobi(internal::projection(x, directions)).vectors.leftCols(x.size());
+    p = combination(directions, Vectors(ritz.bottomRows(directions.size())));
+    // Of x = x C + p, only the vectors: K and N are applied to them anew.
+    x.v = combination(x.v, Vectors(ritz.topRows(x.size())));
+    x.v += p.v;
     convergence.count_iteration();
   }
   return convergence.result();

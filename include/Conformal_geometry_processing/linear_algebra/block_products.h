@@ -22,14 +22,30 @@ Block<Quaternion<FT>> gram_matrix(const Block<Quaternion<FT>>& A, const Block<Qu
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief V C: combines the columns of V with coefficients from the right.
+/// \brief y += x q for columns x and y; y may be a column of the same block as x.
+template <class Y, class X, class FT>
+void add_multiple(Y&& y, const X& x, const Quaternion<FT>& q)
+{
+  for (Eigen::Index i = 0; i < x.size(); ++i) y[i] += x[i] * q;
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief W += V C, in place: combines the columns of V with coefficients from the right.
+template <class FT>
+void add_combination(Block<Quaternion<FT>>& W, const Block<Quaternion<FT>>& V,
+                     const Block<Quaternion<FT>>& C)
+{
+  for (Eigen::Index j = 0; j < C.cols(); ++j)
+    for (Eigen::Index k = 0; k < V.cols(); ++k) add_multiple(W.col(j), V.col(k), C(k, j));
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief V C
 template <class FT>
 Block<Quaternion<FT>> combination(const Block<Quaternion<FT>>& V, const Block<Quaternion<FT>>& C)
 {
   Block<Quaternion<FT>> W = Block<Quaternion<FT>>::Constant(V.rows(), C.cols(), Quaternion<FT>{});
-  for (Eigen::Index j = 0; j < C.cols(); ++j)
-    for (Eigen::Index k = 0; k < V.cols(); ++k)
-      for (Eigen::Index i = 0; i < V.rows(); ++i) W(i, j) += V(i, k) * C(k, j);
+  add_combination(W, V, C);
   return W;
 }
 

@@ -35,13 +35,13 @@ Eigen_result inverse_power_method(const K& apply_k, const N& apply_n, const T& i
     const Block<Quaternion<double>> Tr = invert(r);
     convergence.count_solve();
     if (convergence.is_last(x, r, Tr, go_further)) break;
-    const Eigen_panel next = orthonormal_basis(make_panel(apply_k, apply_n, invert(x.nv)));
+    Eigen_panel next = orthonormal_basis(make_panel(apply_k, apply_n, invert(x.nv)));
     convergence.count_solve();
     if (next.size() < x.size()) {
       convergence.stop();
       break;
     }
-    x = next;
+    x = std::move(next);
     convergence.count_iteration();
   }
   return convergence.result();
