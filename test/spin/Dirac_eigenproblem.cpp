@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Dirac_eigenproblem.h
+#include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/dense.h"
+#include "support/meshes.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+using CGP::Curvature_potential;
+
+class Dirac_eigenproblem : public testing::Test {
+ protected:
+  void set_potential(double amplitude)
+  {
+    problem.set_potential(
+        Curvature_potential::on_vertices(amplitude * rho_of_section_3_on_vertices(mesh)), seconds);
+  }
+
+  Quaternion_vector<double> one() const
+  {
+    return Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0});
+  }
+
+  CGP::Eigen_result smallest(int wanted) const
+  {
+    return problem.smallest(problem.start(one(), 0), wanted, 1e-9, 200, CGP::Always_go_further());
+  }
+
+  const Mesh_view mesh = icosphere(1);
+  CGP::Dirac_eigenproblem<> problem{mesh};
+  CGP::Dirac_solution::Seconds seconds;
+};
+
+}  // namespace
+
+TEST_F(Dirac_eigenproblem, finds_the_smallest_pairs_of_the_dense_matrix)
+{
+  for (const double amplitude : {1., 3.}) {
+    set_potential(amplitude);
+    const CGP::Eigen_result r = smallest(2);
+    const Eigen::MatrixXd X = real_form(dense(problem.matrix()));
+    const Eigen::VectorXd masses =
+        problem.areas().transpose().replicate(4, 1).reshaped(X.rows(), 1);
+    const Eigen::VectorXd mu = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+                                   X, Eigen::MatrixXd(masses.asDiagonal()))
+                                   .eigenvalues();
+    ASSERT_TRUE(r.converged);
+    EXPECT_NEAR(r.values[0], mu[0], 1e-12);
+    EXPECT_NEAR(r.values[1], mu[4], 1e-12);
+    const Eigen::MatrixXd x = real_form(r.vectors.col(0));
+    EXPECT_LT((X * x - mu[0] * masses.asDiagonal() * x).norm(), 1e-7);
+  }
+}
+
+TEST_F(Dirac_eigenproblem, forgets_the_last_potential)
+{
+  set_potential(1);
+  const CGP::Eigen_result first = smallest(1);
+  set_potential(3);
+  set_potential(1);
+  EXPECT_TRUE(smallest(1).vectors == first.vectors);
+}
+
+TEST_F(Dirac_eigenproblem, adds_up_the_seconds_of_all_potentials)
+{
+  set_potential(1);
+  const CGP::Dirac_solution::Seconds once = seconds;
+  set_potential(1);
+  EXPECT_GT(once.assembly, 0);
+  EXPECT_GT(once.factorization, 0);
+  EXPECT_GT(seconds.assembly, once.assembly);
+  EXPECT_GT(seconds.factorization, once.factorization);
+}
+
+TEST_F(Dirac_eigenproblem, has_the_curvature_of_the_sphere_of_the_same_area_as_unit)
+{
+  const Mesh_view large = scaled_to_area(mesh, 100);
+  EXPECT_NEAR(CGP::Dirac_eigenproblem<>(large).unit(), 4 * pi / 100, 1e-14);
+}
+
+TEST_F(Dirac_eigenproblem, starts_with_the_guide_and_noise_that_depends_on_the_seed_alone)
+{
+  set_potential(1);
+  const Quaternion_matrix a = problem.start(one(), 3), b = problem.start(one(), 3);
+  const Quaternion_matrix c = problem.start(one(), 4);
+  ASSERT_EQ(a.cols(), 2);
+  EXPECT_EQ(Quaternion_vector<double>(a.col(0)), one());
+  EXPECT_TRUE(a == b);
+  EXPECT_LT(problem.overlap(a.col(1), c.col(1)), 1 - 1e-6);
+}
+
+TEST_F(Dirac_eigenproblem, overlap_is_one_for_right_factors_and_zero_for_orthogonal_vectors)
+{
+  const Quaternion_vector<double> a = random_quaternions(mesh.size_of_vertices(), 5);
+  Quaternion_vector<double> turned = a, b = random_quaternions(mesh.size_of_vertices(), 6);
+  for (auto& q : turned) q = q * Quaternion<double>{1, 2, -3, 0.5};
+  EXPECT_NEAR(problem.overlap(a, turned), 1, 1e-14);
+  EXPECT_NEAR(problem.overlap(a, b), problem.overlap(b, a), 1e-14);
+  const auto along =
+      CGP::inner_product(a, problem.areas(), b) / CGP::inner_product(a, problem.areas(), a).w;
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) b[v] -= a[v] * along;
+  EXPECT_NEAR(problem.overlap(a, b), 0, 1e-14);
+}
+
+TEST_F(Dirac_eigenproblem, tells_which_step_of_the_solver_failed)
+{
+  const Mesh_view empty;
+  EXPECT_THROW(CGP::Dirac_eigenproblem<>{empty}, CGP::Solver_error);
+  EXPECT_THROW((void)problem.start(one(), 0), CGP::Solver_error);  // not factorized yet
+  try {
+    set_potential(std::numeric_limits<double>::quiet_NaN());
+    FAIL();
+  } catch (const CGP::Solver_error& error) {
+    EXPECT_STREQ(error.what(), "Dirac_equation: factorization of X failed: a value is not finite");
+  }
+}

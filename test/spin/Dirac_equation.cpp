@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Dirac_equation.h
+//       include/Conformal_geometry_processing/spin/Dirac_solution.h
+#include <Conformal_geometry_processing/operators/averaging.h>
+#include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/spin/Dirac_equation.h>
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "support/dense.h"
+#include "support/meshes.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+using CGP::Curvature_potential;
+
+Curvature_potential constant_on_faces(const Mesh_view& mesh, double c)
+{
+  return Curvature_potential::on_faces(Eigen::VectorXd::Constant(mesh.size_of_faces(), c));
+}
+
+Curvature_potential constant_on_vertices(const Mesh_view& mesh, double c)
+{
+  return Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), c));
+}
+
+double distance_to_one(const Quaternion_vector<double>& lambda)
+{
+  return greatest_difference(lambda,
+                             Quaternion_vector<double>::Constant(lambda.size(), {1, 0, 0, 0}));
+}
+
+/// rho on faces + c
+Curvature_potential shifted(const Mesh_view& mesh, double c)
+{
+  return Curvature_potential::on_faces(rho_of_section_3_on_faces(mesh).array() + c);
+}
+
+/// all eigenvalues of X x = mu M_V x, from the matrices D, R and M_F; each of them four times
+Eigen::VectorXd dense_eigenvalues(const Mesh_view& mesh, const Curvature_potential& rho)
+{
+  const Quaternion_matrix A = dense(CGP::dirac(mesh)) - dense(CGP::potential_matrix(mesh, rho));
+  const Eigen::MatrixXd X = real_form(adjoint_product(A, CGP::face_areas(mesh), A));
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  Eigen::VectorXd scale(X.rows());
+  for (Eigen::Index i = 0; i < X.rows(); ++i) scale[i] = 1 / std::sqrt(areas[i / 4]);
+  const Eigen::MatrixXd symmetric = scale.asDiagonal() * X * scale.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
+      .eigenvalues();
+}
+
+}  // namespace
+
+TEST(Dirac_equation, for_rho_zero_is_solved_by_the_identity_without_an_iteration)
+{
+  for (const Mesh_view& mesh : {icosphere(2), torus(2, 1, 12, 9), tetrahedron()}) {
+    const CGP::Dirac_solution s = CGP::Dirac_equation<>(mesh).solve(constant_on_faces(mesh, 0));
+    EXPECT_TRUE(s.converged);
+    EXPECT_EQ(s.iterations, 0);
+    EXPECT_EQ(s.substeps, 1);
+    EXPECT_LT(distance_to_one(s.lambda), 1e-12);
+    EXPECT_NEAR(s.eigenvalue, 0, 1e-14);
+    EXPECT_NEAR(s.overlap, 1, 1e-14);
+  }
+}
+
+TEST(Dirac_equation, for_constant_rho_is_solved_by_the_identity)
+{
+  const Mesh_view mesh = radially_perturbed(icosphere(2), 0.05);
+  CGP::Dirac_equation<> equation(mesh);
+  for (const double c : {0.1, -0.5, 1., 3., -20.}) {
+    for (const auto& rho : {constant_on_faces(mesh, c), constant_on_vertices(mesh, c)}) {
+      const CGP::Dirac_solution s = equation.solve(rho);
+      EXPECT_TRUE(s.converged) << c;
+      EXPECT_LT(distance_to_one(s.lambda), 1e-6) << c;
+      EXPECT_NEAR(s.eigenvalue, -c, 1e-6) << c;
+    }
+  }
+}
+
+TEST(Dirac_equation, of_a_weak_rho_has_the_smallest_eigenvalue_of_the_dense_matrix)
+{
+  const Mesh_view mesh = icosphere(1);
+  CGP::Dirac_equation<> equation(mesh);
+  for (const auto& rho :
+       {Curvature_potential::on_faces(0.5 * rho_of_section_3_on_faces(mesh)),
+        Curvature_potential::on_vertices(0.5 * rho_of_section_3_on_vertices(mesh))}) {
+    const CGP::Dirac_solution s = equation.solve(rho);
+    const Eigen::VectorXd mu = dense_eigenvalues(mesh, rho);
+    EXPECT_NEAR(s.energy, mu[0], 1e-12);
+    const double gap = std::sqrt(mu[4]) - std::sqrt(mu[0]);
+    EXPECT_GE(s.gap, gap - 1e-9);  // of a vector that need not have converged
+    EXPECT_LE(s.gap, gap + 0.1);
+  }
+}
+
+TEST(Dirac_equation, has_a_solution_in_the_gauge_with_mean_real_and_mean_square_one)
+{
+  const Mesh_view mesh = radially_perturbed(icosphere(2), 0.05);
+  const CGP::Dirac_solution s = CGP::Dirac_equation<>(mesh).solve(shifted(mesh, 0.2));
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  Quaternion<double> mean;
+  double square = 0;
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    mean += areas[v] / areas.sum() * s.lambda[v];
+    square += areas[v] / areas.sum() * squared_norm(s.lambda[v]);
+  }
+  EXPECT_GT(mean.w, 0.5);
+  EXPECT_LT(imaginary_part(mean).norm(), 1e-12);
+  EXPECT_NEAR(square, 1, 1e-12);
+  EXPECT_NEAR(s.overlap, mean.w, 1e-12);
+}
+
+TEST(Dirac_equation, residual_is_that_of_the_equation)
+{
+  const Mesh_view mesh = icosphere(2);
+  const auto rho = shifted(mesh, 0);
+  for (const double tolerance : {1e-3, 1e-6, 1e-10}) {
+    CGP::Dirac_options options;
+    options.tolerance = tolerance;
+    const CGP::Dirac_solution s = CGP::Dirac_equation<>(mesh).solve(rho, options);
+    ASSERT_TRUE(s.converged);
+    EXPECT_LE(s.residual, tolerance);
+    Quaternion_vector<double> r = CGP::block_operator(CGP::dirac_energy(mesh, rho))(s.lambda);
+    const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+    for (int v = 0; v < mesh.size_of_vertices(); ++v) r[v] -= (s.energy * areas[v]) * s.lambda[v];
+    // The largest eigenvalue of X is about 12: the dual norm bounds the plain one.
+    EXPECT_LE(CGP::components(r).norm(), 4 * tolerance * std::sqrt(4 * pi));
+  }
+}
+
+TEST(Dirac_equation, adds_the_mean_of_rho_to_the_eigenvalue_and_nothing_to_lambda)
+{
+  const Mesh_view mesh = icosphere(3);
+  CGP::Dirac_equation<> equation(mesh);
+  const CGP::Dirac_solution s0 = equation.solve(shifted(mesh, 0));
+  for (const double c : {0.1, -0.2}) {  // up to the discretisation error of the square
+    const CGP::Dirac_solution s = equation.solve(shifted(mesh, c));
+    EXPECT_NEAR(s.eigenvalue, s0.eigenvalue - c, 2e-3);
+    EXPECT_LT(greatest_difference(s.lambda, s0.lambda), 2e-2);
+  }
+}
+
+// D - (rho + 1) and D - (rho + 3) are shifted back to the same operator.
+TEST(Dirac_equation, does_not_tell_apart_large_means_of_rho)
+{
+  const Mesh_view mesh = icosphere(3);
+  CGP::Dirac_equation<> equation(mesh);
+  const CGP::Dirac_solution s1 = equation.solve(shifted(mesh, 1));
+  const CGP::Dirac_solution s3 = equation.solve(shifted(mesh, 3));
+  EXPECT_TRUE(s1.converged && s3.converged);
+  EXPECT_NE(s1.spectral_shift, 0);
+  EXPECT_NEAR(s3.spectral_shift, s1.spectral_shift - 2, 1e-9);
+  EXPECT_NEAR(s3.eigenvalue, s1.eigenvalue - 2, 1e-9);
+  EXPECT_LT(greatest_difference(s1.lambda, s3.lambda), 1e-7);
+}
+
+TEST(Dirac_equation, is_solved_twice_to_the_same_bits)
+{
+  const Mesh_view mesh = icosphere(2);
+  CGP::Dirac_equation<> equation(mesh);
+  for (const double amplitude : {1., 5.}) {
+    const auto rho = Curvature_potential::on_faces(amplitude * rho_of_section_3_on_faces(mesh));
+    const CGP::Dirac_solution first = equation.solve(rho), second = equation.solve(rho);
+    const CGP::Dirac_solution fresh = CGP::Dirac_equation<>(mesh).solve(rho);
+    EXPECT_EQ(first.lambda, second.lambda);
+    EXPECT_EQ(first.lambda, fresh.lambda);
+    EXPECT_EQ(first.eigenvalue, fresh.eigenvalue);
+    EXPECT_EQ(first.iterations, fresh.iterations);
+  }
+}
+
+TEST(Dirac_equation, does_not_depend_on_the_random_start_beyond_the_tolerance)
+{
+  const Mesh_view mesh = icosphere(2);
+  CGP::Dirac_equation<> equation(mesh);
+  CGP::Dirac_options options;
+  const CGP::Dirac_solution a = equation.solve(shifted(mesh, 0), options);
+  options.random_seed = 7;
+  const CGP::Dirac_solution b = equation.solve(shifted(mesh, 0), options);
+  EXPECT_LT(greatest_difference(a.lambda, b.lambda), 1e-7);
+}
+
+TEST(Dirac_equation, reports_progress_and_stops_when_told)
+{
+  const Mesh_view mesh = icosphere(2);
+  CGP::Dirac_equation<> equation(mesh);
+  int iterations = 0;
+  const auto watch = [&](const CGP::Eigen_progress& p) {
+    EXPECT_EQ(p.iteration, iterations++);
+    return true;
+  };
+  EXPECT_EQ(equation.solve(shifted(mesh, 0), {}, watch).iterations, iterations);
+  const auto stop = [](const CGP::Eigen_progress& p) { return p.iteration < 2; };
+  const CGP::Dirac_solution s = equation.solve(shifted(mesh, 0), {}, stop);
+  EXPECT_TRUE(s.cancelled);
+  EXPECT_FALSE(s.converged);
+  EXPECT_EQ(s.iterations, 2);
+}
+
+TEST(Dirac_equation, passes_on_what_the_observer_throws)
+{
+  const Mesh_view mesh = icosphere(1);
+  CGP::Dirac_equation<> equation(mesh);
+  const auto bad = [](const CGP::Eigen_progress&) -> bool { throw std::runtime_error("bad"); };
+  EXPECT_THROW((void)equation.solve(shifted(mesh, 0), {}, bad), std::runtime_error);
+  EXPECT_TRUE(equation.solve(shifted(mesh, 0)).converged);
+}

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Dirac_equation.h
+#include <Conformal_geometry_processing/spin/Dirac_equation.h>
+
+#include "spin/branch_tools.h"
+
+namespace {
+
+using namespace cgp_test;
+
+class Branch_on_icosphere_4 : public testing::Test {
+ protected:
+  CGP::Dirac_solution expect_branch(const Curvature_potential& rho)
+  {
+    CGP::Dirac_solution s = CGP::Dirac_equation<>(sphere).solve(rho);
+    CGP::Dirac_eigenproblem<> problem(sphere);
+    const Branch_point expected = branch_of_identity(problem, rho, 20);
+    EXPECT_GT(expected.least_overlap, 0.98);
+    EXPECT_TRUE(s.converged);
+    EXPECT_GT(problem.overlap(s.lambda, expected.lambda), 0.99);
+    EXPECT_NEAR(s.eigenvalue, expected.gamma, 0.03);
+    return s;
+  }
+
+  const Mesh_view sphere = icosphere(4);
+};
+
+}  // namespace
+
+TEST_F(Branch_on_icosphere_4, of_the_smooth_potential_is_found_in_one_solve)
+{
+  EXPECT_EQ(expect_branch(smooth_potential(sphere, 3)).substeps, 1);
+}
+
+TEST_F(Branch_on_icosphere_4, of_forty_strong_bumps_is_found_in_substeps)
+{
+  EXPECT_GT(expect_branch(bumps_potential(sphere, 4)).substeps, 1);
+}
