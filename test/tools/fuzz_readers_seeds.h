@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TEST_TOOLS_FUZZ_READERS_SEEDS_H
-#define CONFORMAL_TEST_TOOLS_FUZZ_READERS_SEEDS_H
+#ifndef TEST_TOOLS_FUZZ_READERS_SEEDS_H
+#define TEST_TOOLS_FUZZ_READERS_SEEDS_H
 
 #include <cstdint>
 #include <cstring>

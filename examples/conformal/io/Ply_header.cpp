@@ -9,13 +9,20 @@
 namespace conformal {
 namespace {
 
+std::string_view without_trailing_blanks(std::string_view line)
+{
+  return line.substr(0, line.find_last_not_of(" \t") + 1);
+}
+
 class Header_reader {
  public:
   Header_reader(std::string_view bytes, const std::string& path) : m_bytes(bytes), m_path(path)
   {
-    if (next_line() != "ply") fail("the first line is not ply, wanted a PLY file");
+    if (without_trailing_blanks(next_line()) != "ply")
+      fail("the first line is not ply, wanted a PLY file");
     bool has_format = false;
-    for (std::string_view line = next_line(); line != "end_header"; line = next_line()) {
+    for (std::string_view line = next_line(); without_trailing_blanks(line) != "end_header";
+         line = next_line()) {
       Text_scanner words(line, path, Text_scanner::plain, m_header.lines);
       if (words.at_end()) continue;
       const std::string_view keyword = words.word("");
@@ -53,9 +60,8 @@ class Header_reader {
     const std::size_t end = m_bytes.find(m_line_end, m_header.bytes);
     ++m_header.lines;
     if (end == std::string_view::npos) fail("the file ends in the header, wanted end_header");
-    std::string_view line = m_bytes.substr(m_header.bytes, end - m_header.bytes);
+    const std::string_view line = m_bytes.substr(m_header.bytes, end - m_header.bytes);
     m_header.bytes = end + m_line_end.size();
-    while (!line.empty() && (line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
     return line;
   }
 

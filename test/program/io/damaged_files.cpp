@@ -1,6 +1,7 @@
 // Tests examples/conformal/io/read_off.cpp examples/conformal/io/read_obj.cpp
-// examples/conformal/io/read_ply.cpp examples/conformal/io/read_stl.cpp Copyright (c) 2026 The
-// Conformal Geometry Processing authors SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests examples/conformal/io/read_ply.cpp examples/conformal/io/read_stl.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/io/io_support.h"
 
 #include "conformal/io/read_surface.h"

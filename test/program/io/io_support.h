@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_TEST_PROGRAM_IO_IO_SUPPORT_H
-#define CONFORMAL_TEST_PROGRAM_IO_IO_SUPPORT_H
+#ifndef TEST_PROGRAM_IO_IO_SUPPORT_H
+#define TEST_PROGRAM_IO_IO_SUPPORT_H
 
 #include <gtest/gtest.h>
 

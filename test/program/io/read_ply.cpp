@@ -1,5 +1,6 @@
 // Tests examples/conformal/io/read_ply.cpp examples/conformal/io/Ply_header.cpp
-// examples/conformal/io/Ply_body.cpp Copyright (c) 2026 The Conformal Geometry Processing authors
+// Tests examples/conformal/io/Ply_body.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/read_ply.h"
 

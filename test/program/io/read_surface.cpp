@@ -1,5 +1,6 @@
 // Tests examples/conformal/io/read_surface.cpp examples/conformal/io/detect_format.cpp
-// examples/conformal/io/read_bytes.cpp Copyright (c) 2026 The Conformal Geometry Processing authors
+// Tests examples/conformal/io/read_bytes.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/read_surface.h"
 

@@ -1,6 +1,7 @@
 // Tests examples/conformal/io/write_glb.cpp examples/conformal/io/Glb_mesh.cpp
-// examples/conformal/io/checkerboard.cpp Copyright (c) 2026 The Conformal Geometry Processing
-// authors SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests examples/conformal/io/checkerboard.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/write_glb.h"
 
 #include "conformal/io/Glb_mesh.h"

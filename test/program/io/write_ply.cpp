@@ -166,8 +166,9 @@ TEST(Write_ply, counts_the_corners_of_large_faces)
 TEST(Write_ply, keeps_comments_on_one_line)
 {
   Surface_file file = parse_ply(fuzz::ply_seeds()[0], "a.ply");
-  file.comments = {"two\nlines"};
-  EXPECT_EQ(parse_ply(encode(file, Ply_encoding::ascii), "b.ply").comments[0], "two lines");
+  file.comments = {"two\nlines", " blanks around "};
+  EXPECT_EQ(parse_ply(encode(file, Ply_encoding::ascii), "b.ply").comments,
+            (std::vector<std::string>{"two lines", " blanks around "}));
 }
 
 }  // namespace
