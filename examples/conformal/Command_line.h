@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_COMMAND_LINE_H
+#define CONFORMAL_COMMAND_LINE_H
+
+#include "Options.h"
+
+#include <string>
+#include <variant>
+
+namespace conformal {
+
+/// what the user asked for
+struct Command_line {
+  Common_options common;
+  std::string command;
+  std::variant<std::monostate, Info_options, Spin_options, Compare_options> options;
+  std::string answer;  ///< of `--help` and `--version`; then there is nothing else to do
+};
+
+/// \throws Failure (usage)
+Command_line parse_command_line(int argc, const char* const* argv);
+
+}  // namespace conformal
+
+#endif

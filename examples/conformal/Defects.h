@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_DEFECTS_H
+#define CONFORMAL_DEFECTS_H
+
+#include "Surface_input.h"
+
+#include <string>
+#include <vector>
+
+namespace conformal {
+
+/// What keeps a mesh from being one oriented manifold surface with areas, in the words of the
+/// user's file: how many elements, the first of them, what to try.
+struct Defects {
+  std::vector<std::string> of_topology;    ///< non-manifold, not orientable
+  std::vector<std::string> of_geometry;    ///< faces of area zero, coordinates too large
+  std::vector<std::string> of_components;  ///< more than one
+
+  /// the first one, or an empty string
+  std::string first() const;
+};
+
+Defects find_defects(const Surface_input& input);
+
+/// the shape of the surface in numbers, `V 12, E 30, F 20, closed, genus 0`, as a user is told
+/// \pre the mesh has no defects of topology
+std::string description(const CGP::Mesh_view& mesh);
+
+/// \throws Failure naming the first defect
+void require_surface(const Surface_input& input);
+
+/// the same, and no boundary
+void require_closed_surface(const Surface_input& input);
+
+/// \throws Failure if something was done to the input that it did not ask for
+void require_untouched(const Surface_input& input);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_EXPRESSION_H
+#define CONFORMAL_EXPRESSION_H
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <string>
+
+namespace conformal {
+
+/// \brief A formula of a user in x, y, z, nx, ny, nz and the constants pi and e.
+///
+/// Beside the functions of muParser (sin ... atan2, exp, ln, log10, sqrt, abs, sign, min, max,
+/// `a < b ? c : d`) it knows gauss(d, s) = exp(-d^2 / (2 s^2)), and bump(d, r), which is 1 at
+/// d = 0, smooth, and 0 beyond |d| = r.
+class Expression {
+ public:
+  /// \throws Failure (usage) that names the place of the fault, counted from 1
+  explicit Expression(const std::string& text);
+  ~Expression();
+  Expression(const Expression&) = delete;
+  Expression& operator=(const Expression&) = delete;
+
+  /// its value at a point with a normal; may be no number, as 0/0 is
+  double operator()(const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
+
+ private:
+  struct Parser;
+  std::unique_ptr<Parser> m_parser;
+};
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_OPTIONS_H
+#define CONFORMAL_OPTIONS_H
+
+#include <optional>
+#include <string>
+
+namespace conformal {
+
+/// what every command takes
+struct Common_options {
+  std::string output, json;
+  int threads = 1;
+  unsigned seed = 0;
+  double tolerance = 1e-8;
+  bool quiet = false, strict = false;
+};
+
+enum class Projection { uv, x, y, z, sphere };
+
+/// where rho comes from: exactly one of the four is not empty
+struct Rho_options {
+  std::string expression, property, file, image;
+  Projection projection = Projection::uv;
+  double amplitude = 1;
+  std::optional<bool> on_faces;  ///< undecided: vertices, or whatever the data fit
+};
+
+/// beyond these the result of a transformation does not verify
+struct Verification_limits {
+  double closure = 0.1;          ///< of the relative closure residual
+  double quasi_conformal = 1.5;  ///< of the mean Q
+  double flipped = 0.01;         ///< of the share of flipped faces
+};
+
+struct Info_options {
+  std::string input;
+};
+
+struct Spin_options {
+  std::string input;
+  Rho_options rho;
+  std::string lambda;  ///< the name of the vertex properties, none if empty
+  bool generalized = false, eigen_solver = false, force = false;
+  Verification_limits limits;
+};
+
+struct Compare_options {
+  std::string before, after;
+};
+
+}  // namespace conformal
+
+#endif

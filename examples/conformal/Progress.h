@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_PROGRESS_H
+#define CONFORMAL_PROGRESS_H
+
+#include <string>
+
+namespace conformal {
+
+/// A line on stderr that tells how far the work is, where a person is watching: only if stderr is
+/// a terminal. It disappears in the end.
+class Progress {
+ public:
+  explicit Progress(bool is_quiet);
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// \param fraction done, in [0, 1]
+  void show(const std::string& stage, double fraction);
+  void clear();
+
+ private:
+  bool m_is_shown;
+  bool m_has_line = false;
+};
+
+}  // namespace conformal
+
+#endif

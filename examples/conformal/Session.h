@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_SESSION_H
+#define CONFORMAL_SESSION_H
+
+#include "Options.h"
+#include "Report.h"
+
+#include <Conformal_geometry_processing/linear_algebra/Stopwatch.h>
+
+#include <string>
+#include <string_view>
+
+namespace conformal {
+
+/// One run of a command: its options, what it has found out, and what it tells the user.
+class Session {
+ public:
+  Session(const Common_options& options, const std::string& command);
+
+  const Common_options& options() const { return m_options; }
+  Report& report() { return m_report; }
+
+  /// Tells what was done to the input without being asked: a line on stderr, and in the report.
+  void note(const std::string& text);
+  void note_all(const std::vector<std::string>& texts);
+
+  /// Prints a result on stdout, unless the user wants silence.
+  void print(std::string_view text) const;
+
+  /// Ends a stage that began when the last one ended.
+  void end_stage(const std::string& stage) { m_report.add_seconds(stage, m_watch.lap()); }
+
+  /// the report, finished: notes, total time and how the run ended (no error: an empty string)
+  std::string json(const std::string& error);
+
+ private:
+  const Common_options& m_options;
+  Report m_report;
+  std::vector<std::string> m_notes;
+  Conformal_geometry_processing::Stopwatch m_watch, m_total;
+};
+
+}  // namespace conformal
+
+#endif

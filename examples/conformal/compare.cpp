@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "compare.h"
+
+#include "Defects.h"
+#include "Failure.h"
+#include "info.h"
+#include "io/write_surface.h"
+#include "verification.h"
+#include "write_result.h"
+
+#include <Conformal_geometry_processing/measure/Conformality.h>
+#include <Conformal_geometry_processing/measure/alignment.h>
+#include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+
+#include <algorithm>
+
+namespace conformal {
+namespace {
+
+Failure different(const Compare_options& options, const std::string& difference)
+{
+  return unsuitable(options.after, "has not the faces of " + options.before + ": " + difference +
+                                       "; try: a mesh computed from it");
+}
+
+std::string corners_of(const Polygons& polygons, std::size_t f)
+{
+  std::string text;
+  for (std::size_t c = polygons.first[f]; c < polygons.first[f + 1]; ++c)
+    text += (text.empty() ? "" : " ") + std::to_string(polygons.corners[c]);
+  return text;
+}
+
+void require_same_faces(const Surface_file& a, const Surface_file& b,
+                        const Compare_options& options)
+{
+  const auto numbers = [](const std::string& noun, std::size_t n, std::size_t wanted) {
+    return count_of(n, noun) + ", wanted " + std::to_string(wanted);
+  };
+  if (a.points.size() != b.points.size())
+    throw different(options, numbers("vertex", b.points.size(), a.points.size()));
+  if (a.polygons.size() != b.polygons.size())
+    throw different(options, numbers("face", b.polygons.size(), a.polygons.size()));
+  for (std::size_t f = 0; f < a.polygons.size(); ++f)
+    if (corners_of(a.polygons, f) != corners_of(b.polygons, f))
+      throw different(options, "face " + std::to_string(f) + " has the vertices " +
+                                   corners_of(b.polygons, f) + ", wanted " +
+                                   corners_of(a.polygons, f));
+}
+
+CGP::Points positions_after(const Surface_input& before, const Surface_file& after)
+{
+  CGP::Points points(3, before.mesh.size_of_vertices());
+  for (int v = 0; v < before.mesh.size_of_vertices(); ++v) {
+    const int i = before.vertex_in_file[static_cast<std::size_t>(v)];
+    points.col(v) = Eigen::Vector3d::Map(after.points[static_cast<std::size_t>(i)].data());
+  }
+  return points;
+}
+
+// Each in its own unit frame, in which nothing overflows.
+CGP::Mesh_view in_frame(const CGP::Mesh_view& mesh, const CGP::Points& positions)
+{
+  CGP::Mesh_view result = mesh;
+  result.set_positions(CGP::Normalized_frame(positions).to_frame(positions));
+  return result;
+}
+
+void tell_histogram(const CGP::Mesh_view& a, const CGP::Points& b, Report& report, Table& table)
+{
+  const int bins = 10;
+  const double low = 1, high = 2;
+  const Eigen::VectorXd share =
+      CGP::histogram(CGP::quasi_conformal_errors(a, b), CGP::face_areas(a), bins, low, high);
+  report.set("result/quasi_conformal/histogram/low", low);
+  report.set("result/quasi_conformal/histogram/high", high);
+  report.set("result/quasi_conformal/histogram/share",
+             Report::Value(std::vector<double>(share.begin(), share.end())));
+  for (int i = 0; i < bins; ++i) {
+    const double begin = low + (high - low) * i / bins;
+    const std::string end = i + 1 < bins ? text_of(begin + (high - low) / bins, 3) : "...";
+    table.add("area with error " + text_of(begin, 3) + " to " + end,
+              text_of(100 * share[i], 3) + " %");
+  }
+}
+
+void tell_energies(const CGP::Mesh_view& a, const CGP::Mesh_view& b, Report& report, Table& table)
+{
+  const CGP::Alignment alignment = CGP::align(a.positions(), b.positions());
+  const auto tell = [&](const std::string& place, const std::string& label, double value) {
+    report.set("result/" + place, value);
+    table.add(label, value);
+  };
+  tell("similarity_distance/rms", "distance from similar, rms / diagonal", alignment.rms);
+  tell("similarity_distance/max", "distance from similar, max / diagonal", alignment.max);
+  tell("willmore_energy/before", "Willmore energy before", CGP::willmore_energy(a));
+  tell("willmore_energy/after", "Willmore energy after", CGP::willmore_energy(b));
+}
+
+void tell(const CGP::Mesh_view& mesh, const CGP::Points& after, Session& session)
+{
+  Table table;
+  const CGP::Mesh_view a = in_frame(mesh, mesh.positions()), b = in_frame(mesh, after);
+  CGP::Conformality map = CGP::conformality(a, b.positions(), CGP::neighbourhood_normals(b));
+  const double unit =
+      CGP::Normalized_frame(after).unit() / CGP::Normalized_frame(mesh.positions()).unit();
+  map.scale.min_scale *= unit;
+  map.scale.max_scale *= unit;
+  report_conformality(map, session.report());
+  add_conformality(map, mesh.size_of_faces(), table);
+  tell_energies(a, b, session.report(), table);
+  tell_histogram(a, b.positions(), session.report(), table);
+  session.print(table.text());
+}
+
+}  // namespace
+
+void compare(const Compare_options& options, Session& session)
+{
+  const std::string& output = session.options().output;
+  if (!output.empty()) output_format(output);  // a bad name is refused before the work
+  const Surface_input before = read_surface_input(options.before);
+  Surface_input after = read_surface_input(options.after);
+  session.end_stage("read");
+  session.note_all(before.notes);
+  report_input(before, session.report());
+  if (session.options().strict) require_untouched(before);
+  require_same_faces(before.file, after.file, options);
+  require_surface(before);
+  const CGP::Points positions = positions_after(before, after.file);
+  tell(before.mesh, positions, session);
+  session.end_stage("measure");
+  if (output.empty()) return;
+  set_quality(before, positions, after.file);
+  session.note_all(write_surface(output, after.file));
+  session.end_stage("write");
+}
+
+}  // namespace conformal

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "info.h"
+
+#include "Defects.h"
+#include "Failure.h"
+#include "Shape.h"
+#include "Table.h"
+
+#include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <cmath>
+
+namespace conformal {
+namespace {
+
+void tell_counts(const Surface_input& input, const Defects& defects, Table& table)
+{
+  const CGP::Mesh_view& mesh = input.mesh;
+  table.add("vertices", static_cast<int>(input.file.points.size()));
+  table.add("edges", mesh.size_of_edges());
+  table.add("faces", static_cast<int>(input.file.polygons.size()));
+  if (input.triangulated > 0) table.add("triangles", mesh.size_of_faces());
+  table.add("unreferenced vertices", input.unreferenced);
+  int components = 0;
+  for (const int c : CGP::connected_components(mesh)) components = std::max(components, c + 1);
+  table.add("components", components);
+  if (!defects.of_topology.empty()) return;
+  const CGP::Topology t = CGP::topology(mesh);
+  table.add("boundary loops", t.boundary_loops);
+  table.add("genus", t.genus);
+}
+
+std::string orientation_of(const Surface_input& input)
+{
+  if (!input.is_orientable) return "not orientable";
+  if (input.turned_faces > 0)
+    return count_of(static_cast<std::size_t>(input.turned_faces), "face") + " against the others";
+  return input.is_turned_outward ? "consistent, inward" : "consistent";
+}
+
+void tell_shape(const Surface_input& input, Report& report, Table& table)
+{
+  const Shape s = shape(input.mesh);
+  const auto tell = [&](const char* place, const std::string& label, double value) {
+    report.set("result/" + std::string(place), value);
+    table.add(label, value);
+  };
+  report.set("result/orientation", orientation_of(input));
+  table.add("orientation", orientation_of(input));
+  tell("area", "area", s.area);
+  tell("diagonal", "bounding-box diagonal", s.diagonal);
+  tell("min_angle", "smallest angle (degrees)", s.min_angle);
+  tell("edge_ratio", "longest / shortest edge", s.edge_ratio);
+  tell("negative_cotan_weights", "share of negative cotan weights", s.negative_weights);
+}
+
+// Volume and energies, of a surface that has them.
+void tell_energies(const Surface_input& input, Report& report, Table& table)
+{
+  // In a frame of unit size nothing overflows; the energy does not depend on it, the volume does.
+  const CGP::Normalized_frame frame(input.mesh.positions());
+  CGP::Mesh_view mesh = input.mesh;
+  mesh.set_positions(frame.to_frame(mesh.positions()));
+  const auto tell = [&](const char* place, const std::string& label, double value) {
+    report.set("result/" + std::string(place), value);
+    table.add(label, value);
+  };
+  if (CGP::topology(mesh).is_closed()) {
+    const double sign = input.is_turned_outward ? -1 : 1;
+    tell("volume", "volume", sign * CGP::signed_volume(mesh) * std::pow(frame.unit(), 3));
+  }
+  tell("willmore_energy", "Willmore energy (sphere: 12.566)", CGP::willmore_energy(mesh));
+  tell("steiner_willmore_energy", "the same after Steiner", CGP::steiner_willmore_energy(mesh));
+}
+
+std::vector<std::string> problems_of(const Surface_input& input, const Defects& defects)
+{
+  std::vector<std::string> problems;
+  for (const auto* kind : {&defects.of_topology, &defects.of_components, &defects.of_geometry})
+    problems.insert(problems.end(), kind->begin(), kind->end());
+  if (problems.empty() && !CGP::topology(input.mesh).is_closed())
+    problems.emplace_back("the surface has a boundary, conformal spin wants a closed one");
+  return problems;
+}
+
+}  // namespace
+
+void report_input(const Surface_input& input, Report& report, const std::string& place)
+{
+  report.set(place + "/file", input.file.path);
+  report.set(place + "/vertices", static_cast<int>(input.file.points.size()));
+  report.set(place + "/faces", static_cast<int>(input.file.polygons.size()));
+  const bool is_manifold = find_defects(input).of_topology.empty();
+  const CGP::Topology t = is_manifold ? CGP::topology(input.mesh) : CGP::Topology();
+  using Value = Report::Value;
+  report.set(place + "/boundary_loops",
+             is_manifold ? Value(std::int64_t{t.boundary_loops}) : Value(nullptr));
+  report.set(place + "/genus", is_manifold ? Value(std::int64_t{t.genus}) : Value(nullptr));
+}
+
+void info(const Info_options& options, Session& session)
+{
+  const Surface_input input = read_surface_input(options.input);
+  session.end_stage("read");
+  session.note_all(input.notes);
+  report_input(input, session.report());
+  const Defects defects = find_defects(input);
+  Table table;
+  tell_counts(input, defects, table);
+  tell_shape(input, session.report(), table);
+  if (defects.of_topology.empty() && defects.of_geometry.empty())
+    tell_energies(input, session.report(), table);
+  const std::vector<std::string> problems = problems_of(input, defects);
+  for (const std::string& problem : problems) table.add("problem", problem);
+  session.report().set("result/unreferenced_vertices", input.unreferenced);
+  session.report().set("result/problems", problems);
+  session.end_stage("measure");
+  session.print(table.text());
+  if (session.options().strict) {
+    require_untouched(input);
+    if (!problems.empty()) throw unsuitable(options.input, problems.front());
+  }
+}
+
+}  // namespace conformal

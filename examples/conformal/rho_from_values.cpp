@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rho.h"
+
+#include "Failure.h"
+#include "Table.h"
+#include "io/io_errors.h"
+#include "io/numbers.h"
+#include "io/read_bytes.h"
+
+#include <string_view>
+#include <vector>
+
+namespace conformal {
+namespace {
+
+using On = CGP::Curvature_potential::On;
+
+/// values of the file's vertices or faces as values of the mesh
+CGP::Curvature_potential to_mesh(const Surface_input& input, On on, const std::vector<double>& all)
+{
+  const std::vector<int>& origin = on == On::faces ? input.face_in_file : input.vertex_in_file;
+  Eigen::VectorXd values(static_cast<Eigen::Index>(origin.size()));
+  for (std::size_t i = 0; i < origin.size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = all[static_cast<std::size_t>(origin[i])];
+  return {on, std::move(values)};
+}
+
+std::string names_of(const Element& element)
+{
+  std::string names;
+  for (const Property& property : element.properties)
+    if (!property.is_list()) names += (names.empty() ? "" : ", ") + property.name();
+  return names.empty() ? "none" : names;
+}
+
+const Property* find_number(const Element& element, const std::string& name)
+{
+  const Property* property = find_property(element, name);
+  return property != nullptr && !property->is_list() ? property : nullptr;
+}
+
+// The numbers of a text, in words between blanks; `#` begins a comment.
+std::vector<double> parse_numbers(std::string_view text, const std::string& path)
+{
+  std::vector<double> numbers;
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view rest = text.substr(0, std::min(end, text.find('#')));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    constexpr const char* blanks = " \t\r,;";
+    while (true) {
+      rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+      if (rest.empty()) break;
+      const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
+      const auto number = parse_double(word);
+      if (!number) throw Read_error(path, line, in_quotes(word) + " is not a number");
+      numbers.push_back(*number);
+      rest.remove_prefix(word.size());
+    }
+  }
+  return numbers;
+}
+
+}  // namespace
+
+CGP::Curvature_potential rho_from_property(const Surface_input& input, const Rho_options& options)
+{
+  const Surface_file& file = input.file;
+  for (const On on : {On::vertices, On::faces}) {
+    if (options.on_faces.value_or(on == On::faces) != (on == On::faces)) continue;
+    const Element& element = on == On::faces ? file.faces : file.vertices;
+    const Property* property = find_number(element, options.property);
+    if (property == nullptr) continue;
+    std::vector<double> values;
+    for (std::size_t i = 0; i < property->rows(); ++i) values.push_back(property->value(i));
+    return to_mesh(input, on, values);
+  }
+  throw unsuitable(file.path, "has no property '" + options.property +
+                                  "'; vertices have: " + names_of(file.vertices) +
+                                  "; faces have: " + names_of(file.faces));
+}
+
+CGP::Curvature_potential rho_from_file(const Surface_input& input, const Rho_options& options)
+{
+  const std::vector<double> numbers = parse_numbers(read_bytes(options.file), options.file);
+  const std::size_t vertices = input.file.points.size(), faces = input.file.polygons.size();
+  if (numbers.size() == vertices && !options.on_faces.value_or(false))
+    return to_mesh(input, On::vertices, numbers);
+  if (numbers.size() == faces && options.on_faces.value_or(true))
+    return to_mesh(input, On::faces, numbers);
+  throw unsuitable(options.file, "has " + count_of(numbers.size(), "number") +
+                                     ", wanted one per vertex (" + std::to_string(vertices) +
+                                     ") or one per face (" + std::to_string(faces) + ")" +
+                                     (options.on_faces ? ", as --on says" : ""));
+}
+
+}  // namespace conformal

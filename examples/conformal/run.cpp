@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "run.h"
+
+#include "Command_line.h"
+#include "Failure.h"
+#include "Session.h"
+#include "compare.h"
+#include "info.h"
+#include "interruption.h"
+#include "io/Temporary_file.h"
+#include "io/io_errors.h"
+#include "spin.h"
+#include "threads.h"
+
+#include <Conformal_geometry_processing/exceptions.h>
+
+#include <cstdio>
+#include <functional>
+#include <new>
+#include <optional>
+
+namespace conformal {
+namespace {
+
+struct Outcome {
+  Exit_code code = Exit_code::done;
+  std::string error;
+};
+
+Outcome outcome_of(const CGP::Solver_error& error)
+{
+  if (error.message().find("out of memory") != std::string::npos)
+    return {Exit_code::out_of_memory, error.message() + "; try: a coarser mesh"};
+  return {Exit_code::failed, error.message() + "; try: a weaker rho, or a mesh without slivers"};
+}
+
+Outcome carry_out(const std::function<void()>& work)
+{
+  try {
+    work();
+    return {};
+  } catch (const Failure& failure) {
+    return {failure.code(), failure.what()};
+  } catch (const Read_error& error) {
+    return {Exit_code::unreadable, error.what()};
+  } catch (const Write_error& error) {
+    return {Exit_code::unwritable, error.what()};
+  } catch (const CGP::Solver_error& error) {
+    return outcome_of(error);
+  } catch (const CGP::Precondition_error& error) {
+    return {Exit_code::unsuitable, error.message()};
+  } catch (const std::bad_alloc&) {
+    return {Exit_code::out_of_memory, "out of memory; try: a coarser mesh"};
+  } catch (const std::exception& error) {
+    return {Exit_code::failed, error.what()};
+  }
+}
+
+void dispatch(const Command_line& line, Session& session)
+{
+  if (const auto* options = std::get_if<Info_options>(&line.options)) info(*options, session);
+  if (const auto* options = std::get_if<Spin_options>(&line.options)) spin(*options, session);
+  if (const auto* options = std::get_if<Compare_options>(&line.options)) compare(*options, session);
+}
+
+void flush_output()
+{
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw Write_error("standard output", "cannot be written");
+}
+
+// The JSON file is opened first, so that a folder that cannot be written to is known before the
+// work; it tells about failures, too.
+Outcome run_command(const Command_line& line)
+{
+  Session session(line.common, line.command);
+  std::optional<Temporary_file> json;
+  Outcome outcome = carry_out([&] {
+    if (!line.common.json.empty()) json.emplace(line.common.json);
+    dispatch(line, session);
+    flush_output();
+  });
+  if (!json || outcome.code >= Exit_code::interrupted) return outcome;
+  const Outcome written = carry_out([&] {
+    json->write(session.json(outcome.error));
+    json->commit();
+  });
+  return outcome.code == Exit_code::done ? written : outcome;
+}
+
+Outcome parse_and_run(int argc, const char* const* argv)
+{
+  Command_line line;
+  Outcome outcome = carry_out([&] { line = parse_command_line(argc, argv); });
+  if (outcome.code != Exit_code::done) return outcome;
+  if (line.answer.empty()) {
+    set_threads(line.common.threads);
+    return run_command(line);
+  }
+  return carry_out([&] {
+    std::fputs(line.answer.c_str(), stdout);
+    flush_output();
+  });
+}
+
+// A message is one line whatever the name of a file is.
+std::string on_one_line(std::string text)
+{
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  return text;
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv)
+{
+  listen_to_signals();
+  const Outcome outcome = parse_and_run(argc, argv);
+  if (outcome.code != Exit_code::done)
+    std::fprintf(stderr, "conformal: error: %s\n", on_one_line(outcome.error).c_str());
+  return static_cast<int>(outcome.code);
+}
+
+}  // namespace conformal

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solve_spin.h"
+
+#include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/Eigen_hermitian_solver_traits.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+namespace conformal {
+namespace {
+
+using Go_further = std::function<bool(const CGP::Eigen_progress&)>;
+
+template <class SolverTraits>
+Spin_solution solve_by(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho,
+                       const CGP::Dirac_options& options, const Go_further& go_further)
+{
+  CGP::Spin_transformation<SolverTraits> transformation(mesh, "spin");
+  CGP::Spin_result result = transformation.transform(rho, options, std::cref(go_further));
+  return {std::move(result.positions), std::move(result.lambda), result.report};
+}
+
+}  // namespace
+
+Spin_solution solve_spin(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho,
+                         const Spin_options& options, const Common_options& common,
+                         const Go_further& go_further)
+{
+  CGP::Dirac_options dirac;
+  dirac.problem =
+      options.generalized ? CGP::Eigenproblem::generalized : CGP::Eigenproblem::standard;
+  dirac.tolerance = common.tolerance;
+  dirac.random_seed = common.seed;
+  if (options.eigen_solver)
+    return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, rho, dirac, go_further);
+  return solve_by<CGP::Default_solver_traits>(mesh, rho, dirac, go_further);
+}
+
+}  // namespace conformal

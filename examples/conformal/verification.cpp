@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verification.h"
+
+#include <vector>
+
+namespace conformal {
+
+std::string objection(const CGP::Spin_report& report, const CGP::Points& positions, int faces,
+                      const Verification_limits& limits)
+{
+  const CGP::Conformality& map = report.conformality;
+  const auto exceeds = [](const std::string& what, double value, double limit) {
+    return what + " is " + text_of(value, 3) + ", more than " + text_of(limit, 3);
+  };
+  // Written so that what is not a number is objected to.
+  if (!report.converged)
+    return "the eigenvector did not converge: residual " + text_of(report.residual, 3) + " after " +
+           count_of(static_cast<std::size_t>(report.iterations), "iteration") +
+           "; try: a weaker rho, or a larger --tolerance";
+  if (!positions.allFinite()) return "coordinates are not finite; try: a weaker rho";
+  if (!(report.closure_residual <= limits.closure))
+    return exceeds("the closure residual", report.closure_residual, limits.closure) +
+           ": the surface does not close up; try: a weaker rho, or --max-closure";
+  if (!(map.quasi_conformal.mean <= limits.quasi_conformal))
+    return exceeds("the mean quasi-conformal error", map.quasi_conformal.mean,
+                   limits.quasi_conformal) +
+           "; try: a weaker rho, a finer mesh, or --max-quasi-conformal";
+  const double share = static_cast<double>(map.flipped_faces) / faces;
+  if (!(share <= limits.flipped))
+    return exceeds("the share of flipped faces", share, limits.flipped) +
+           "; try: a weaker rho, a finer mesh, or --max-flipped";
+  return {};
+}
+
+void report_conformality(const CGP::Conformality& map, Report& report)
+{
+  report.set("result/quasi_conformal/mean", map.quasi_conformal.mean);
+  report.set("result/quasi_conformal/p99", map.quasi_conformal.p99);
+  report.set("result/quasi_conformal/max", map.quasi_conformal.max);
+  report.set("result/length_cross_ratio/rms", map.length_cross_ratio.rms);
+  report.set("result/length_cross_ratio/max", map.length_cross_ratio.max);
+  report.set("result/scale/min", map.scale.min_scale);
+  report.set("result/scale/max", map.scale.max_scale);
+  report.set("result/flipped_faces", map.flipped_faces);
+}
+
+void report_certificate(const CGP::Spin_report& spin, Report& report)
+{
+  report.set("result/eigenvalue", spin.eigenvalue);
+  report.set("result/residual", spin.residual);
+  report.set("result/gap", spin.gap);
+  report.set("result/iterations", spin.iterations);
+  report.set("result/closure_residual", spin.closure_residual);
+  report_conformality(spin.conformality, report);
+  report.set("result/min_spin_ratio", spin.min_spin_ratio);
+  report.set("result/overlap", spin.overlap);
+  report.set("result/substeps", spin.substeps);
+  report.set("result/spectral_shift", spin.spectral_shift);
+  report.set("result/generalized", spin.is_generalized);
+  report.set("steps", Report::Value(std::vector<double>()));
+  report.add_seconds("assembly", spin.seconds.assembly);
+  report.add_seconds("factorization", spin.seconds.factorization);
+  report.add_seconds("solve", spin.seconds.eigenvectors);
+  report.add_seconds("reconstruction", spin.seconds.reconstruction);
+  report.add_seconds("setup", spin.seconds.setup);
+  report.add_seconds("certificate", spin.seconds.certificate);
+}
+
+void add_conformality(const CGP::Conformality& map, int faces, Table& table)
+{
+  table.add("quasi-conformal error, mean", map.quasi_conformal.mean);
+  table.add("quasi-conformal error, 99 %", map.quasi_conformal.p99);
+  table.add("quasi-conformal error, max", map.quasi_conformal.max);
+  table.add("log length cross-ratio change, rms", map.length_cross_ratio.rms);
+  table.add("log length cross-ratio change, max", map.length_cross_ratio.max);
+  table.add("scale of lengths",
+            text_of(map.scale.min_scale) + " to " + text_of(map.scale.max_scale));
+  table.add("flipped faces", std::to_string(map.flipped_faces) + " of " + std::to_string(faces));
+}
+
+Table certificate_table(const CGP::Spin_report& spin, int faces)
+{
+  Table table;
+  table.add("eigenvalue gamma (1/length)", spin.eigenvalue);
+  table.add("residual of the eigenvector", text_of(spin.residual, 3));
+  table.add("gap to the next eigenvalue", spin.gap);
+  table.add("iterations",
+            std::to_string(spin.iterations) +
+                (spin.substeps > 1 ? " in " + std::to_string(spin.substeps) + " substeps" : ""));
+  table.add("closure residual", text_of(spin.closure_residual, 3));
+  add_conformality(spin.conformality, faces, table);
+  return table;
+}
+
+}  // namespace conformal

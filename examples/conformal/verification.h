@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_VERIFICATION_H
+#define CONFORMAL_VERIFICATION_H
+
+#include "Options.h"
+#include "Report.h"
+#include "Table.h"
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+
+#include <string>
+
+namespace conformal {
+
+namespace CGP = Conformal_geometry_processing;
+
+/// Why the result of a transformation cannot be trusted, with what to try; empty if it can.
+///
+/// The limits let moderate edits of scans pass (whose mean Q is below 1.05, and whose few flips are
+/// at slivers) and stop maps that are torn or crumpled.
+std::string objection(const CGP::Spin_report& report, const CGP::Points& positions, int faces,
+                      const Verification_limits& limits);
+
+/// Enters the certificate into the report (`result/...`, `seconds/...`).
+void report_certificate(const CGP::Spin_report& spin, Report& report);
+
+/// The certificate for the eye.
+Table certificate_table(const CGP::Spin_report& spin, int faces);
+
+/// Enters and shows the part that tells about the map alone.
+void report_conformality(const CGP::Conformality& map, Report& report);
+void add_conformality(const CGP::Conformality& map, int faces, Table& table);
+
+}  // namespace conformal
+
+#endif
