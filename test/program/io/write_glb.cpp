@@ -167,4 +167,12 @@ TEST(Checkerboard, is_a_png_of_stored_rows)
   EXPECT_EQ(png.substr(png.size() - 12), std::string("\0\0\0\0IEND\xae\x42\x60\x82", 12));
 }
 
+TEST(Checkerboard, has_several_blocks_and_a_checksum_if_it_is_large)
+{
+  const std::string png = checkerboard_png(16, 16);
+  // 256 rows of 769 bytes are three blocks of 65535 bytes and one of 259; the checksum is zlib's
+  EXPECT_EQ(png.substr(43 + 3 * (5 + 65535), 5), std::string("\x01\x03\x01\xfc\xfe", 5));
+  EXPECT_EQ(png.substr(png.size() - 20, 4), std::string("\x4c\xac\xa1\x3a", 4));
+}
+
 }  // namespace
