@@ -94,4 +94,6 @@ TEST(Normalized_frame, reaches_to_the_ends_of_double_precision)
   const double largest = std::numeric_limits<double>::max();
   const Points p = points({{-largest, 0, 0}, {largest, 0, 0}, {0, largest, 0}});
   EXPECT_TRUE(Normalized_frame(p).to_frame(p).allFinite());
+  const Points q = points({{largest / 2, 0, 0}, {largest, 0, 0}});
+  EXPECT_TRUE(Normalized_frame(q).to_frame(q).allFinite());
 }
