@@ -3,41 +3,21 @@
 #include "Command_line.h"
 
 #include "Failure.h"
+#include "help_texts.h"
 #include "versions.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <vector>
 
 namespace conformal {
 namespace {
 
-const char* const about =
-    "Edits, compares and describes surfaces by their curvature, without shearing them.\n"
-    "Reads OFF, OBJ, PLY and STL; writes PLY, OFF, OBJ or GLB, by the extension of the output.\n"
-    "Vertices and faces keep their order and their properties; numbers in messages count from 0.\n"
-    "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply\n"
-    "Exit codes: 0 done, 1 failed or not verified, 2 usage, 3 cannot read, 4 input unsuitable,\n"
-    "5 cannot write, 6 out of memory, 130 interrupted, 143 terminated.";
-
-const char* const about_info =
-    "Tells what a mesh is: counts, topology, orientation, shape of its triangles, energies, and\n"
-    "all that keeps it from being transformed.\n"
-    "Example: conformal info bear.off --json bear.json";
-
-const char* const about_spin =
-    "Deforms a closed surface conformally so that its mean curvature changes by rho.\n"
-    "rho is in 1/length of the normalised frame (the middle of the bounding box at 0, its "
-    "diagonal\n"
-    "2), positive rho bulges outward, constants have no effect. The output has the vertex\n"
-    "properties quality (quasi-conformal error, 1 is perfect) and rho; normals are left out.\n"
-    "A result that does not verify is not written, and the exit code is 1.\n"
-    "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply";
-
-const char* const about_compare =
-    "Measures the map between two meshes with the same faces: angles, lengths, flips, energies.\n"
-    "-o writes the second one with the vertex property quality (quasi-conformal error).\n"
-    "Example: conformal compare bear.off bear_spin.ply --json map.json";
+// in the order of Projection
+const std::vector<std::string> projections = {"uv", "x", "y", "z", "sphere"};
 
 std::string above_zero(const std::string& text)
 {
@@ -66,12 +46,16 @@ class Parser {
 
   Command_line parse(int argc, const char* const* argv)
   {
+    if (argc > 1) require_command(argv[1]);
     try {
       m_app.parse(argc, argv);
     } catch (const CLI::CallForVersion& answer) {
       return answered(answer.what());
     } catch (const CLI::CallForHelp&) {
       return answered(m_app.help());
+    } catch (const CLI::ExtrasError&) {
+      throw Failure(Exit_code::usage,
+                    "unknown: " + unknown_argument() + "; try: " + help_command());
     } catch (const CLI::ParseError& error) {
       throw Failure(Exit_code::usage, std::string(error.what()) + "; try: " + help_command());
     }
@@ -133,14 +117,10 @@ class Parser {
                        "picture (PNG, JPEG, PGM, PPM): rho = gray - 0.5, gray from 0 to 1");
     source->require_option(1);
     command
-        .add_option("--projection", m_spin.rho.projection,
+        .add_option("--projection", m_projection,
                     "of the picture: uv, along an axis (x, y, z), or sphere around the z axis")
-        ->transform(CLI::CheckedTransformer(
-            std::vector<std::pair<std::string, Projection>>{{"uv", Projection::uv},
-                                                            {"x", Projection::x},
-                                                            {"y", Projection::y},
-                                                            {"z", Projection::z},
-                                                            {"sphere", Projection::sphere}}));
+        ->check(CLI::IsMember(projections))
+        ->capture_default_str();
     command.add_option("--amplitude", m_spin.rho.amplitude, "multiplies rho")
         ->check(finite)
         ->capture_default_str();
@@ -172,6 +152,24 @@ class Parser {
     command->add_option("-o,--output", m_common.output, "the second mesh, with quality");
   }
 
+  void require_command(const std::string& name) const
+  {
+    if (name.empty() || name[0] == '-') return;
+    const auto has_name = [&](const CLI::App* command) { return command->get_name() == name; };
+    if (m_app.get_subcommands(has_name).empty())
+      throw Failure(Exit_code::usage,
+                    "unknown command '" + name + "'; try: info, spin, compare or --help");
+  }
+
+  // Of `--wrong 3 input`, where 3 was taken for the input, the option is what is wrong.
+  std::string unknown_argument() const
+  {
+    const std::vector<std::string> all = m_app.remaining(true);
+    for (const std::string& argument : all)
+      if (argument.size() > 1 && argument[0] == '-') return argument;
+    return all.empty() ? "" : all.front();
+  }
+
   std::string help_command() const
   {
     for (const CLI::App* command : m_app.get_subcommands())
@@ -194,6 +192,8 @@ class Parser {
     if (line.command == "compare") line.options = m_compare;
     if (line.command != "spin") return line;
     if (!m_on.empty()) m_spin.rho.on_faces = m_on == "faces";
+    const auto projection = std::find(projections.begin(), projections.end(), m_projection);
+    m_spin.rho.projection = static_cast<Projection>(projection - projections.begin());
     m_spin.generalized = m_problem == "generalized";
     m_spin.eigen_solver = m_solver == "eigen";
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
@@ -209,7 +209,7 @@ class Parser {
   Info_options m_info;
   Spin_options m_spin;
   Compare_options m_compare;
-  std::string m_on, m_problem = "standard", m_solver;
+  std::string m_on, m_problem = "standard", m_solver, m_projection = "uv";
   CLI::App m_app;
 };
 

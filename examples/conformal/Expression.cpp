@@ -51,7 +51,10 @@ struct Expression::Parser {
       if (results != 1) throw bad(text, "gives " + std::to_string(results) + " values, wanted one");
       return all[0];
     } catch (const mu::Parser::exception_type& error) {
-      throw bad(text, "at place " + std::to_string(error.GetPos() + 1) + ": " + error.GetMsg());
+      // muParser counts from 0, and says so in most of its messages, but not in all.
+      const std::string message = error.GetMsg();
+      throw bad(text, message.substr(0, message.find(" at position")) + ", at place " +
+                          std::to_string(error.GetPos() + 1));
     }
   }
 

@@ -31,6 +31,9 @@ class Session {
   /// Ends a stage that began when the last one ended.
   void end_stage(const std::string& stage) { m_report.add_seconds(stage, m_watch.lap()); }
 
+  /// Begins a stage whose seconds the report has from elsewhere.
+  void begin_stage() { m_watch.lap(); }
+
   /// the report, finished: notes, total time and how the run ended (no error: an empty string)
   std::string json(const std::string& error);
 

@@ -8,6 +8,7 @@
 #include "triangulation.h"
 
 #include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
 #include <numeric>
 
@@ -72,10 +73,17 @@ bool is_closed_manifold(const CGP::Mesh_view& mesh)
   return mesh.size_of_faces() > 0;
 }
 
+// with the right sign however large or small the surface is
+double volume_in_frame(CGP::Mesh_view mesh)
+{
+  mesh.set_positions(CGP::Normalized_frame(mesh.positions()).to_frame(mesh.positions()));
+  return CGP::signed_volume(mesh);
+}
+
 void turn_outward(Surface_input& input)
 {
   if (!input.is_orientable || !is_closed_manifold(input.mesh)) return;
-  if (!(CGP::signed_volume(input.mesh) < 0)) return;
+  if (!(volume_in_frame(input.mesh) < 0)) return;
   input.is_turned_outward = true;
   auto corners = input.mesh.corners();
   for (auto& triangle : corners) std::swap(triangle[1], triangle[2]);

@@ -50,6 +50,14 @@ void require_same_faces(const Surface_file& a, const Surface_file& b,
                                    corners_of(a.polygons, f));
 }
 
+// Components and boundaries do not matter to a map.
+void require_measurable(const Surface_input& input)
+{
+  const Defects defects = find_defects(input);
+  for (const auto* kind : {&defects.of_topology, &defects.of_geometry})
+    if (!kind->empty()) throw unsuitable(input.file.path, kind->front());
+}
+
 CGP::Points positions_after(const Surface_input& before, const Surface_file& after)
 {
   CGP::Points points(3, before.mesh.size_of_vertices());
@@ -120,7 +128,7 @@ void tell(const CGP::Mesh_view& mesh, const CGP::Points& after, Session& session
 void compare(const Compare_options& options, Session& session)
 {
   const std::string& output = session.options().output;
-  if (!output.empty()) output_format(output);  // a bad name is refused before the work
+  if (!output.empty()) require_writable(output);
   const Surface_input before = read_surface_input(options.before);
   Surface_input after = read_surface_input(options.after);
   session.end_stage("read");
@@ -128,7 +136,7 @@ void compare(const Compare_options& options, Session& session)
   report_input(before, session.report());
   if (session.options().strict) require_untouched(before);
   require_same_faces(before.file, after.file, options);
-  require_surface(before);
+  require_measurable(before);
   const CGP::Points positions = positions_after(before, after.file);
   tell(before.mesh, positions, session);
   session.end_stage("measure");

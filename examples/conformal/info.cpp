@@ -41,40 +41,47 @@ std::string orientation_of(const Surface_input& input)
   return input.is_turned_outward ? "consistent, inward" : "consistent";
 }
 
-void tell_shape(const Surface_input& input, Report& report, Table& table)
-{
-  const Shape s = shape(input.mesh);
-  const auto tell = [&](const char* place, const std::string& label, double value) {
-    report.set("result/" + std::string(place), value);
-    table.add(label, value);
-  };
-  report.set("result/orientation", orientation_of(input));
-  table.add("orientation", orientation_of(input));
-  tell("area", "area", s.area);
-  tell("diagonal", "bounding-box diagonal", s.diagonal);
-  tell("min_angle", "smallest angle (degrees)", s.min_angle);
-  tell("edge_ratio", "longest / shortest edge", s.edge_ratio);
-  tell("negative_cotan_weights", "share of negative cotan weights", s.negative_weights);
-}
-
-// Volume and energies, of a surface that has them.
-void tell_energies(const Surface_input& input, Report& report, Table& table)
-{
-  // In a frame of unit size nothing overflows; the energy does not depend on it, the volume does.
-  const CGP::Normalized_frame frame(input.mesh.positions());
-  CGP::Mesh_view mesh = input.mesh;
-  mesh.set_positions(frame.to_frame(mesh.positions()));
-  const auto tell = [&](const char* place, const std::string& label, double value) {
-    report.set("result/" + std::string(place), value);
-    table.add(label, value);
-  };
-  if (CGP::topology(mesh).is_closed()) {
-    const double sign = input.is_turned_outward ? -1 : 1;
-    tell("volume", "volume", sign * CGP::signed_volume(mesh) * std::pow(frame.unit(), 3));
+// Tells numbers of a surface, measured in a frame of unit size in which nothing overflows.
+class Teller {
+ public:
+  Teller(const Surface_input& input, Report& report, Table& table)
+      : m_frame(input.mesh.positions()), m_mesh(input.mesh), m_report(report), m_table(table)
+  {
+    m_mesh.set_positions(m_frame.to_frame(m_mesh.positions()));
   }
-  tell("willmore_energy", "Willmore energy (sphere: 12.566)", CGP::willmore_energy(mesh));
-  tell("steiner_willmore_energy", "the same after Steiner", CGP::steiner_willmore_energy(mesh));
-}
+
+  void tell_shape()
+  {
+    const Shape s = shape(m_mesh);
+    tell("area", "area", s.area * std::pow(m_frame.unit(), 2));
+    tell("diagonal", "bounding-box diagonal", s.diagonal * m_frame.unit());
+    tell("min_angle", "smallest angle (degrees)", s.min_angle);
+    tell("edge_ratio", "longest / shortest edge", s.edge_ratio);
+    tell("negative_cotan_weights", "share of negative cotan weights", s.negative_weights);
+  }
+
+  /// \pre there are no defects of topology or geometry
+  void tell_energies(bool is_turned_outward)
+  {
+    const double sign = is_turned_outward ? -1 : 1;
+    if (CGP::topology(m_mesh).is_closed())
+      tell("volume", "volume", sign * CGP::signed_volume(m_mesh) * std::pow(m_frame.unit(), 3));
+    tell("willmore_energy", "Willmore energy (sphere: 12.566)", CGP::willmore_energy(m_mesh));
+    tell("steiner_willmore_energy", "the same after Steiner", CGP::steiner_willmore_energy(m_mesh));
+  }
+
+ private:
+  void tell(const std::string& place, const std::string& label, double value)
+  {
+    m_report.set("result/" + place, value);
+    m_table.add(label, value);
+  }
+
+  CGP::Normalized_frame m_frame;
+  CGP::Mesh_view m_mesh;
+  Report& m_report;
+  Table& m_table;
+};
 
 std::vector<std::string> problems_of(const Surface_input& input, const Defects& defects)
 {
@@ -110,9 +117,12 @@ void info(const Info_options& options, Session& session)
   const Defects defects = find_defects(input);
   Table table;
   tell_counts(input, defects, table);
-  tell_shape(input, session.report(), table);
+  table.add("orientation", orientation_of(input));
+  session.report().set("result/orientation", Report::Value(orientation_of(input)));
+  Teller teller(input, session.report(), table);
+  teller.tell_shape();
   if (defects.of_topology.empty() && defects.of_geometry.empty())
-    tell_energies(input, session.report(), table);
+    teller.tell_energies(input.is_turned_outward);
   const std::vector<std::string> problems = problems_of(input, defects);
   for (const std::string& problem : problems) table.add("problem", problem);
   session.report().set("result/unreferenced_vertices", input.unreferenced);

@@ -63,12 +63,14 @@ void verify(const Surface_input& input, const Spin_solution& solution, const Spi
 
 void spin(const Spin_options& options, Session& session)
 {
-  output_format(session.options().output);  // a bad name is refused before the work
+  require_writable(session.options().output);
   const Surface_input input = read_closed_surface(options, session);
   const CGP::Curvature_potential rho = read_rho(input, options.rho);
+  if (options.generalized && rho.on == CGP::Curvature_potential::On::vertices)
+    throw Failure(Exit_code::usage, "--problem generalized wants rho on faces; try: --on faces");
   session.end_stage("prepare");
   const Spin_solution solution = solve(input, rho, options, session.options());
-  session.end_stage("compute");
+  session.begin_stage();
   report_certificate(solution.report, session.report());
   session.print(certificate_table(solution.report, input.mesh.size_of_faces()).text());
   verify(input, solution, options, session);

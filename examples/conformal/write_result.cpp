@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "write_result.h"
 
+#include "io/Temporary_file.h"
+#include "io/write_surface.h"
+
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 namespace conformal {
 namespace {
@@ -51,6 +56,16 @@ void set_lambda(const Surface_input& input, const CGP::Quaternion_vector<double>
 }
 
 }  // namespace
+
+void require_writable(const std::string& path)
+{
+  output_format(path);
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  // Not devices and pipes, which notice when they are opened.
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status))
+    Temporary_file probe(path);
+}
 
 Surface_file moved(const Surface_input& input, const CGP::Points& positions)
 {

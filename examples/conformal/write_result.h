@@ -11,6 +11,9 @@
 
 namespace conformal {
 
+/// Refuses before the work an output that cannot be written after it. \throws Write_error
+void require_writable(const std::string& path);
+
 /// the input's file with other positions: normals, which are wrong now, are left out; vertices
 /// without a face stay where they are
 Surface_file moved(const Surface_input& input, const CGP::Points& positions);

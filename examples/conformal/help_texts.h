@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_HELP_TEXTS_H
+#define CONFORMAL_HELP_TEXTS_H
+
+namespace conformal {
+
+inline constexpr const char* about =
+    "Edits, compares and describes surfaces by their curvature, without shearing them.\n"
+    "Reads OFF, OBJ, PLY and STL; writes PLY, OFF, OBJ or GLB, by the extension of the output.\n"
+    "Vertices and faces keep their order and their properties; numbers in messages count from 0.\n"
+    "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply\n"
+    "Exit codes: 0 done, 1 failed or not verified, 2 usage, 3 cannot read, 4 input unsuitable,\n"
+    "5 cannot write, 6 out of memory, 130 interrupted, 143 terminated.";
+
+inline constexpr const char* about_info =
+    "Tells what a mesh is: counts, topology, orientation, shape of its triangles, energies, and\n"
+    "all that keeps it from being transformed.\n"
+    "Example: conformal info bear.off --json bear.json";
+
+inline constexpr const char* about_spin =
+    "Deforms a closed surface conformally so that its mean curvature changes by rho.\n"
+    "rho is in 1/length of the normalised frame (the middle of the bounding box at 0, its "
+    "diagonal\n"
+    "2), positive rho bulges outward, constants have no effect. The output has the vertex\n"
+    "properties quality (quasi-conformal error, 1 is perfect) and rho; normals are left out.\n"
+    "A result that does not verify is not written, and the exit code is 1.\n"
+    "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply";
+
+inline constexpr const char* about_compare =
+    "Measures the map between two meshes with the same faces: angles, lengths, flips, energies.\n"
+    "-o writes the second one with the vertex property quality (quasi-conformal error).\n"
+    "Example: conformal compare bear.off bear_spin.ply --json map.json";
+
+}  // namespace conformal
+
+#endif
