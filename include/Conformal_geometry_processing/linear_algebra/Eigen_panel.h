@@ -120,12 +120,11 @@ inline Eigen_panel orthonormal_basis(Eigen_panel p)
     if (kept < j)
       for (Block<Quaternion<double>>* part : {&p.v, &p.kv, &p.nv}) part->col(kept) = part->col(j);
     const double length = internal::column_norm(p, kept);
-    if (!(length > 0) || !std::isfinite(1 / length)) continue;
-    internal::divide_column(p, kept, length);
     internal::project_column(p, kept);
-    const double sine = internal::column_norm(p, kept);
-    if (!(sine * sine > degenerate)) continue;
-    internal::divide_column(p, kept, sine);
+    const double sine_length = internal::column_norm(p, kept);
+    if (!(sine_length * sine_length > degenerate * length * length)) continue;
+    if (!std::isfinite(1 / sine_length)) continue;
+    internal::divide_column(p, kept, sine_length);
     ++kept;
   }
   for (Block<Quaternion<double>>* part : {&p.v, &p.kv, &p.nv})

@@ -9,8 +9,8 @@
 #include <Conformal_geometry_processing/linear_algebra/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/Solver_status.h>
 
-#include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -19,7 +19,7 @@ namespace Conformal_geometry_processing {
 /// \brief solves L x = b where L is real, positive semidefinite and kills just the constants, as
 /// the cotan Laplacian of a connected mesh does.
 ///
-/// Row and column 0 are replaced by a positive diagonal entry, so the matrix becomes definite on
+/// Row and column 0 are replaced by those of the identity, so the matrix becomes definite on
 /// the same pattern, and may share the ordering of other matrices of the mesh. The solution does
 /// not depend on which row it is.
 ///
@@ -51,13 +51,11 @@ class Grounded_solver {
   {
     if (!(L.pattern() == m_grounded.pattern()))
       throw Solver_error("Grounded_solver::factorize", to_string(Solver_status::wrong_state));
-    double largest = 0;
-    for (int j = 0; j < L.size(); ++j) largest = std::max(largest, L.diagonal(j));
     for (int k = 0; k < L.pattern().size_of_entries(); ++k) m_grounded.value(k) = L.value(k);
     // Column 0 of the lower triangle is all there is of row and column 0. Times zero, and not zero:
     // a value that is not finite must not go unnoticed.
     for (int k = 0; k < L.pattern().offsets[1]; ++k) m_grounded.value(k) *= 0;
-    m_grounded.value(0) += largest;
+    m_grounded.value(0) += 1;
     check("factorization", m_solver.factorize(m_grounded, {}));
   }
 
