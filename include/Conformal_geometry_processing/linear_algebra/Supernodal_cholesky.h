@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_SUPERNODAL_CHOLESKY_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_SUPERNODAL_CHOLESKY_H
+
+#include <Conformal_geometry_processing/linear_algebra/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/Supernodal_substitution.h>
+#include <Conformal_geometry_processing/linear_algebra/amd_ordering.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <optional>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief sparse Cholesky factorization L L^H of Hermitian positive definite matrices whose entries
+/// are real, complex or *quaternions*, without expanding them.
+///
+/// A quaternionic matrix of size n costs 16 times the operations and 4 times the memory of a real
+/// one, where the real matrix of size 4n costs 64 and 16 times as much. Ordering and symbolic
+/// analysis see the n x n graph only. Multifrontal, with dense kernels of its own for the vector
+/// registers of the target; needs no BLAS. The memory of the factor is kept for the next one.
+///
+/// \tparam Scalar_ `double`, `std::complex<double>`, `Quaternion<double>`, or of `float`
+/// \tparam Real the numbers of the factor: `float` halves the memory, for a factor that is used as
+/// a preconditioner
+/// \cgalModels{SparseHermitianSolver}
+template <class Scalar_, class Real = typename Scalar_traits<Scalar_>::FT>
+class Supernodal_cholesky {
+ public:
+  using Scalar = Scalar_;
+  using FT = typename Scalar_traits<Scalar>::FT;
+
+  Supernodal_cholesky() = default;
+  Supernodal_cholesky(const Supernodal_cholesky&) = delete;
+  Supernodal_cholesky& operator=(const Supernodal_cholesky&) = delete;
+
+  /// with the ordering of approximate minimum degree
+  Solver_status analyze(const Sparse_pattern& pattern)
+  {
+    return guarded([&] { return analyze(pattern, amd_ordering(pattern)); });
+  }
+
+  Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order)
+  {
+    return guarded([&] {
+      m_factor.reset();
+      m_is_factorized = false;
+      if (pattern.size() == 0 || order.size() != static_cast<std::size_t>(pattern.size()) ||
+          inverse_permutation(order).empty())
+        return Solver_status::wrong_state;
+      m_entries = pattern.size_of_entries();
+      m_ordering = order;
+      m_factor.emplace(std::make_shared<Supernodal_structure>(pattern, order));
+      return Solver_status::success;
+    });
+  }
+
+  const Ordering& ordering() const { return m_ordering; }
+
+  Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
+  {
+    return guarded([&] {
+      if (!m_factor || A.size() != size() || A.pattern().size_of_entries() != m_entries ||
+          (shift.size() != 0 && shift.size() != A.size()))
+        return Solver_status::wrong_state;
+      m_is_factorized = false;
+      if (!is_finite(A) || !shift.allFinite()) return Solver_status::numerical_issue;
+      m_bad_vertex = m_factor->factorize(A, shift);
+      m_is_factorized = m_bad_vertex < 0;
+      return m_is_factorized ? Solver_status::success : Solver_status::not_positive_definite;
+    });
+  }
+
+  /// the vertex whose pivot was not positive in the last factorization, -1 if there was none
+  int bad_vertex() const { return m_bad_vertex; }
+
+  Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const
+  {
+    return guarded([&] {
+      if (!m_is_factorized || b.rows() != size()) return Solver_status::wrong_state;
+      Block<Scalar> solution(b.rows(), b.cols());
+      const Substitution substitution(*m_factor);
+      Aligned_array<Real> packed;
+      packed.resize(static_cast<std::int64_t>(size()) * Substitution::numbers);
+      for (Eigen::Index c = 0; c < b.cols(); c += Substitution::columns) {
+        pack(b, c, packed.data());
+        substitution.solve(packed.data());
+        if (!unpack(packed.data(), c, solution)) return Solver_status::numerical_issue;
+      }
+      x = std::move(solution);
+      return Solver_status::success;
+    });
+  }
+
+  Solver_statistics statistics() const
+  {
+    Solver_statistics s;
+    if (!m_factor) return s;
+    s.factor_entries = m_factor->structure().stored_entries();
+    s.flops = m_factor->structure().operations() * planes * planes;
+    s.bytes = static_cast<double>(m_factor->bytes());
+    return s;
+  }
+
+ private:
+  using Factor = Supernodal_factor<Scalar, Real>;
+  using Substitution = Supernodal_substitution<Scalar, Real>;
+  static constexpr int planes = Scalar_planes<Scalar>::size;
+
+  template <class Action>
+  static Solver_status guarded(Action action)
+  {
+    try {
+      return action();
+    } catch (const std::bad_alloc&) {
+      return Solver_status::out_of_memory;
+    }
+  }
+
+  int size() const { return static_cast<int>(m_ordering.size()); }
+
+  static bool is_finite(const Hermitian_sparse_matrix<Scalar>& A)
+  {
+    bool is_finite = true;
+    for (int k = 0; k < A.pattern().size_of_entries(); ++k) {
+      FT c[planes];
+      Scalar_planes<Scalar>::get(A.value(k), c);
+      for (int q = 0; q < planes; ++q) is_finite = is_finite && std::isfinite(c[q]);
+    }
+    return is_finite;
+  }
+
+  // Columns c, c + 1, ... of b in the order of elimination; columns that do not exist are zero.
+  void pack(const Block<Scalar>& b, Eigen::Index c, Real* to) const
+  {
+    for (int k : m_factor->structure().order())
+      for (int i = 0; i < Substitution::columns; ++i, to += planes) {
+        FT s[planes] = {};
+        if (c + i < b.cols()) Scalar_planes<Scalar>::get(b(k, c + i), s);
+        for (int q = 0; q < planes; ++q) to[q] = static_cast<Real>(s[q]);
+      }
+  }
+
+  // Returns false where a value is not finite.
+  bool unpack(const Real* from, Eigen::Index c, Block<Scalar>& x) const
+  {
+    bool is_finite = true;
+    for (int k : m_factor->structure().order())
+      for (int i = 0; i < Substitution::columns; ++i, from += planes) {
+        if (c + i >= x.cols()) continue;
+        FT s[planes];
+        for (int q = 0; q < planes; ++q) {
+          s[q] = from[q];
+          is_finite = is_finite && std::isfinite(from[q]);
+        }
+        x(k, c + i) = Scalar_planes<Scalar>::put(s);
+      }
+    return is_finite;
+  }
+
+  Ordering m_ordering;
+  int m_entries = 0;
+  std::optional<Factor> m_factor;
+  bool m_is_factorized = false;
+  int m_bad_vertex = -1;
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the library's own solvers, for real and quaternionic matrices; header-only.
+/// \cgalModels{SparseHermitianSolverTraits}
+struct Supernodal_solver_traits {
+  template <class Scalar>
+  using Solver = Supernodal_cholesky<Scalar>;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

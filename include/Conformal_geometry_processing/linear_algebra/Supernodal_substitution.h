@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_SUPERNODAL_SUBSTITUTION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_SUPERNODAL_SUBSTITUTION_H
+
+#include <Conformal_geometry_processing/linear_algebra/Supernodal_factor.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief solves L L^H x = b for right-hand sides of four numbers per row: four real ones, two
+/// complex ones or one of quaternions, which fill the registers equally well.
+///
+/// The vector is stored [row][right-hand side][component], rows in the order of elimination.
+template <class Scalar, class Real>
+class Supernodal_substitution {
+  using Factor = Supernodal_factor<Scalar, Real>;
+  using Planes = Scalar_planes<Scalar>;
+  using Simd = Simd_lanes<Real>;
+  using Register = typename Simd::Register;
+  static constexpr int lanes = Factor::Kernels::lanes, cell = Factor::Kernels::cell;
+  static constexpr int planes = Planes::size;
+
+ public:
+  static constexpr int numbers = 4;                 ///< per row
+  static constexpr int columns = numbers / planes;  ///< right-hand sides at once
+
+  explicit Supernodal_substitution(const Factor& factor) : m_factor(factor), S(factor.structure())
+  {}
+
+  /// b, `numbers` * |V| of them, becomes x
+  void solve(Real* x) const
+  {
+    for (int s = 0; s < S.size(); ++s) forward(s, x);
+    for (int s = S.size() - 1; s >= 0; --s) backward(s, x);
+  }
+
+ private:
+  static constexpr int wide = numbers * lanes;  // a row block of the vector, [number][lane]
+  static constexpr int most_blocks = (max_supernode_width + lanes - 1) / lanes;
+  using Accumulators = Register[columns][planes];
+
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void load(const Real* from, Accumulators& acc)
+  {
+#pragma GCC unroll 4
+    for (int i = 0; i < numbers; ++i) acc[i / planes][i % planes] = Simd::load(from + i * lanes);
+  }
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void store(Real* to, const Accumulators& acc)
+  {
+#pragma GCC unroll 4
+    for (int i = 0; i < numbers; ++i) Simd::store(to + i * lanes, acc[i / planes][i % planes]);
+  }
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void load(const Real* from, Register (&a)[planes])
+  {
+#pragma GCC unroll 4
+    for (int q = 0; q < planes; ++q) a[q] = Simd::load(from + q * lanes);
+  }
+
+  // acc -= L y for one column of a row block
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void subtract(Accumulators& acc, const Real* L,
+                                                            const Real* y)
+  {
+    Register a[planes];
+    load(L, a);
+#pragma GCC unroll 4
+    for (int c = 0; c < columns; ++c) Planes::subtract(acc[c], a, y + c * planes);
+  }
+
+  // acc += conjugate(L) y for one column of a row block
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void add_conjugate(Accumulators& acc, const Real* L,
+                                                                 const Accumulators& y)
+  {
+    Register a[planes];
+    load(L, a);
+#pragma GCC unroll 4
+    for (int c = 0; c < columns; ++c) Planes::add_conjugate(acc[c], a, y[c]);
+  }
+
+  void forward(int s, Real* x) const
+  {
+    const int k = S.width(s), u = S.height(s), triangle = Factor::Kernels::blocks(k);
+    const Real* const L = m_factor.panel(s);
+    Real* const y = x + static_cast<std::int64_t>(S.first(s)) * numbers;
+    alignas(64) Real block[most_blocks * wide] = {};
+    for (int j = 0; j < k; ++j)
+      for (int i = 0; i < numbers; ++i)
+        block[j / lanes * wide + i * lanes + j % lanes] = y[j * numbers + i];
+    for (int j = 0; j < k; ++j) {
+      const int diagonal = j / lanes;
+      const Real inverse = 1 / L[(diagonal * k + j) * cell + j % lanes];
+      for (int i = 0; i < numbers; ++i)
+        y[j * numbers + i] = block[diagonal * wide + i * lanes + j % lanes] * inverse;
+      for (int b = diagonal; b < triangle; ++b) {
+        Accumulators acc;
+        load(block + b * wide, acc);
+        subtract(acc, L + (b * k + j) * cell, y + j * numbers);
+        store(block + b * wide, acc);
+      }
+    }
+    forward_below(L + static_cast<std::int64_t>(triangle) * k * cell, k, S.rows(s), u, y, x);
+  }
+
+  static void forward_below(const Real* L, int k, const int* rows, int u, const Real* y, Real* x)
+  {
+    for (int b = 0; b * lanes < u; ++b) {
+      Accumulators acc = {};
+      for (int j = 0; j < k; ++j, L += cell) subtract(acc, L, y + j * numbers);
+      alignas(64) Real sums[wide];
+      store(sums, acc);
+      const int end = std::min(lanes, u - b * lanes);
+      for (int l = 0; l < end; ++l)
+        for (int i = 0; i < numbers; ++i)
+          x[static_cast<std::int64_t>(rows[b * lanes + l]) * numbers + i] += sums[i * lanes + l];
+    }
+  }
+
+  void backward(int s, Real* x) const
+  {
+    const int k = S.width(s), triangle = Factor::Kernels::blocks(k);
+    const Real* const L = m_factor.panel(s);
+    Real* const y = x + static_cast<std::int64_t>(S.first(s)) * numbers;
+    alignas(64) Real sums[max_supernode_width * wide];
+    std::fill_n(sums, k * wide, Real(0));
+    backward_below(L + static_cast<std::int64_t>(triangle) * k * cell, k, S.rows(s), S.height(s), x,
+                   sums);
+    alignas(64) Real block[most_blocks * wide] = {};
+    for (int j = k - 1; j >= 0; --j) {
+      const int diagonal = j / lanes;
+      Accumulators acc, z;
+      load(sums + j * wide, acc);
+      for (int b = diagonal; b < triangle; ++b) {
+        load(block + b * wide, z);
+        add_conjugate(acc, L + (b * k + j) * cell, z);
+      }
+      const Real inverse = 1 / L[(diagonal * k + j) * cell + j % lanes];
+      for (int i = 0; i < numbers; ++i) {
+        Real sum = 0;
+        for (int l = 0; l < lanes; ++l) sum += acc[i / planes][i % planes][l];
+        Real& value = y[j * numbers + i];
+        value = (value - sum) * inverse;
+        block[diagonal * wide + i * lanes + j % lanes] = value;
+      }
+    }
+  }
+
+  // sums_j += conjugate(L_j) x for each column j
+  static void backward_below(const Real* L, int k, const int* rows, int u, const Real* x,
+                             Real* sums)
+  {
+    for (int b = 0; b * lanes < u; ++b) {
+      alignas(64) Real gathered[wide] = {};
+      const int end = std::min(lanes, u - b * lanes);
+      for (int l = 0; l < end; ++l)
+        for (int i = 0; i < numbers; ++i)
+          gathered[i * lanes + l] = x[static_cast<std::int64_t>(rows[b * lanes + l]) * numbers + i];
+      Accumulators z, acc;
+      load(gathered, z);
+      for (int j = 0; j < k; ++j, L += cell) {
+        load(sums + j * wide, acc);
+        add_conjugate(acc, L, z);
+        store(sums + j * wide, acc);
+      }
+    }
+  }
+
+  const Factor& m_factor;
+  const Supernodal_structure& S;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif
