@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_GRAPH_REGION_H
 
 #include <Conformal_geometry_processing/algebra/Sparse_pattern.h>
+#include <Conformal_geometry_processing/linear_algebra/minimum_vertex_cut.h>
 
 #include <Eigen/Core>
 
@@ -20,7 +21,6 @@ namespace Conformal_geometry_processing {
 /// Holds copies, in numbers of its own, of all it needs: a list of edges is swept without jumps
 /// through memory, however badly the mesh is numbered.
 struct Graph_region {
-  enum Side : char { left, right, separator };
   using Pairs = std::vector<std::array<int, 2>>;
 
   std::vector<int> vertices;                          ///< their numbers in the whole graph
@@ -62,36 +62,34 @@ inline Graph_region graph_region(const Sparse_pattern& pattern, const Eigen::Mat
 /// \relates Graph_region
 /// \brief the vertices of the left and of the right side, with the separator in their halo.
 /// \pre no edge joins left and right
-inline std::array<Graph_region, 2> split(const Graph_region& region, const std::vector<char>& side)
+inline std::array<Graph_region, 2> split(const Graph_region& region, const std::vector<Side>& sides)
 {
   std::array<Graph_region, 2> parts;
-  std::vector<int> place(region.vertices.size());
-  for (std::size_t v = 0; v < place.size(); ++v)
-    if (side[v] != Graph_region::separator) {
-      auto& vertices = parts[static_cast<std::size_t>(side[v])].vertices;
-      place[v] = static_cast<int>(vertices.size());
-      vertices.push_back(region.vertices[v]);
+  std::vector<int> place(sides.size(), -1);  // in the part; -1 for the separator
+  const auto part_of = [&](int v) -> Graph_region& {
+    return parts[sides[static_cast<std::size_t>(v)] == Side::left ? 0 : 1];
+  };
+  for (int v = 0; v < region.size(); ++v)
+    if (sides[static_cast<std::size_t>(v)] != Side::separator) {
+      place[static_cast<std::size_t>(v)] = part_of(v).size();
+      part_of(v).vertices.push_back(region.vertices[static_cast<std::size_t>(v)]);
     }
   for (Graph_region& part : parts) part.positions.resize(part.size(), 3);
-  for (std::size_t v = 0; v < place.size(); ++v)
-    if (side[v] != Graph_region::separator)
-      parts[static_cast<std::size_t>(side[v])].positions.row(place[v]) =
-          region.positions.row(static_cast<Eigen::Index>(v));
-  const auto add_to_halo = [&](int inner, int outer) {
-    const auto v = static_cast<std::size_t>(inner);
-    parts[static_cast<std::size_t>(side[v])].halo.push_back({place[v], outer});
-  };
+  for (int v = 0; v < region.size(); ++v)
+    if (place[static_cast<std::size_t>(v)] >= 0)
+      part_of(v).positions.row(place[static_cast<std::size_t>(v)]) = region.positions.row(v);
   for (const auto& e : region.edges) {
-    const auto a = static_cast<std::size_t>(e[0]), b = static_cast<std::size_t>(e[1]);
-    if (side[a] != Graph_region::separator && side[b] != Graph_region::separator)
-      parts[static_cast<std::size_t>(side[a])].edges.push_back({place[a], place[b]});
-    else if (side[a] != Graph_region::separator)
-      add_to_halo(e[0], region.vertices[b]);
-    else if (side[b] != Graph_region::separator)
-      add_to_halo(e[1], region.vertices[a]);
+    const int a = place[static_cast<std::size_t>(e[0])], b = place[static_cast<std::size_t>(e[1])];
+    if (a >= 0 && b >= 0)
+      part_of(e[0]).edges.push_back({a, b});
+    else if (a >= 0)
+      part_of(e[0]).halo.push_back({a, region.vertices[static_cast<std::size_t>(e[1])]});
+    else if (b >= 0)
+      part_of(e[1]).halo.push_back({b, region.vertices[static_cast<std::size_t>(e[0])]});
   }
   for (const auto& e : region.halo)
-    if (side[static_cast<std::size_t>(e[0])] != Graph_region::separator) add_to_halo(e[0], e[1]);
+    if (place[static_cast<std::size_t>(e[0])] >= 0)
+      part_of(e[0]).halo.push_back({place[static_cast<std::size_t>(e[0])], e[1]});
   return parts;
 }
 
