@@ -8,9 +8,12 @@
 
 #include <Eigen/Core>
 
+#include <complex>
 #include <memory>
 #include <set>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "support/random.h"
 
@@ -20,17 +23,12 @@ namespace cgp_test {
 namespace CGP = Conformal_geometry_processing;
 using Pattern = std::shared_ptr<const CGP::Sparse_pattern>;
 
-/// n vertices in a ring, and n chords: a connected graph
-inline Pattern random_pattern(int n, std::uint64_t seed)
+/// the pattern of a graph given by its edges, which may repeat; loops are ignored
+inline Pattern pattern_of_edges(int n, const std::vector<std::pair<int, int>>& edges)
 {
-  Random random(seed);
   std::vector<std::set<int>> rows(at(n));
-  const auto connect = [&](int i, int j) { rows[at(std::min(i, j))].insert(std::max(i, j)); };
-  for (int i = 0; i < n; ++i) {
-    rows[at(i)].insert(i);
-    connect(i, (i + 1) % n);
-    connect(i, random.below(n));
-  }
+  for (int i = 0; i < n; ++i) rows[at(i)].insert(i);
+  for (const auto& [i, j] : edges) rows[at(std::min(i, j))].insert(std::max(i, j));
   CGP::Sparse_pattern pattern;
   pattern.offsets.push_back(0);
   for (const std::set<int>& column : rows) {
@@ -40,13 +38,49 @@ inline Pattern random_pattern(int n, std::uint64_t seed)
   return std::make_shared<const CGP::Sparse_pattern>(std::move(pattern));
 }
 
+/// n vertices in a ring, and n chords: a connected graph
+inline Pattern random_pattern(int n, std::uint64_t seed)
+{
+  Random random(seed);
+  std::vector<std::pair<int, int>> edges;
+  for (int i = 0; i < n; ++i) {
+    edges.push_back({i, (i + 1) % n});
+    edges.push_back({i, random.below(n)});
+  }
+  return pattern_of_edges(n, edges);
+}
+
+/// all entries
+inline Pattern full_pattern(int n)
+{
+  std::vector<std::pair<int, int>> edges;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < i; ++j) edges.push_back({i, j});
+  return pattern_of_edges(n, edges);
+}
+
+/// rows x columns vertices with their four neighbours
+inline Pattern grid_pattern(int rows, int columns)
+{
+  std::vector<std::pair<int, int>> edges;
+  for (int i = 0; i < rows * columns; ++i) {
+    if (i % columns + 1 < columns) edges.push_back({i, i + 1});
+    if (i + columns < rows * columns) edges.push_back({i, i + columns});
+  }
+  return pattern_of_edges(rows * columns, edges);
+}
+
 template <class Scalar>
 Scalar random_scalar(Random& random)
 {
-  if constexpr (std::is_same_v<Scalar, double>)
+  if constexpr (std::is_same_v<Scalar, double>) {
     return random.number();
-  else
+  } else if constexpr (std::is_same_v<Scalar, std::complex<double>>) {
+    const double re = random.number(), im = random.number();
+    return {re, im};
+  } else {
     return random.quaternion();
+  }
 }
 
 /// random entries with a real diagonal
@@ -80,13 +114,11 @@ CGP::Hermitian_sparse_matrix<Scalar> random_definite(const Pattern& pattern, std
   const auto A = random_hermitian<Scalar>(pattern, seed);
   Eigen::VectorXd s = Eigen::VectorXd::Constant(A.size(), 1.1);
   A.for_each_entry([&](int i, int j, const Scalar& a) {
-    using std::abs;
-    using CGP::norm;
     double size = 0;
-    if constexpr (std::is_same_v<Scalar, double>)
-      size = abs(a);
-    else
+    if constexpr (std::is_same_v<Scalar, Quaternion<double>>)
       size = norm(a);
+    else
+      size = std::abs(a);
     s[i] += size;
     s[j] += size;
   });
@@ -110,12 +142,18 @@ inline CGP::Hermitian_sparse_matrix<double> random_laplacian(const Pattern& patt
   return plus_diagonal(L, degrees);
 }
 
-/// n x n, or 4n x 4n: left multiplication on components w, x, y, z
-inline Eigen::MatrixXd dense(const CGP::Hermitian_sparse_matrix<double>& A)
+/// n x n, or 2n x 2n or 4n x 4n: left multiplication on components re, im or w, x, y, z
+inline Eigen::MatrixXd dense(const CGP::Block<double>& A)
 {
-  Eigen::MatrixXd D(A.size(), A.size());
-  for (int j = 0; j < A.size(); ++j)
-    for (int i = 0; i < A.size(); ++i) D(i, j) = A.coefficient(i, j);
+  return A;
+}
+inline Eigen::MatrixXd dense(const CGP::Block<std::complex<double>>& A)
+{
+  Eigen::MatrixXd D(2 * A.rows(), 2 * A.cols());
+  for (Eigen::Index j = 0; j < A.cols(); ++j)
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+      D.block<2, 2>(2 * i, 2 * j) << A(i, j).real(), -A(i, j).imag(), A(i, j).imag(),
+          A(i, j).real();
   return D;
 }
 inline Eigen::MatrixXd dense(const CGP::Block<Quaternion<double>>& A)
@@ -126,9 +164,10 @@ inline Eigen::MatrixXd dense(const CGP::Block<Quaternion<double>>& A)
       D.block<4, 4>(4 * i, 4 * j) = CGP::real_block(A(i, j));
   return D;
 }
-inline Eigen::MatrixXd dense(const CGP::Hermitian_sparse_matrix<Quaternion<double>>& A)
+template <class Scalar>
+Eigen::MatrixXd dense(const CGP::Hermitian_sparse_matrix<Scalar>& A)
 {
-  CGP::Block<Quaternion<double>> D(A.size(), A.size());
+  CGP::Block<Scalar> D(A.size(), A.size());
   for (int j = 0; j < A.size(); ++j)
     for (int i = 0; i < A.size(); ++i) D(i, j) = A.coefficient(i, j);
   return dense(D);
@@ -138,6 +177,11 @@ inline Eigen::MatrixXd dense(const CGP::Hermitian_sparse_matrix<Quaternion<doubl
 inline Eigen::MatrixXd real_columns(const CGP::Block<double>& b)
 {
   return b;
+}
+inline Eigen::MatrixXd real_columns(const CGP::Block<std::complex<double>>& b)
+{
+  return Eigen::Map<const Eigen::MatrixXd>(reinterpret_cast<const double*>(b.data()), 2 * b.rows(),
+                                           b.cols());
 }
 inline Eigen::MatrixXd real_columns(const CGP::Block<Quaternion<double>>& b)
 {

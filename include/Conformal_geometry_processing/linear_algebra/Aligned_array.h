@@ -8,6 +8,10 @@
 #include <memory>
 #include <new>
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
@@ -23,9 +27,7 @@ class Aligned_array {
     if (size == m_size) return;
     m_data.reset();
     m_size = 0;
-    if (size > 0)
-      m_data.reset(static_cast<Real*>(
-          ::operator new(static_cast<std::size_t>(size) * sizeof(Real), alignment)));
+    if (size > 0) m_data = allocate(static_cast<std::size_t>(size) * sizeof(Real));
     m_size = size;
   }
 
@@ -34,12 +36,28 @@ class Aligned_array {
   const Real* data() const { return m_data.get(); }
 
  private:
-  static constexpr std::align_val_t alignment{64};
+  static constexpr std::align_val_t line{64}, page{std::size_t(1) << 21};
+
   struct Free {
+    std::align_val_t alignment = line;
     void operator()(Real* p) const { ::operator delete(p, alignment); }
   };
+  using Pointer = std::unique_ptr<Real, Free>;
 
-  std::unique_ptr<Real, Free> m_data;
+  // The first touch of a page costs as much as the arithmetic on it, so large arrays get large
+  // pages where the system has them.
+  static Pointer allocate(std::size_t bytes)
+  {
+    const bool is_large = bytes >= 2 * static_cast<std::size_t>(page);
+    const std::align_val_t alignment = is_large ? page : line;
+    Pointer data(static_cast<Real*>(::operator new(bytes, alignment)), Free{alignment});
+#ifdef MADV_HUGEPAGE
+    if (is_large) madvise(data.get(), bytes, MADV_HUGEPAGE);
+#endif
+    return data;
+  }
+
+  Pointer m_data;
   std::int64_t m_size = 0;
 };
 

@@ -86,9 +86,9 @@ class Front_kernels {
     return -1;
   }
 
-  /// \brief update -= L21 L21^H, the lower triangle.
+  /// \brief update = -L21 L21^H, the lower triangle.
   /// \param below the row blocks of the panel under its triangle
-  static void subtract_outer_product(Real* update, const Real* below, int columns, int rows)
+  static void set_outer_product(Real* update, const Real* below, int columns, int rows)
   {
     const int nb = blocks(rows);
     const std::int64_t stride = static_cast<std::int64_t>(columns) * cell;
@@ -101,8 +101,7 @@ class Front_kernels {
         for (int ib = std::max(jb, begin); ib < end; ++ib)
           for (int c = 0; c < lanes; c += group) {
             Real* const target = update + tile(nb, ib, jb) + c * cell;
-            Register acc[group][planes];
-            load(target, group, acc);
+            Register acc[group][planes] = {};
             subtract_products(acc, below + ib * stride, below + jb * stride + c, columns);
             store(target, group, acc);
           }

@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/Aligned_array.h>
-#include <Conformal_geometry_processing/linear_algebra/Front_kernels.h>
+#include <Conformal_geometry_processing/linear_algebra/Extend_add.h>
 #include <Conformal_geometry_processing/linear_algebra/Supernodal_structure.h>
 
 #include <algorithm>
@@ -79,41 +79,45 @@ class Supernodal_factor {
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  static constexpr int lanes = Kernels::lanes, cell = Kernels::cell, planes = Kernels::planes;
+  static constexpr int lanes = Kernels::lanes, planes = Kernels::planes;
 
   int eliminate(int s, const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift,
                 std::array<std::int64_t, 2>& top)
   {
     const Supernodal_structure& S = *m_structure;
     const int k = S.width(s), u = S.height(s);
+    const std::size_t parity = at(S.depth(s) % 2);
     Real* const panel = m_panels.data() + m_panel_offsets[at(s)];
     std::fill_n(panel, Kernels::panel_size(k, u), Real(0));
-    const std::size_t parity = at(S.depth(s) % 2);
-    Real* const update = m_stacks[parity].data() + top[parity];
-    top[parity] += Kernels::update_size(u);
-    std::fill_n(update, Kernels::update_size(u), Real(0));
-    locate_rows(k, u);
+    m_extend_add.set_front(k, u);
     add_matrix(s, A, shift, panel);
-    for (const int* c = S.children_end(s); c != S.children_begin(s);) {  // the last is on top
-      --c;
-      top[1 - parity] -= Kernels::update_size(S.height(*c));
-      add_update(*c, m_stacks[1 - parity].data() + top[1 - parity], k, u, panel, update);
-    }
+    for_each_child(s, top[1 - parity], [&](int c, const Real* update) {
+      m_extend_add.add_to_panel(update, S.height(c), S.relative_rows(c), panel);
+    });
     const int bad = Kernels::factor_panel(panel, k, Kernels::blocks(k) + Kernels::blocks(u));
-    if (bad < 0 && u > 0)
-      Kernels::subtract_outer_product(
-          update, panel + static_cast<std::int64_t>(Kernels::blocks(k)) * k * cell, k, u);
-    return bad;
+    if (bad >= 0) return bad;
+
+    Real* const own = m_stacks[parity].data() + top[parity];
+    Kernels::set_outer_product(own, panel + Kernels::panel_size(k, 0), k, u);
+    top[parity] += Kernels::update_size(u);
+    top[1 - parity] = for_each_child(s, top[1 - parity], [&](int c, const Real* update) {
+      m_extend_add.add_to_update(update, S.height(c), S.relative_rows(c), own);
+    });
+    return -1;
   }
 
-  // The offset of each row of the front in the first column of the panel.
-  void locate_rows(int k, int u)
+  // Visits the updates of the children from the top of their stack; returns where the first begins.
+  template <class Visitor>
+  std::int64_t for_each_child(int s, std::int64_t top, Visitor visit)
   {
-    m_rows.resize(at(k + u));
-    for (int i = 0; i < k + u; ++i) {
-      const int block = i < k ? i / lanes : Kernels::blocks(k) + (i - k) / lanes;
-      m_rows[at(i)] = block * k * cell + (i < k ? i : i - k) % lanes;
+    const Supernodal_structure& S = *m_structure;
+    const Real* const stack = m_stacks[at(1 - S.depth(s) % 2)].data();
+    for (const int* c = S.children_end(s); c != S.children_begin(s);) {
+      --c;
+      top -= Kernels::update_size(S.height(*c));
+      visit(*c, stack + top);
     }
+    return top;
   }
 
   void add_matrix(int s, const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift,
@@ -124,38 +128,12 @@ class Supernodal_factor {
       FT c[planes];
       Scalar_planes<Scalar>::get(
           e->source >= 0 ? A.value(e->source) : conjugate(A.value(~e->source)), c);
-      Real* const target = panel + m_rows[at(e->row)] + e->column * cell;
+      Real* const target = panel + m_extend_add.in_panel(e->row, e->column);
       for (int q = 0; q < planes; ++q) target[q * lanes] += static_cast<Real>(c[q]);
     }
     if (shift.size() == 0) return;
     for (int j = 0; j < S.width(s); ++j)
-      panel[m_rows[at(j)] + j * cell] += static_cast<Real>(shift[S.order()[at(S.first(s) + j)]]);
-  }
-
-  // Extend-add: the update of a child into the panel and the update of its parent.
-  void add_update(int child, const Real* from, int k, int u, Real* panel, Real* update) const
-  {
-    const Supernodal_structure& S = *m_structure;
-    const int* const place = S.relative_rows(child);
-    const int n = S.height(child), nb = Kernels::blocks(n), parent_blocks = Kernels::blocks(u);
-    for (int j = 0; j < n; ++j) {
-      const int column = place[j];
-      for (int ib = j / lanes; ib < nb; ++ib) {
-        const Real* const source = from + Kernels::tile(nb, ib, j / lanes) + (j % lanes) * cell;
-        const int begin = std::max(j, ib * lanes), end = std::min(n, (ib + 1) * lanes);
-        for (int i = begin; i < end; ++i) {
-          Real* target;
-          if (column < k) {
-            target = panel + m_rows[at(place[i])] + column * cell;
-          } else {
-            const int row = place[i] - k;
-            target = update + Kernels::tile(parent_blocks, row / lanes, (column - k) / lanes) +
-                     ((column - k) % lanes) * cell + row % lanes;
-          }
-          for (int q = 0; q < planes; ++q) target[q * lanes] += source[q * lanes + i % lanes];
-        }
-      }
-    }
+      panel[m_extend_add.in_panel(j, j)] += static_cast<Real>(shift[S.order()[at(S.first(s) + j)]]);
   }
 
   std::shared_ptr<const Supernodal_structure> m_structure;
@@ -163,7 +141,7 @@ class Supernodal_factor {
   std::array<std::int64_t, 2> m_stack_sizes;
   Aligned_array<Real> m_panels;
   std::array<Aligned_array<Real>, 2> m_stacks;
-  std::vector<int> m_rows;  // of the current front
+  Extend_add<Scalar, Real> m_extend_add;
 };
 
 }  // namespace Conformal_geometry_processing

@@ -31,15 +31,18 @@ class Supernodal_structure {
   };
 
   /// \param order a fill-reducing ordering of the vertices
-  Supernodal_structure(const Sparse_pattern& pattern, const Ordering& order)
+  Supernodal_structure(const Sparse_pattern& pattern, const Ordering& order) : m_order(order)
   {
-    std::vector<int> parent, count;
-    find_columns(pattern, order, parent, count);
-    const Permuted_graph graph(pattern, inverse_permutation(m_order));
+    Permuted_graph graph(pattern, inverse_permutation(order));
+    std::vector<int> parent = elimination_tree(Graph_rows(graph));
+    renumber(graph, parent, std::vector<int>(order.size(), 0));
+    std::vector<int> count = column_counts(graph, parent);
+    count = gathered(count, renumber(graph, parent, count));
+    count_operations(count);
     m_first = relaxed_supernodes(parent, count);
-    find_rows(graph);
-    find_relative_rows();
-    find_entries(graph, pattern);
+    find_tree(parent, count);
+    find_rows(Graph_rows(graph));
+    find_places(graph, pattern);
   }
 
   int size_of_columns() const { return static_cast<int>(m_order.size()); }
@@ -88,75 +91,64 @@ class Supernodal_structure {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-  void find_columns(const Sparse_pattern& pattern, const Ordering& order, std::vector<int>& parent,
-                    std::vector<int>& count)
+  static std::vector<int> gathered(const std::vector<int>& values, const std::vector<int>& places)
   {
-    m_order = order;
-    renumber(pattern, std::vector<int>(order.size(), 0), parent);
-    count = column_counts(Permuted_graph(pattern, inverse_permutation(m_order)), parent);
-    renumber(pattern, count, parent);
-    const Permuted_graph graph(pattern, inverse_permutation(m_order));
-    count = column_counts(graph, parent);
+    std::vector<int> result(values.size());
+    for (std::size_t k = 0; k < values.size(); ++k) result[k] = values[at(places[k])];
+    return result;
+  }
+
+  // Refines the ordering to a postorder of its tree, which is returned.
+  std::vector<int> renumber(Permuted_graph& graph, std::vector<int>& parent,
+                            const std::vector<int>& weight)
+  {
+    const std::vector<int> post = postorder(parent, weight), place = inverse_permutation(post);
+    m_order = gathered(m_order, post);
+    parent = gathered(parent, post);
+    for (int& p : parent)
+      if (p >= 0) p = place[at(p)];
+    graph = Permuted_graph(graph, place);
+    return post;
+  }
+
+  void count_operations(const std::vector<int>& count)
+  {
     for (int c : count) {
       m_factor_entries += c;
       m_operations += static_cast<double>(c) * c;
     }
   }
 
-  // Refines the ordering to a postorder of its tree.
-  void renumber(const Sparse_pattern& pattern, const std::vector<int>& weight,
-                std::vector<int>& parent)
+  // The rows below a supernode are those below its last column, and so is its parent.
+  void find_tree(const std::vector<int>& parent, const std::vector<int>& count)
   {
-    parent = elimination_tree(Permuted_graph(pattern, inverse_permutation(m_order)));
-    const std::vector<int> post = postorder(parent, weight);
-    const std::vector<int> place = inverse_permutation(post);
-    Ordering order(post.size());
-    std::vector<int> up(post.size());
-    for (std::size_t k = 0; k < post.size(); ++k) {
-      order[k] = m_order[at(post[k])];
-      const int p = parent[at(post[k])];
-      up[k] = p < 0 ? -1 : place[at(p)];
-    }
-    m_order = std::move(order);
-    parent = std::move(up);
-  }
-
-  // Rows of a supernode: those of its entries and those of its children, less its own columns.
-  void find_rows(const Permuted_graph& graph)
-  {
-    std::vector<int> supernode(at(size_of_columns())), mark(supernode.size(), -1);
-    for (int s = 0; s < size(); ++s)
-      std::fill(supernode.begin() + first(s), supernode.begin() + m_first[at(s) + 1], s);
-    std::vector<int> offsets(supernode.size() + 1, 0), below(graph.neighbours.size());
-    for (const auto& e : graph.neighbours) ++offsets[at(e.column) + 1];
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    std::vector<int> next(offsets.begin(), offsets.end() - 1);
-    for (int i = 0; i < graph.size(); ++i)
-      for (const auto* e = graph.begin(i); e != graph.end(i); ++e)
-        below[at(next[at(e->column)]++)] = i;
-
-    m_parent.assign(at(size()), -1);
+    m_supernode.resize(m_order.size());
     m_row_offsets.assign(1, 0);
-    std::vector<int> last_child(at(size()), -1), previous_child(at(size()), -1);
     for (int s = 0; s < size(); ++s) {
-      const int end = m_first[at(s) + 1];
-      const auto add = [&](int i) {
-        if (i < end || mark[at(i)] == s) return;
-        mark[at(i)] = s;
-        m_rows.push_back(i);
-      };
-      for (int k = offsets[at(first(s))]; k < offsets[at(end)]; ++k) add(below[at(k)]);
-      for (int c = last_child[at(s)]; c >= 0; c = previous_child[at(c)])
-        for (std::int64_t k = m_row_offsets[at(c)]; k < m_row_offsets[at(c) + 1]; ++k)
-          add(m_rows[static_cast<std::size_t>(k)]);
-      std::sort(m_rows.begin() + m_row_offsets.back(), m_rows.end());
-      m_row_offsets.push_back(static_cast<std::int64_t>(m_rows.size()));
-      if (height(s) == 0) continue;
-      m_parent[at(s)] = supernode[at(rows(s)[0])];
-      previous_child[at(s)] = last_child[at(parent(s))];
-      last_child[at(parent(s))] = s;
+      std::fill_n(m_supernode.begin() + first(s), width(s), s);
+      m_row_offsets.push_back(m_row_offsets.back() + count[at(first(s) + width(s) - 1)] - 1);
+    }
+    for (int s = 0; s < size(); ++s) {
+      const int up = parent[at(first(s) + width(s) - 1)];
+      m_parent.push_back(up < 0 ? -1 : m_supernode[at(up)]);
     }
     find_children();
+  }
+
+  // Row i is in all supernodes on the paths of the tree from its entries up to its own.
+  void find_rows(const Graph_rows& graph)
+  {
+    m_rows.resize(static_cast<std::size_t>(m_row_offsets.back()));
+    std::vector<std::int64_t> next(m_row_offsets.begin(), m_row_offsets.end() - 1);
+    std::vector<int> mark(at(size()), -1);
+    for (int i = 0; i < size_of_columns(); ++i) {
+      mark[at(m_supernode[at(i)])] = i;
+      for (const int* j = graph.begin(i); j != graph.end(i); ++j)
+        for (int s = m_supernode[at(*j)]; mark[at(s)] != i; s = parent(s)) {
+          mark[at(s)] = i;
+          m_rows[static_cast<std::size_t>(next[at(s)]++)] = i;
+        }
+    }
   }
 
   void find_children()
@@ -174,53 +166,31 @@ class Supernodal_structure {
       if (parent(s) >= 0) m_depth[at(s)] = m_depth[at(parent(s))] + 1;
   }
 
-  template <class Place>
-  void number_front(int s, Place& place) const
-  {
-    for (int j = 0; j < width(s); ++j) place[at(first(s) + j)] = j;
-    for (int i = 0; i < height(s); ++i) place[at(rows(s)[i])] = width(s) + i;
-  }
-
-  void find_relative_rows()
+  // Where the rows of the children, and the entries of the matrix, stand in the front.
+  void find_places(const Permuted_graph& graph, const Sparse_pattern& pattern)
   {
     m_relative.resize(m_rows.size());
-    std::vector<int> place(at(size_of_columns()));
+    m_entries.reserve(graph.entries.size() + m_order.size());
+    m_entry_offsets.assign(1, 0);
+    std::vector<int> place(m_order.size());
     for (int s = 0; s < size(); ++s) {
-      number_front(s, place);
+      for (int j = 0; j < width(s); ++j) place[at(first(s) + j)] = j;
+      for (int i = 0; i < height(s); ++i) place[at(rows(s)[i])] = width(s) + i;
       for (const int* c = children_begin(s); c != children_end(s); ++c)
-        for (int i = 0; i < height(*c); ++i)
-          m_relative[static_cast<std::size_t>(m_row_offsets[at(*c)] + i)] = place[at(rows(*c)[i])];
-    }
-  }
-
-  void find_entries(const Permuted_graph& graph, const Sparse_pattern& pattern)
-  {
-    std::vector<int> supernode(at(size_of_columns())), place(supernode.size());
-    for (int s = 0; s < size(); ++s)
-      std::fill(supernode.begin() + first(s), supernode.begin() + m_first[at(s) + 1], s);
-    m_entry_offsets.assign(at(size()) + 1, 0);
-    for (const auto& e : graph.neighbours) ++m_entry_offsets[at(supernode[at(e.column)]) + 1];
-    for (int j = 0; j < size_of_columns(); ++j) ++m_entry_offsets[at(supernode[at(j)]) + 1];
-    std::partial_sum(m_entry_offsets.begin(), m_entry_offsets.end(), m_entry_offsets.begin());
-    m_entries.resize(at(m_entry_offsets.back()));
-    std::vector<int> next(m_entry_offsets.begin(), m_entry_offsets.end() - 1);
-    const auto add = [&](int i, int j, int source) {
-      const int s = supernode[at(j)];
-      m_entries[at(next[at(s)]++)] = {source, i, j - first(s)};  // the row in the front comes later
-    };
-    for (int i = 0; i < size_of_columns(); ++i) {
-      add(i, i, pattern.offsets[at(m_order[at(i)])]);
-      for (const auto* e = graph.begin(i); e != graph.end(i); ++e) add(i, e->column, e->source);
-    }
-    for (int s = 0; s < size(); ++s) {
-      number_front(s, place);
-      for (int k = m_entry_offsets[at(s)]; k < m_entry_offsets[at(s) + 1]; ++k)
-        m_entries[at(k)].row = place[at(m_entries[at(k)].row)];
+        for (std::int64_t k = m_row_offsets[at(*c)]; k < m_row_offsets[at(*c) + 1]; ++k)
+          m_relative[static_cast<std::size_t>(k)] = place[at(m_rows[static_cast<std::size_t>(k)])];
+      for (int j = 0; j < width(s); ++j) {
+        m_entries.push_back({pattern.offsets[at(m_order[at(first(s) + j)])], j, j});
+        for (const auto* e = graph.begin(first(s) + j); e != graph.end(first(s) + j); ++e)
+          m_entries.push_back({e->source, place[at(e->row)], j});
+      }
+      m_entry_offsets.push_back(static_cast<int>(m_entries.size()));
     }
   }
 
   Ordering m_order;
-  std::vector<int> m_first;  // size() + 1
+  std::vector<int> m_first;      // size() + 1
+  std::vector<int> m_supernode;  // of each column
   std::vector<int> m_parent, m_depth, m_child_offsets, m_children;
   std::vector<std::int64_t> m_row_offsets;
   std::vector<int> m_rows, m_relative;

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <type_traits>
 
 namespace Conformal_geometry_processing {
 
@@ -25,6 +25,7 @@ class Supernodal_substitution {
   using Register = typename Simd::Register;
   static constexpr int lanes = Factor::Kernels::lanes, cell = Factor::Kernels::cell;
   static constexpr int planes = Planes::size;
+  static constexpr int line = 64 / static_cast<int>(sizeof(Real));  // numbers in a cache line
 
  public:
   static constexpr int numbers = 4;                 ///< per row
@@ -83,7 +84,7 @@ class Supernodal_substitution {
 
   void forward(int s, Real* x) const
   {
-    const int k = S.width(s), u = S.height(s), triangle = Factor::Kernels::blocks(k);
+    const int k = S.width(s), triangle = Factor::Kernels::blocks(k);
     const Real* const L = m_factor.panel(s);
     Real* const y = x + static_cast<std::int64_t>(S.first(s)) * numbers;
     alignas(64) Real block[most_blocks * wide] = {};
@@ -102,21 +103,57 @@ class Supernodal_substitution {
         store(block + b * wide, acc);
       }
     }
-    forward_below(L + static_cast<std::int64_t>(triangle) * k * cell, k, S.rows(s), u, y, x);
+    const Real* const below = L + static_cast<std::int64_t>(triangle) * k * cell;
+    for_row_blocks(below, k, S.height(s), [&](auto blocks, const Real* from, int row) {
+      forward_below<blocks>(from, k, S.rows(s) + row, S.height(s) - row, y, x);
+    });
   }
 
-  static void forward_below(const Real* L, int k, const int* rows, int u, const Real* y, Real* x)
+  // Calls visit(number of row blocks, where they begin, their first row) for the rows below, two
+  // blocks at a time: each right-hand side is loaded half as often, and latencies overlap.
+  template <class Visitor>
+  static void for_row_blocks(const Real* L, int k, int rows, Visitor visit)
   {
-    for (int b = 0; b * lanes < u; ++b) {
-      Accumulators acc = {};
-      for (int j = 0; j < k; ++j, L += cell) subtract(acc, L, y + j * numbers);
-      alignas(64) Real sums[wide];
-      store(sums, acc);
-      const int end = std::min(lanes, u - b * lanes);
-      for (int l = 0; l < end; ++l)
-        for (int i = 0; i < numbers; ++i)
-          x[static_cast<std::int64_t>(rows[b * lanes + l]) * numbers + i] += sums[i * lanes + l];
-    }
+    int row = 0;
+    for (; row + lanes < rows; row += 2 * lanes, L += std::int64_t(2) * k * cell)
+      visit(std::integral_constant<int, 2>(), L, row);
+    if (row < rows) visit(std::integral_constant<int, 1>(), L, row);
+  }
+
+  // The factor is read once, so it comes from memory: each cell asks for one further on.
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void prefetch(const Real* L)
+  {
+#pragma GCC unroll 4
+    for (int i = 0; i < cell; i += line) __builtin_prefetch(L + i);
+  }
+
+  // The beginning of a panel that follows against the direction of the memory.
+  void prefetch_panel(int s) const
+  {
+    const std::int64_t size = m_factor.panel(s + 1) - m_factor.panel(s);
+    for (std::int64_t i = 0; i < std::min<std::int64_t>(size, 64 * line); i += line)
+      __builtin_prefetch(m_factor.panel(s) + i);
+    __builtin_prefetch(S.rows(s));
+  }
+
+  template <int blocks>
+  static void forward_below(const Real* L, int k, const int* rows, int count, const Real* y,
+                            Real* x)
+  {
+    const std::int64_t stride = static_cast<std::int64_t>(k) * cell;
+    Accumulators acc[blocks] = {};
+    for (int j = 0; j < k; ++j, L += cell)
+#pragma GCC unroll 2
+      for (int b = 0; b < blocks; ++b) {
+        prefetch(L + (blocks + b) * stride);
+        subtract(acc[b], L + b * stride, y + j * numbers);
+      }
+    alignas(64) Real sums[blocks * wide];
+    for (int b = 0; b < blocks; ++b) store(sums + b * wide, acc[b]);
+    for (int l = 0; l < std::min(count, blocks * lanes); ++l)
+      for (int i = 0; i < numbers; ++i)
+        x[static_cast<std::int64_t>(rows[l]) * numbers + i] +=
+            sums[l / lanes * wide + i * lanes + l % lanes];
   }
 
   void backward(int s, Real* x) const
@@ -126,8 +163,11 @@ class Supernodal_substitution {
     Real* const y = x + static_cast<std::int64_t>(S.first(s)) * numbers;
     alignas(64) Real sums[max_supernode_width * wide];
     std::fill_n(sums, k * wide, Real(0));
-    backward_below(L + static_cast<std::int64_t>(triangle) * k * cell, k, S.rows(s), S.height(s), x,
-                   sums);
+    if (s > 0) prefetch_panel(s - 1);
+    const Real* const below = L + static_cast<std::int64_t>(triangle) * k * cell;
+    for_row_blocks(below, k, S.height(s), [&](auto blocks, const Real* from, int row) {
+      backward_below<blocks>(from, k, S.rows(s) + row, S.height(s) - row, x, sums);
+    });
     alignas(64) Real block[most_blocks * wide] = {};
     for (int j = k - 1; j >= 0; --j) {
       const int diagonal = j / lanes;
@@ -149,22 +189,26 @@ class Supernodal_substitution {
   }
 
   // sums_j += conjugate(L_j) x for each column j
-  static void backward_below(const Real* L, int k, const int* rows, int u, const Real* x,
+  template <int blocks>
+  static void backward_below(const Real* L, int k, const int* rows, int count, const Real* x,
                              Real* sums)
   {
-    for (int b = 0; b * lanes < u; ++b) {
-      alignas(64) Real gathered[wide] = {};
-      const int end = std::min(lanes, u - b * lanes);
-      for (int l = 0; l < end; ++l)
-        for (int i = 0; i < numbers; ++i)
-          gathered[i * lanes + l] = x[static_cast<std::int64_t>(rows[b * lanes + l]) * numbers + i];
-      Accumulators z, acc;
-      load(gathered, z);
-      for (int j = 0; j < k; ++j, L += cell) {
-        load(sums + j * wide, acc);
-        add_conjugate(acc, L, z);
-        store(sums + j * wide, acc);
+    const std::int64_t stride = static_cast<std::int64_t>(k) * cell;
+    alignas(64) Real gathered[blocks * wide] = {};
+    for (int l = 0; l < std::min(count, blocks * lanes); ++l)
+      for (int i = 0; i < numbers; ++i)
+        gathered[l / lanes * wide + i * lanes + l % lanes] =
+            x[static_cast<std::int64_t>(rows[l]) * numbers + i];
+    Accumulators z[blocks], acc;
+    for (int b = 0; b < blocks; ++b) load(gathered + b * wide, z[b]);
+    for (int j = 0; j < k; ++j, L += cell) {
+      load(sums + j * wide, acc);
+#pragma GCC unroll 2
+      for (int b = 0; b < blocks; ++b) {
+        prefetch(L + (blocks + b) * stride);
+        add_conjugate(acc, L + b * stride, z[b]);
       }
+      store(sums + j * wide, acc);
     }
   }
 

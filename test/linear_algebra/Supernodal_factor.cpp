@@ -1,0 +1,117 @@
+// Tests include/Conformal_geometry_processing/linear_algebra/Supernodal_factor.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include <Conformal_geometry_processing/linear_algebra/Supernodal_factor.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+
+#include "linear_algebra/dense_fronts.h"
+#include "linear_algebra/symbolic_elimination.h"
+
+namespace cgp_test {
+namespace {
+
+template <class Kind>
+class Supernodal_factor : public testing::Test {
+ protected:
+  using Scalar = typename Kind::Scalar;
+  using Factor = CGP::Supernodal_factor<Scalar, typename Kind::Real>;
+
+  static Factor factor_of(const Pattern& pattern, const CGP::Ordering& order)
+  {
+    return Factor(std::make_shared<CGP::Supernodal_structure>(*pattern, order));
+  }
+
+  static CGP::Block<Scalar> unpacked(const Factor& factor)
+  {
+    const CGP::Supernodal_structure& S = factor.structure();
+    const int n = S.size_of_columns();
+    CGP::Block<Scalar> L = CGP::Block<Scalar>::Constant(n, n, Scalar{});
+    for (int s = 0; s < S.size(); ++s)
+      for (int j = 0; j < S.width(s); ++j)
+        for (int i = j; i < S.width(s) + S.height(s); ++i)
+          L(i < S.width(s) ? S.first(s) + i : S.rows(s)[i - S.width(s)], S.first(s) + j) =
+              get<Kind>(factor.panel(s) + in_panel<Kind>(S.width(s), i, j));
+    return L;
+  }
+
+  static CGP::Block<Scalar> permuted(const CGP::Hermitian_sparse_matrix<Scalar>& A,
+                                     const CGP::Ordering& order)
+  {
+    CGP::Block<Scalar> P(A.size(), A.size());
+    for (int j = 0; j < A.size(); ++j)
+      for (int i = 0; i < A.size(); ++i) P(i, j) = A.coefficient(order[at(i)], order[at(j)]);
+    return P;
+  }
+
+  static void expect_factor(const Pattern& pattern, const CGP::Ordering& order)
+  {
+    const auto A = random_definite<Scalar>(pattern, 5);
+    const Eigen::VectorXd shift = random_numbers(A.size(), 6).cwiseAbs();
+    Factor factor = factor_of(pattern, order);
+    ASSERT_EQ(factor.factorize(A, shift), -1);
+    const Eigen::MatrixXd expected =
+        dense(permuted(plus_diagonal(A, shift), factor.structure().order())).llt().matrixL();
+    EXPECT_LE((dense(unpacked(factor)) - expected).norm(), Kind::precision * expected.norm());
+  }
+};
+TYPED_TEST_SUITE(Supernodal_factor, Kinds);
+
+TYPED_TEST(Supernodal_factor, is_the_cholesky_factor_of_the_permuted_matrix)
+{
+  for (const auto& [name, pattern, order] : ordered_graphs()) {
+    SCOPED_TRACE(name);
+    this->expect_factor(pattern, order);
+  }
+}
+
+TYPED_TEST(Supernodal_factor, of_a_dense_matrix_passes_large_updates_up_a_chain)
+{
+  this->expect_factor(full_pattern(150), random_permutation(150, 7));
+}
+
+TYPED_TEST(Supernodal_factor, is_the_same_to_the_bit_every_time_and_in_the_same_memory)
+{
+  const Pattern pattern = random_pattern(90, 8);
+  const auto A = random_definite<typename TypeParam::Scalar>(pattern, 9);
+  auto factor = this->factor_of(pattern, random_permutation(90, 10));
+  ASSERT_EQ(factor.factorize(A, {}), -1);
+  const auto* const before = factor.panel(0);
+  const std::vector<typename TypeParam::Real> numbers(
+      before, before + factor.panel_bytes() / std::int64_t(sizeof(typename TypeParam::Real)));
+  ASSERT_EQ(factor.factorize(random_definite<typename TypeParam::Scalar>(pattern, 11), {}), -1);
+  EXPECT_NE(std::memcmp(before, numbers.data(), std::size_t(factor.panel_bytes())), 0);
+  ASSERT_EQ(factor.factorize(A, {}), -1);
+  EXPECT_EQ(factor.panel(0), before);
+  EXPECT_EQ(std::memcmp(before, numbers.data(), std::size_t(factor.panel_bytes())), 0);
+}
+
+TYPED_TEST(Supernodal_factor, names_the_vertex_of_a_pivot_that_is_not_positive)
+{
+  const int n = 60;
+  const Pattern pattern = random_pattern(n, 12);
+  const auto A = random_definite<typename TypeParam::Scalar>(pattern, 13);
+  auto factor = this->factor_of(pattern, random_permutation(n, 14));
+  for (const int vertex : {0, 17, 59}) {
+    Eigen::VectorXd shift = Eigen::VectorXd::Zero(n);
+    shift[vertex] = -3 * A.diagonal(vertex);
+    EXPECT_EQ(factor.factorize(A, shift), vertex);
+  }
+  EXPECT_EQ(factor.factorize(A, {}), -1);
+}
+
+TYPED_TEST(Supernodal_factor, knows_its_memory_before_it_is_allocated)
+{
+  const Pattern pattern = grid_pattern(12, 12);
+  const auto factor = this->factor_of(pattern, random_permutation(144, 15));
+  const std::int64_t scalar = sizeof(typename TypeParam::Real) * TypeParam::Kernels::planes;
+  EXPECT_GE(factor.panel_bytes(), factor.structure().stored_entries() * scalar);
+  EXPECT_GT(factor.bytes(), factor.panel_bytes());
+}
+
+}  // namespace
+}  // namespace cgp_test

@@ -1,0 +1,76 @@
+// Tests include/Conformal_geometry_processing/linear_algebra/Supernodal_substitution.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include <Conformal_geometry_processing/linear_algebra/Supernodal_substitution.h>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "linear_algebra/dense_fronts.h"
+#include "linear_algebra/symbolic_elimination.h"
+
+namespace cgp_test {
+namespace {
+
+template <class Kind>
+class Supernodal_substitution : public testing::Test {
+ protected:
+  using Scalar = typename Kind::Scalar;
+  using Real = typename Kind::Real;
+  using Factor = CGP::Supernodal_factor<Scalar, Real>;
+  using Substitution = CGP::Supernodal_substitution<Scalar, Real>;
+  static constexpr int planes = Kind::Kernels::planes;
+
+  // As many right-hand sides as fill four numbers per row, compared with dense elimination.
+  static void expect_solution(const Pattern& pattern, const CGP::Ordering& order)
+  {
+    const auto A = random_definite<Scalar>(pattern, 5);
+    Factor factor(std::make_shared<CGP::Supernodal_structure>(*pattern, order));
+    ASSERT_EQ(factor.factorize(A, {}), -1);
+    const CGP::Ordering& rows = factor.structure().order();
+    const auto b = random_block<Scalar>(A.size(), Substitution::columns, 6);
+    std::vector<Real> numbers;
+    for (int i : rows)
+      for (int c = 0; c < Substitution::columns; ++c) {
+        double parts[planes];
+        CGP::Scalar_planes<Scalar>::get(b(i, c), parts);
+        for (double part : parts) numbers.push_back(static_cast<Real>(part));
+      }
+    Substitution(factor).solve(numbers.data());
+    CGP::Block<Scalar> x(A.size(), Substitution::columns);
+    const Real* from = numbers.data();
+    for (int i : rows)
+      for (int c = 0; c < Substitution::columns; ++c, from += planes) {
+        double parts[planes];
+        for (int q = 0; q < planes; ++q) parts[q] = from[q];
+        x(i, c) = CGP::Scalar_planes<Scalar>::put(parts);
+      }
+    const Eigen::MatrixXd expected = dense(A).llt().solve(real_columns(b));
+    EXPECT_LE((real_columns(x) - expected).norm(), Kind::precision * expected.norm());
+  }
+};
+TYPED_TEST_SUITE(Supernodal_substitution, Kinds);
+
+TYPED_TEST(Supernodal_substitution, solves_as_dense_elimination_does)
+{
+  for (const auto& [name, pattern, order] : ordered_graphs()) {
+    SCOPED_TRACE(name);
+    this->expect_solution(pattern, order);
+  }
+}
+
+TYPED_TEST(Supernodal_substitution, solves_with_a_dense_matrix_of_many_row_blocks)
+{
+  this->expect_solution(full_pattern(150), random_permutation(150, 7));
+}
+
+TYPED_TEST(Supernodal_substitution, takes_four_numbers_per_row)
+{
+  EXPECT_EQ(TestFixture::Substitution::columns * TypeParam::Kernels::planes, 4);
+}
+
+}  // namespace
+}  // namespace cgp_test
