@@ -22,7 +22,7 @@ struct Ordering_costs {
   double seconds_per_operation = 16 / 40e9;
 
   /// of `sweep_nested_dissection()` and the analysis of what it finds
-  double seconds_per_vertex = 1.8e-6;
+  double seconds_per_vertex = 1.4e-6;
 
   /// the share of the operations that dissection saves on meshes where minimum degree does badly
   double expected_saving = 0.45;
