@@ -77,7 +77,8 @@ TYPED_TEST(Front_kernels, leave_zeros_above_the_diagonal_and_in_rows_that_do_not
   double sum = 0;
   for (std::int64_t i = 0; i < this->panel.size(); ++i) sum += std::abs(this->panel.data()[i]);
   double entries = 0;
-  for (const auto& value : this->factor().reshaped()) {
+  const auto L = this->factor();
+  for (const auto& value : L.reshaped()) {
     double parts[TypeParam::Kernels::planes];
     CGP::Scalar_planes<typename TypeParam::Scalar>::get(value, parts);
     for (double part : parts) entries += std::abs(part);

@@ -99,7 +99,7 @@ class Front_kernels {
       const int end = std::min(nb, begin + chunk);
       for (int jb = 0; jb < end; ++jb)
         for (int ib = std::max(jb, begin); ib < end; ++ib)
-          for (int c = 0; c < lanes; c += group) {
+          for (int c = 0; c < std::min(lanes, rows - jb * lanes); c += group) {
             Real* const target = update + tile(nb, ib, jb) + c * cell;
             Register acc[group][planes] = {};
             subtract_products(acc, below + ib * stride, below + jb * stride + c, columns);
