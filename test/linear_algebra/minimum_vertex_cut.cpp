@@ -97,6 +97,18 @@ TEST(Minimum_vertex_cut, holds_what_is_source_and_sink)
   EXPECT_EQ(CGP::minimum_vertex_cut(graph)[1], Side::separator);
 }
 
+// The shortest path 0 1 2 3 4 must give up 2: the others are 0 1 8 9 10 11 and 5 6 7 12 3 4.
+TEST(Minimum_vertex_cut, finds_paths_that_lead_back_along_others)
+{
+  Terminal_graph graph{path_edges(5), std::vector<char>(13, 0), std::vector<char>(13, 0)};
+  for (const auto& e : Edges{{5, 6}, {6, 7}, {7, 12}, {12, 3}, {1, 8}, {8, 9}, {9, 10}, {10, 11}})
+    graph.edges.push_back(e);
+  graph.is_source[0] = graph.is_source[5] = graph.is_sink[4] = graph.is_sink[11] = 1;
+  const std::vector<Side> sides = CGP::minimum_vertex_cut(graph);
+  expect_separated(graph, sides);
+  EXPECT_EQ(size_of_separator(sides), 2);
+}
+
 TEST(Minimum_vertex_cut, is_empty_where_nothing_is_to_be_separated)
 {
   EXPECT_TRUE(CGP::minimum_vertex_cut({}).empty());

@@ -51,6 +51,20 @@ TEST(Sweep_cut, finds_the_neck_away_from_the_middle)
   }
 }
 
+// All cuts across a strip are equal but for the sizes of the parts.
+TEST(Sweep_cut, of_a_strip_is_in_the_middle)
+{
+  Eigen::Matrix3Xd p(3, 800);
+  Edges edges;
+  for (int k = 0; k < 800; ++k) {
+    p.col(k) << k / 4, k % 4, 0;
+    if (k % 4 < 3) edges.push_back({k, k + 1});
+    if (k < 796) edges.push_back({k, k + 4});
+  }
+  const auto sides = sides_of(800, edges, p);
+  EXPECT_NEAR(size_of(sides, Side::left), size_of(sides, Side::right), 16);
+}
+
 TEST(Sweep_cut, halves_vertices_that_coincide)
 {
   const int n = 101;

@@ -77,7 +77,7 @@ class Sweep_cut {
   // The share of the vertices that a thick separator takes from either side: three rows of them,
   // for the least cut is rarely straight, and some more, for the best neck may be elsewhere. Twice
   // as much makes the fill of scans 5 % less, but takes twice the time.
-  static float band_share(int size) { return 0.05f + 2.5f / std::sqrt(static_cast<float>(size)); }
+  static float band_share(int size) { return 0.03f + 2.5f / std::sqrt(static_cast<float>(size)); }
 
   // In the frame of the axes of inertia. A long thin region is cut across its length; two
   // oblique planes each way find the necks of the others.
