@@ -97,16 +97,25 @@ TEST(Minimum_vertex_cut, holds_what_is_source_and_sink)
   EXPECT_EQ(CGP::minimum_vertex_cut(graph)[1], Side::separator);
 }
 
-// The shortest path 0 1 2 3 4 must give up 2: the others are 0 1 8 9 10 11 and 5 6 7 12 3 4.
+// The shortest path 0 ... 8 must give up 2 and 6, for three paths 0 1 27 ... 34, 21 ... 26 3 4 5
+// 17 ... 20 and 9 ... 16 7 8.
 TEST(Minimum_vertex_cut, finds_paths_that_lead_back_along_others)
 {
-  Terminal_graph graph{path_edges(5), std::vector<char>(13, 0), std::vector<char>(13, 0)};
-  for (const auto& e : Edges{{5, 6}, {6, 7}, {7, 12}, {12, 3}, {1, 8}, {8, 9}, {9, 10}, {10, 11}})
-    graph.edges.push_back(e);
-  graph.is_source[0] = graph.is_source[5] = graph.is_sink[4] = graph.is_sink[11] = 1;
+  const int n = 35;
+  Terminal_graph graph{path_edges(9), std::vector<char>(n, 0), std::vector<char>(n, 0)};
+  const auto add_chain = [&](int first, int last) {
+    for (int v = first; v < last; ++v) graph.edges.push_back({v, v + 1});
+  };
+  add_chain(9, 16);
+  add_chain(17, 20);
+  add_chain(21, 26);
+  add_chain(27, 34);
+  for (const auto& e : Edges{{16, 7}, {5, 17}, {26, 3}, {1, 27}}) graph.edges.push_back(e);
+  graph.is_source[0] = graph.is_source[9] = graph.is_source[21] = 1;
+  graph.is_sink[8] = graph.is_sink[20] = graph.is_sink[34] = 1;
   const std::vector<Side> sides = CGP::minimum_vertex_cut(graph);
   expect_separated(graph, sides);
-  EXPECT_EQ(size_of_separator(sides), 2);
+  EXPECT_EQ(size_of_separator(sides), 3);
 }
 
 TEST(Minimum_vertex_cut, is_empty_where_nothing_is_to_be_separated)
