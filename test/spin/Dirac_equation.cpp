@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Dirac_equation.h
-//       include/Conformal_geometry_processing/spin/Dirac_solution.h
+// Tests include/Conformal_geometry_processing/spin/Dirac_solution.h
 #include <Conformal_geometry_processing/operators/averaging.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/spin/Dirac_equation.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
-//       include/Conformal_geometry_processing/spin/Spin_report.h
+// Tests include/Conformal_geometry_processing/spin/Spin_report.h
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>
@@ -122,6 +122,17 @@ TEST(Spin_transformation, returns_spins_that_turn_and_scale_the_edges_into_the_n
   }
   EXPECT_LT(std::sqrt(difference / total), 0.01);
   EXPECT_LT(r.report.closure_residual, 0.005);
+}
+
+TEST(Spin_transformation, sees_no_flip_where_the_surface_turns_by_more_than_a_right_angle)
+{
+  const Mesh_view mesh = icosphere(3);
+  const CGP::Spin_result r = CGP::Spin_transformation<>(mesh).transform(smooth(mesh, 3));
+  int turned = 0;
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    turned += mesh.double_area_vector(f).dot(mesh.double_area_vector(f, r.positions)) < 0;
+  EXPECT_GT(turned, 20);
+  EXPECT_EQ(r.report.conformality.flipped_faces, 0);
 }
 
 TEST(Spin_transformation, report_measures_the_result)
