@@ -124,6 +124,17 @@ TEST(Spin_transformation, returns_spins_that_turn_and_scale_the_edges_into_the_n
   EXPECT_LT(r.report.closure_residual, 0.005);
 }
 
+TEST(Spin_transformation, returns_spins_whose_scale_is_that_of_the_new_area)
+{
+  const Mesh_view mesh = icosphere(3);
+  const CGP::Spin_result r = CGP::Spin_transformation<>(mesh).transform(smooth(mesh));
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  double new_area = 0;  // lengths grow by |lambda|^2
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    new_area += areas[v] * std::pow(squared_norm(r.lambda[v]), 2);
+  EXPECT_NEAR(new_area / area({r.positions, mesh.corners()}), 1, 0.008);
+}
+
 TEST(Spin_transformation, sees_no_flip_where_the_surface_turns_by_more_than_a_right_angle)
 {
   const Mesh_view mesh = icosphere(3);
