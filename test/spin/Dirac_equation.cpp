@@ -160,6 +160,21 @@ TEST(Dirac_equation, does_not_tell_apart_large_means_of_rho)
   EXPECT_LT(greatest_difference(s1.lambda, s3.lambda), 1e-7);
 }
 
+// The normal has the eigenvalue -2 on the sphere: with these means X cannot tell it from the branch
+// of the identity, whose eigenvalue is nearly the opposite.
+TEST(Dirac_equation, is_not_confused_by_an_eigenvalue_of_opposite_sign)
+{
+  const Mesh_view mesh = icosphere(2);
+  CGP::Dirac_equation<> equation(mesh);
+  const CGP::Dirac_solution s0 = equation.solve(shifted(mesh, 0));
+  for (const double c : {-0.98, -1., -1.02}) {
+    const CGP::Dirac_solution s = equation.solve(shifted(mesh, c));
+    EXPECT_TRUE(s.converged);
+    EXPECT_NEAR(s.eigenvalue, s0.eigenvalue - c, 0.02);
+    EXPECT_LT(greatest_difference(s.lambda, s0.lambda), 0.1);
+  }
+}
+
 TEST(Dirac_equation, is_solved_twice_to_the_same_bits)
 {
   const Mesh_view mesh = icosphere(2);
