@@ -111,7 +111,7 @@ TEST(Spin_transform, refuses_surfaces_it_cannot_transform)
 TEST(Spin_transform, refuses_values_of_rho_that_are_not_finite)
 {
   EXPECT_EQ(refusal(icosahedron(), [](Vertex v) { return v == Vertex(7) ? not_a_number : 0.; }),
-            "1 values of rho that are not finite, the first is vertex 7; finite values are needed");
+            "1 value of rho not finite, the first is vertex 7; finite values are needed");
 }
 
 TEST_F(Spin_transform_that_fails, because_of_rho_leaves_the_mesh_as_it_was)

@@ -203,14 +203,12 @@ TEST(Spin_transformation, refuses_values_of_rho_that_do_not_fit)
   Curvature_potential rho = smooth(mesh);
   rho.values[7] = std::numeric_limits<double>::quiet_NaN();
   rho.values[9] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(
-      refusal(mesh, rho),
-      "f: 2 values of rho that are not finite, the first is vertex 7; finite values are needed");
+  EXPECT_EQ(refusal(mesh, rho),
+            "f: 2 values of rho not finite, the first is vertex 7; finite values are needed");
   rho = constant(mesh, 0);
   rho.values[3] = -std::numeric_limits<double>::infinity();
-  EXPECT_EQ(
-      refusal(mesh, rho),
-      "f: 1 values of rho that are not finite, the first is face 3; finite values are needed");
+  EXPECT_EQ(refusal(mesh, rho),
+            "f: 1 value of rho not finite, the first is face 3; finite values are needed");
 }
 
 TEST(Spin_transformation, refuses_surfaces_that_are_not_closed)
