@@ -1,6 +1,7 @@
 // Tests examples/conformal/rho.cpp examples/conformal/rho_from_values.cpp
-// examples/conformal/rho_from_image.cpp examples/conformal/Expression.cpp
-// examples/conformal/Gray_image.cpp Copyright (c) 2026 The Conformal Geometry Processing authors
+// Tests examples/conformal/rho_from_image.cpp examples/conformal/Expression.cpp
+// Tests examples/conformal/Gray_image.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/rho.h"
 

@@ -1,6 +1,7 @@
 // Tests examples/conformal/spin.cpp examples/conformal/write_result.cpp
-// examples/conformal/verification.cpp examples/conformal/solve_spin.cpp Copyright (c) 2026 The
-// Conformal Geometry Processing authors SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests examples/conformal/verification.cpp examples/conformal/solve_spin.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/spheres.h"
 

@@ -1,5 +1,6 @@
 // Tests examples/conformal/Surface_input.cpp examples/conformal/orientation.cpp
-// examples/conformal/triangulation.cpp Copyright (c) 2026 The Conformal Geometry Processing authors
+// Tests examples/conformal/triangulation.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/Surface_input.h"
 
