@@ -6,6 +6,8 @@
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/spin/Dirac_equation.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <gtest/gtest.h>
 
 #include <stdexcept>
