@@ -101,7 +101,7 @@ TEST(Spin_transform, refuses_surfaces_it_cannot_transform)
             "the mesh has 2 components, the second begins at vertex 12; one component is needed, "
             "transform each alone");
   EXPECT_EQ(refusal(with_point(icosahedron(), 4, {0, not_a_number, 0})),
-            "1 vertices with a coordinate that is not finite, the first is vertex 4; finite "
+            "1 vertex with a coordinate that is not finite, the first is vertex 4; finite "
             "coordinates are needed");
   EXPECT_NE(refusal(with_point(icosahedron(), 4, icosahedron().position(5)))
                 .find("2 faces of area zero, the first is face"),
