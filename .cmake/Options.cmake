@@ -26,7 +26,7 @@ if(PROJECT_IS_TOP_LEVEL)
       add_compile_options(-Werror)
       if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         # A guess of the optimizer that is often wrong, and blames us for OpenMesh and Eigen.
-        add_compile_options(-Wno-error=maybe-uninitialized)
+        add_compile_options(-Wno-error=maybe-uninitialized -Wno-error=array-bounds)
       endif()
     endif()
   endif()

@@ -54,9 +54,9 @@ TEST(Signed_volume, of_polyhedra_is_positive_with_outward_normals)
 
 TEST(Signed_volume, keeps_its_digits_far_from_the_origin)
 {
-  const Eigen::Vector3d far(1e6, -2e6, 3e6);
-  const Mesh_view away(cube().positions().colwise() + far, cube().corners());
-  EXPECT_NEAR(CGP::signed_volume(away), 1, 1e-15);
+  const Eigen::Vector3d far(1e15, -3e15, 2e15);
+  const Mesh_view away(tetrahedron().positions().colwise() + far, tetrahedron().corners());
+  EXPECT_NEAR(CGP::signed_volume(away), 8. / 3, 1e-14);
 }
 
 TEST(Bending_angles, of_a_cube_are_right_angles_at_its_edges_and_zero_at_diagonals)

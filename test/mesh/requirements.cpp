@@ -88,7 +88,7 @@ TEST(Require_finite_positions, refuses_what_is_not_a_number)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   expect_refused(CGP::require_finite_positions, with_coordinate(icosphere(1), 17, 2, nan),
-                 "1 vertices with a coordinate that is not finite, the first is vertex 17; "
+                 "1 vertex with a coordinate that is not finite, the first is vertex 17; "
                  "finite coordinates are needed");
 }
 
@@ -116,7 +116,7 @@ TEST(Require_distinct_corners, refuses_a_repeated_vertex_in_any_two_places)
                              std::to_string(corners[1]) + ", " + std::to_string(corners[2]) + ")";
     expect_refused(
         CGP::require_distinct_corners, with_faces(tetrahedron(), {corners}),
-        "1 faces with a repeated vertex, the first is face 4 " + name + "; remove them first");
+        "1 face with a repeated vertex, the first is face 4 " + name + "; remove them first");
   }
 }
 
@@ -125,7 +125,7 @@ TEST(Require_manifold_edges, refuses_three_faces_on_one_edge)
   const Mesh_view book(points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}}),
                        {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   expect_refused(CGP::require_manifold_edges, book,
-                 "1 non-manifold edges (more than two faces), the first is edge 0-1; "
+                 "1 non-manifold edge (more than two faces), the first is edge 0-1; "
                  "a manifold is needed");
 }
 
@@ -147,7 +147,7 @@ TEST(Require_manifold_edges, refuses_a_moebius_strip)
   for (int i = 0; i < 5; ++i) p.col(i) << i * i, i, i * i * i;
   const Mesh_view strip(p, {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 0}, {4, 0, 1}});
   expect_refused(CGP::require_manifold_edges, strip,
-                 "1 edges whose two faces are oriented against each other, the first is edge 0-1; "
+                 "1 edge whose two faces are oriented against each other, the first is edge 0-1; "
                  "a consistent orientation is needed");
 }
 
@@ -156,7 +156,7 @@ TEST(Require_manifold_vertices, refuses_two_disks_that_touch_in_a_vertex)
   const Mesh_view bow_tie(points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}),
                           {{0, 1, 2}, {0, 3, 4}});
   expect_refused(CGP::require_manifold_vertices, bow_tie,
-                 "1 non-manifold vertices (several fans of faces), the first is vertex 0; "
+                 "1 non-manifold vertex (several fans of faces), the first is vertex 0; "
                  "a manifold is needed");
 }
 
@@ -168,7 +168,7 @@ TEST(Require_manifold_vertices, refuses_an_hourglass_of_closed_surfaces)
     for (int& v : face) v = v == 7 ? 3 : v;
   const Mesh_view hourglass(pair.positions().leftCols(7), corners);
   expect_refused(CGP::require_manifold_vertices, hourglass,
-                 "1 non-manifold vertices (several fans of faces), the first is vertex 3; "
+                 "1 non-manifold vertex (several fans of faces), the first is vertex 3; "
                  "a manifold is needed");
 }
 
@@ -179,7 +179,7 @@ TEST(Require_manifold_vertices, refuses_an_open_fan_that_touches_a_closed_one)
   p << tetrahedron().positions(), Points::Random(3, 2);
   expect_refused(CGP::require_manifold_vertices,
                  with_faces({p, tetrahedron().corners()}, {{2, 4, 5}}),
-                 "1 non-manifold vertices (several fans of faces), the first is vertex 2; "
+                 "1 non-manifold vertex (several fans of faces), the first is vertex 2; "
                  "a manifold is needed");
 }
 
@@ -203,16 +203,16 @@ TEST(Require_positive_areas, refuses_faces_whose_corners_coincide_or_are_in_line
   const auto& corners = icosphere(1).corners(30);
   p.col(corners[0]) = (p.col(corners[1]) + p.col(corners[2])) / 2;
   const std::string message = complaint(CGP::require_surface, {p, icosphere(1).corners()});
-  EXPECT_EQ(message.substr(0, 43), "1 faces of area zero, the first is face 30 ") << message;
+  EXPECT_EQ(message.substr(0, 42), "1 face of area zero, the first is face 30 ") << message;
   expect_refused(CGP::require_positive_areas, Mesh_view(Points::Ones(3, 3), {{0, 1, 2}}),
-                 "1 faces of area zero, the first is face 0 (vertices 0, 1, 2); "
+                 "1 face of area zero, the first is face 0 (vertices 0, 1, 2); "
                  "remove or repair them first");
 }
 
 TEST(Require_positive_areas, refuses_slivers_that_are_rounding_errors)
 {
   expect_refused(CGP::require_positive_areas, flat_triangle(1e-14),
-                 "1 faces of area zero, the first is face 0 (vertices 0, 1, 2); "
+                 "1 face of area zero, the first is face 0 (vertices 0, 1, 2); "
                  "remove or repair them first");
 }
 

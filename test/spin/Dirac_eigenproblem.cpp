@@ -3,6 +3,8 @@
 // Tests include/Conformal_geometry_processing/spin/Dirac_eigenproblem.h
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <gtest/gtest.h>
 
 #include <limits>

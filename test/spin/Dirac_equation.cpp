@@ -1,10 +1,12 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Dirac_equation.h
-//       include/Conformal_geometry_processing/spin/Dirac_solution.h
+// Tests include/Conformal_geometry_processing/spin/Dirac_solution.h
 #include <Conformal_geometry_processing/operators/averaging.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/spin/Dirac_equation.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <gtest/gtest.h>
 
@@ -158,6 +160,21 @@ TEST(Dirac_equation, does_not_tell_apart_large_means_of_rho)
   EXPECT_NEAR(s3.spectral_shift, s1.spectral_shift - 2, 1e-9);
   EXPECT_NEAR(s3.eigenvalue, s1.eigenvalue - 2, 1e-9);
   EXPECT_LT(greatest_difference(s1.lambda, s3.lambda), 1e-7);
+}
+
+// The normal has the eigenvalue -2 on the sphere: with these means X cannot tell it from the branch
+// of the identity, whose eigenvalue is nearly the opposite.
+TEST(Dirac_equation, is_not_confused_by_an_eigenvalue_of_opposite_sign)
+{
+  const Mesh_view mesh = icosphere(2);
+  CGP::Dirac_equation<> equation(mesh);
+  const CGP::Dirac_solution s0 = equation.solve(shifted(mesh, 0));
+  for (const double c : {-0.98, -1., -1.02}) {
+    const CGP::Dirac_solution s = equation.solve(shifted(mesh, c));
+    EXPECT_TRUE(s.converged);
+    EXPECT_NEAR(s.eigenvalue, s0.eigenvalue - c, 0.02);
+    EXPECT_LT(greatest_difference(s.lambda, s0.lambda), 0.1);
+  }
 }
 
 TEST(Dirac_equation, is_solved_twice_to_the_same_bits)

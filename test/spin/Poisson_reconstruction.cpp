@@ -4,12 +4,14 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <vector>
 
+#include "support/dense.h"
 #include "support/meshes.h"
 
 namespace {
@@ -55,6 +57,17 @@ TEST(Poisson_reconstruction, finds_positions_from_their_edge_vectors_up_to_a_tra
     EXPECT_LT(f.rowwise().sum().norm(), 1e-11);
     EXPECT_LT(reconstruction.residual(f, differences(mesh, wanted)), 1e-12);
   }
+}
+
+TEST(Poisson_reconstruction, of_edges_spun_by_one_quaternion_is_the_spun_surface)
+{
+  const Mesh_view mesh = radially_perturbed(icosphere(2), 0.1);
+  const Quaternion<double> q{0.5, -1, 2, 0.25};
+  const auto lambda = Quaternion_vector<double>::Constant(mesh.size_of_vertices(), q);
+  const Points f = reconstruction_of(mesh).positions(CGP::transformed_edges(mesh, lambda));
+  const Mesh_view expected =
+      mapped(mesh, [&](const Eigen::Vector3d& p) { return CGP::spin(q, p); });
+  EXPECT_LT((f - centred(expected.positions())).norm(), 1e-12 * f.norm());
 }
 
 TEST(Poisson_reconstruction, is_translation_free_and_linear_in_the_edges)

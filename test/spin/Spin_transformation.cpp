@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
-//       include/Conformal_geometry_processing/spin/Spin_report.h
+// Tests include/Conformal_geometry_processing/spin/Spin_report.h
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>
@@ -124,6 +124,28 @@ TEST(Spin_transformation, returns_spins_that_turn_and_scale_the_edges_into_the_n
   EXPECT_LT(r.report.closure_residual, 0.005);
 }
 
+TEST(Spin_transformation, returns_spins_whose_scale_is_that_of_the_new_area)
+{
+  const Mesh_view mesh = icosphere(3);
+  const CGP::Spin_result r = CGP::Spin_transformation<>(mesh).transform(smooth(mesh));
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  double new_area = 0;  // lengths grow by |lambda|^2
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    new_area += areas[v] * std::pow(squared_norm(r.lambda[v]), 2);
+  EXPECT_NEAR(new_area / area({r.positions, mesh.corners()}), 1, 0.008);
+}
+
+TEST(Spin_transformation, sees_no_flip_where_the_surface_turns_by_more_than_a_right_angle)
+{
+  const Mesh_view mesh = icosphere(3);
+  const CGP::Spin_result r = CGP::Spin_transformation<>(mesh).transform(smooth(mesh, 3));
+  int turned = 0;
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    turned += mesh.double_area_vector(f).dot(mesh.double_area_vector(f, r.positions)) < 0;
+  EXPECT_GT(turned, 20);
+  EXPECT_EQ(r.report.conformality.flipped_faces, 0);
+}
+
 TEST(Spin_transformation, report_measures_the_result)
 {
   const Mesh_view mesh = icosphere(2);
@@ -181,14 +203,12 @@ TEST(Spin_transformation, refuses_values_of_rho_that_do_not_fit)
   Curvature_potential rho = smooth(mesh);
   rho.values[7] = std::numeric_limits<double>::quiet_NaN();
   rho.values[9] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(
-      refusal(mesh, rho),
-      "f: 2 values of rho that are not finite, the first is vertex 7; finite values are needed");
+  EXPECT_EQ(refusal(mesh, rho),
+            "f: 2 values of rho not finite, the first is vertex 7; finite values are needed");
   rho = constant(mesh, 0);
   rho.values[3] = -std::numeric_limits<double>::infinity();
-  EXPECT_EQ(
-      refusal(mesh, rho),
-      "f: 1 values of rho that are not finite, the first is face 3; finite values are needed");
+  EXPECT_EQ(refusal(mesh, rho),
+            "f: 1 value of rho not finite, the first is face 3; finite values are needed");
 }
 
 TEST(Spin_transformation, refuses_surfaces_that_are_not_closed)

@@ -41,7 +41,8 @@ double residual(const Mesh_view& mesh, const Curvature_potential& rho, const CGP
 // The eigenvalues come from an implementation that shares no code with this one.
 TEST(Generalized_dirac, has_the_tabled_eigenvalues)
 {
-  for (const auto& [level, expected] : {std::pair(2, -0.1732272145), std::pair(3, -0.0680672257)}) {
+  for (const auto& [level, expected] :
+       {std::pair(2, -0.1732272145), std::pair(3, -0.0680672257), std::pair(4, -0.0418786038)}) {
     const Mesh_view sphere = icosphere(level);
     const CGP::Dirac_solution s =
         CGP::Dirac_equation<>(sphere).solve(potential(sphere, 1), generalized());

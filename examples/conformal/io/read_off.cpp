@@ -53,14 +53,21 @@ class Off_reader {
     read_vertices();
     read_faces();
     keep_comments(bytes);
-    if (!m_scanner.at_end())
-      m_scanner.fail(in_quotes(m_scanner.word("")) +
-                     " after the last face, wanted the end of the file");
+    note_what_follows();
   }
 
   Surface_file take() { return std::move(m_file); }
 
  private:
+  // The header decides, as for other readers: real files have fewer faces announced than listed.
+  void note_what_follows()
+  {
+    if (!m_scanner.at_end())
+      m_file.notes.push_back("the header announces " + std::to_string(m_file.faces.size) +
+                             " faces; what follows them, from line " +
+                             std::to_string(m_scanner.line()) + " on, was left out");
+  }
+
   // In an OFF file, every `#` begins a comment.
   void keep_comments(std::string_view bytes)
   {

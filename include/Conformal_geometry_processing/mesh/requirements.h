@@ -38,7 +38,19 @@ inline std::string name_of_edge(const Mesh_view& mesh, int k)
   return "edge " + std::to_string(mesh.ends(k)[0]) + "-" + std::to_string(mesh.ends(k)[1]);
 }
 
+/// "1 face of area zero", "3 faces of area zero" for what = "#face of area zero"
+inline std::string counted(int count, std::string what)
+{
+  const std::size_t mark = what.find('#'), end = std::min(what.find(' ', mark), what.size());
+  if (count != 1) {
+    const bool ends_in_x = what[end - 1] == 'x';
+    what.replace(ends_in_x ? end - 2 : end, ends_in_x ? 2 : 0, ends_in_x ? "ices" : "s");
+  }
+  return std::to_string(count) + " " + what.erase(mark, 1);
+}
+
 /// throws if `is_bad(i)` for an i in [0, n): "3 faces of area zero, the first is face 7 (...)"
+/// \param what has a # before the noun that is counted
 template <class Is_bad, class Name_of>
 void refuse_if_any(int n, Is_bad is_bad, Name_of name_of, const std::string& function,
                    const std::string& what, const std::string& advice)
@@ -47,8 +59,8 @@ void refuse_if_any(int n, Is_bad is_bad, Name_of name_of, const std::string& fun
   for (int i = 0; i < n; ++i)
     if (is_bad(i) && count++ == 0) first = i;
   if (count > 0)
-    throw Precondition_error(function, std::to_string(count) + " " + what + ", the first is " +
-                                           name_of(first) + "; " + advice);
+    throw Precondition_error(
+        function, counted(count, what) + ", the first is " + name_of(first) + "; " + advice);
 }
 
 inline std::string name_of_vertex(int v)
@@ -69,7 +81,7 @@ inline void require_finite_positions(const Mesh_view& mesh, const std::string& f
 {
   internal::refuse_if_any(
       mesh.size_of_vertices(), [&](int v) { return !mesh.position(v).allFinite(); },
-      internal::name_of_vertex, function, "vertices with a coordinate that is not finite",
+      internal::name_of_vertex, function, "#vertex with a coordinate that is not finite",
       "finite coordinates are needed");
 }
 
@@ -81,7 +93,7 @@ inline void require_no_isolated_vertices(const Mesh_view& mesh, const std::strin
     for (int v : face) is_used[static_cast<std::size_t>(v)] = 1;
   internal::refuse_if_any(
       mesh.size_of_vertices(), [&](int v) { return !is_used[static_cast<std::size_t>(v)]; },
-      internal::name_of_vertex, function, "vertices without a face", "remove them first");
+      internal::name_of_vertex, function, "#vertex without a face", "remove them first");
 }
 
 /// the three corners of every face are different vertices
@@ -94,7 +106,7 @@ inline void require_distinct_corners(const Mesh_view& mesh, const std::string& f
         return v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
       },
       [&](int f) { return internal::name_of_face(mesh, f); }, function,
-      "faces with a repeated vertex", "remove them first");
+      "#face with a repeated vertex", "remove them first");
 }
 
 /// at most two faces meet along an edge, in opposite directions
@@ -104,14 +116,14 @@ inline void require_manifold_edges(const Mesh_view& mesh, const std::string& fun
   internal::refuse_if_any(
       mesh.size_of_edges(),
       [&](int k) { return mesh.halfedges_end(k) - mesh.halfedges_begin(k) > 2; }, name, function,
-      "non-manifold edges (more than two faces)", "a manifold is needed");
+      "non-manifold #edge (more than two faces)", "a manifold is needed");
   internal::refuse_if_any(
       mesh.size_of_edges(),
       [&](int k) {
         const int* h = mesh.halfedges_begin(k);
         return mesh.halfedges_end(k) - h == 2 && mesh.from(h[0]) == mesh.from(h[1]);
       },
-      name, function, "edges whose two faces are oriented against each other",
+      name, function, "#edge whose two faces are oriented against each other",
       "a consistent orientation is needed");
 }
 
@@ -138,7 +150,7 @@ inline void require_manifold_vertices(const Mesh_view& mesh, const std::string& 
         }
         return met != corners[at(v)];
       },
-      internal::name_of_vertex, function, "non-manifold vertices (several fans of faces)",
+      internal::name_of_vertex, function, "non-manifold #vertex (several fans of faces)",
       "a manifold is needed");
 }
 
@@ -157,7 +169,7 @@ inline void require_positive_areas(const Mesh_view& mesh, const std::string& fun
         const double longest_squared = e.colwise().squaredNorm().maxCoeff();
         return !(e.col(0).cross(e.col(1)).norm() > 2 * relative_area_tolerance * longest_squared);
       },
-      [&](int f) { return internal::name_of_face(mesh, f); }, function, "faces of area zero",
+      [&](int f) { return internal::name_of_face(mesh, f); }, function, "#face of area zero",
       "remove or repair them first");
 }
 
@@ -184,7 +196,7 @@ inline void require_closed(const Mesh_view& mesh, const std::string& function)
   internal::refuse_if_any(
       mesh.size_of_edges(),
       [&](int k) { return mesh.halfedges_end(k) - mesh.halfedges_begin(k) == 1; },
-      [&](int k) { return internal::name_of_edge(mesh, k); }, function, "boundary edges",
+      [&](int k) { return internal::name_of_edge(mesh, k); }, function, "boundary #edge",
       "a closed surface is needed");
 }
 

@@ -73,8 +73,9 @@ class Dirac_equation {
   struct Step {
     Curvature_potential rho;
     double sigma, tolerance;
-    bool is_separating = false;
+    int separations = 0;
   };
+  static constexpr int max_separations = 4;
 
   static Curvature_potential scaled(const Curvature_potential& rho, double t, double sigma)
   {
@@ -96,20 +97,21 @@ class Dirac_equation {
       r = smallest(r.vectors, 2, step, options, s, go_further);
     s.seconds.eigenvectors += watch.lap();
     const Dirac_forms forms = dirac_forms(m_problem.mesh(), rho, r.vectors);
-    if (has_mixed_signs(forms) && !r.cancelled && !step.is_separating)
+    if (has_mixed_signs(forms) && !r.cancelled && step.separations < max_separations)
       return separate(step, separate_signs(r.vectors, forms), options, s, go_further);
     return accept(r, step, s);
   }
 
   /// Where X has mixed lambda with a vector of opposite sign: a shift by the signed eigenvalue of
-  /// lambda moves the other one away.
+  /// lambda moves the other one away. It may bring a third vector in, so this is repeated; what
+  /// remains then is the error of a coarse mesh.
   template <class GoFurther>
   bool separate(Step step, const Block<Quaternion<double>>& vectors, const Dirac_options& options,
                 Dirac_solution& s, GoFurther go_further)
   {
     const Quaternion_vector<double> lambda = vectors.col(nearest_column(vectors, s.lambda));
     step.sigma = dirac_quotient(m_problem.mesh(), step.rho, lambda);
-    step.is_separating = true;
+    ++step.separations;
     return follow(step, options, s, go_further);
   }
 

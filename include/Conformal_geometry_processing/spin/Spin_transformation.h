@@ -109,7 +109,7 @@ class Spin_transformation {
     internal::refuse_if_any(
         size, [&](int i) { return !std::isfinite(rho.values[i] * m_frame.unit()); },
         [&](int i) { return element + " " + std::to_string(i); }, m_function,
-        "values of rho that are not finite", "finite values are needed");
+        "#value of rho not finite", "finite values are needed");
   }
 
   Spin_report report_of(const Dirac_solution& s) const

@@ -23,7 +23,7 @@ namespace Conformal_geometry_processing {
 /// \param forms those of two vectors
 inline bool has_mixed_signs(const Dirac_forms& forms)
 {
-  const double visible = 0.2;  // tan of twice the angle: six degrees
+  const double visible = 0.06;  // tan of twice the angle: two degrees
   const auto& S = forms.dirac;
   const double a = S(0, 0).w / forms.mass(0, 0).w, b = S(1, 1).w / forms.mass(1, 1).w;
   const double s = norm(S(0, 1)) / std::sqrt(forms.mass(0, 0).w * forms.mass(1, 1).w);

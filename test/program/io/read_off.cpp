@@ -133,10 +133,17 @@ TEST(Read_off, refuses_bad_faces_with_their_line)
             "a.off:6: a face has the vertex 1 twice, wanted different corners");
   EXPECT_EQ(refusal(with("3 0 1 2.0")), "a.off:6: '2.0' is not an integer, wanted a vertex index");
   EXPECT_EQ(refusal(with("3 0 1 2 red")), "a.off:6: 'red' is not a number, wanted a colour");
-  EXPECT_EQ(refusal(with("3 0 1 2\n3 2 1 0")),
-            "a.off:7: '3' after the last face, wanted the end of the file");
   EXPECT_EQ(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1  \n"),
             "a.off:7: the file ends, wanted a vertex index");
+}
+
+TEST(Read_off, leaves_out_what_the_header_does_not_announce_with_a_note)
+{
+  const Surface_file file =
+      parse_off("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n", "a.off");
+  EXPECT_EQ(file.polygons.size(), 1u);
+  EXPECT_EQ(file.notes, std::vector<std::string>{"the header announces 1 faces; what follows them, "
+                                                 "from line 7 on, was left out"});
 }
 
 TEST(Read_off, refuses_a_large_face_with_a_repeated_corner)

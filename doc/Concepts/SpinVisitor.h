@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/// \ingroup PkgConcepts
+/// \cgalConcept
+///
+/// \brief watches a spin transformation while it runs, and may cancel it.
+///
+/// Both functions are called in the thread of the caller. What they throw passes through
+/// `spin_transform()`, which has written nothing by then. A model need be neither copied nor moved:
+/// it is passed as `parameters::visitor(std::ref(v))`.
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{`Conformal_geometry_processing::Spin_visitor`}
+/// \cgalHasModelsEnd
+class SpinVisitor {
+ public:
+  /// called before every iteration of the eigenvalue solver, with the number of iterations done in
+  /// this solve (it starts at zero again in every substep), the smallest eigenvalue so far, and the
+  /// error estimate, which falls to the tolerance
+  void on_iteration(const Conformal_geometry_processing::Eigen_progress& progress);
+
+  /// asked after each call of `on_iteration()`: `false` cancels the work
+  bool go_further();
+};

@@ -1,0 +1,106 @@
+// Tests examples/conformal/Command_line.cpp examples/conformal/run.cpp
+// Tests examples/conformal/versions.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "program/support.h"
+#include "support/spheres.h"
+
+namespace {
+
+using namespace program_test;
+
+using Command_line = Program;
+
+TEST_F(Command_line, help_of_every_command_has_an_example)
+{
+  for (const std::string command : {"", "info", "spin", "compare"}) {
+    const Program_run r = run(command + " --help");
+    EXPECT_EQ(r.code, 0);
+    EXPECT_NE(r.out.find("Example: conformal " + command), std::string::npos) << r.out;
+    EXPECT_EQ(r.err, "");
+  }
+}
+
+TEST_F(Command_line, version_names_the_libraries)
+{
+  const Program_run r = run("--version");
+  EXPECT_EQ(r.code, 0);
+  for (const char* name : {"conformal ", "CGAL ", "Eigen 3", "CHOLMOD ", "BLAS "})
+    EXPECT_NE(r.out.find(name), std::string::npos) << name;
+}
+
+TEST_F(Command_line, nonsense_is_a_usage_error_of_one_line)
+{
+  EXPECT_TRUE(fails(run(""), 2, "try: conformal --help"));
+  EXPECT_TRUE(fails(run("bend a.off"), 2, "unknown command 'bend'"));
+  EXPECT_TRUE(fails(run("spin"), 2, "input is required"));
+  EXPECT_TRUE(fails(run("spin a.off --rho-expression x"), 2, "--output is required"));
+  EXPECT_TRUE(fails(run("spin a.off -o b.ply"), 2, "--rho-expression"));
+  EXPECT_TRUE(fails(run("spin a.off -o b.ply --rho-expression x --rho-file y"), 2, "2 were given"));
+  EXPECT_TRUE(fails(run("spin --wrong 3 a.off -o b.ply --rho-expression x"), 2, "--wrong"));
+  EXPECT_TRUE(fails(run("spin a.off -o b.ply --rho-expression x --threads 0"), 2, "above 0"));
+  EXPECT_TRUE(fails(run("spin a.off -o b.ply --rho-expression x --amplitude inf"), 2, "finite"));
+  EXPECT_TRUE(
+      fails(run("spin a.off -o b.ply --rho-expression x --projection w"), 2, "{uv,x,y,z,sphere}"));
+}
+
+TEST_F(Command_line, unreadable_files_are_named_with_the_reason)
+{
+  write("empty.off", "");
+  write("page.obj", "<!DOCTYPE html><html></html>");
+  write("points.ply",
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+        "property float z\nend_header\n0 0 0\n");
+  write("claims.off", "OFF\n2000000000 1 0\n0 0 0\n");
+  write("index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
+  write("nan.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n");
+  for (const std::string name : {"absent.off", ".", "empty.off", "page.obj", "points.ply",
+                                 "claims.off", "index.off", "nan.off"})
+    EXPECT_TRUE(fails(run("info " + name), 3, name)) << name;
+}
+
+TEST_F(Command_line, outputs_that_cannot_be_written_are_refused_and_leave_nothing)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  const std::string spin = "spin a.off --rho-expression x -o ";
+  EXPECT_TRUE(fails(run(spin + "b.stl"), 5, "b.stl"));
+  EXPECT_TRUE(fails(run(spin + "b"), 5, "extension"));
+  EXPECT_TRUE(fails(run(spin + "absent/b.ply"), 5, "absent/b.ply"));
+  EXPECT_TRUE(fails(run(spin + "b.ply --json absent/b.json"), 5, "absent/b.json"));
+  EXPECT_FALSE(has("b.ply"));
+  std::filesystem::create_symlink("/dev/full", path("full.ply"));
+  EXPECT_TRUE(fails(run(spin + "full.ply -q"), 5, "full.ply"));
+  EXPECT_EQ(temporary_files(), 0u);
+  EXPECT_EQ(shell(std::string(CGP_CONFORMAL_PROGRAM) + " info a.off >/dev/full").code, 5);
+}
+
+TEST_F(Command_line, standard_input_and_odd_names_are_read)
+{
+  write("a b \xc3\xa9.off", off(cgp_test::icosahedron()));
+  EXPECT_EQ(run("info 'a b \xc3\xa9.off'").code, 0);
+  EXPECT_EQ(run("info - < 'a b \xc3\xa9.off'").code, 0);
+}
+
+TEST_F(Command_line, numbers_do_not_follow_the_locale)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  const std::string c = run("info a.off").out;
+  EXPECT_EQ(shell("LC_ALL=de_DE.UTF-8 " + std::string(CGP_CONFORMAL_PROGRAM) + " info a.off").out,
+            c);
+}
+
+TEST_F(Command_line, signals_end_the_program_without_a_trace)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(6)));
+  for (const auto& [signal, code] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
+    // A fifo holds the program back until the signal has come.
+    const Program_run r = shell("rm -f in b.ply; mkfifo in; exec 3<>in; " CGP_CONFORMAL_PROGRAM
+                                " spin - --rho-expression x -o b.ply <in & sleep 0.3; kill -" +
+                                std::string(signal) + " $!; wait $!");
+    EXPECT_EQ(r.code, code) << signal << r.err;
+    EXPECT_FALSE(has("b.ply"));
+    EXPECT_EQ(temporary_files(), 0u);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,59 @@
+// Tests examples/conformal/compare.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "program/support.h"
+#include "support/spheres.h"
+
+#include "conformal/io/read_surface.h"
+
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using namespace program_test;
+
+using Compare = Program;
+
+TEST_F(Compare, similar_meshes_are_perfect)
+{
+  const auto mesh = cgp_test::bumpy_sphere(2);
+  write("a.off", off(mesh));
+  write("b.off", off(cgp_test::scaled(mesh, 5)));
+  const Program_run r = run("compare a.off b.off --json c.json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const auto result = nlohmann::json::parse(content(path("c.json")))["result"];
+  EXPECT_NEAR(result["quasi_conformal"]["max"], 1, 1e-9);
+  EXPECT_NEAR(result["length_cross_ratio"]["max"], 0, 1e-9);
+  EXPECT_NEAR(result["scale"]["min"], 5, 1e-9);
+  EXPECT_NEAR(result["similarity_distance"]["max"], 0, 1e-9);
+  EXPECT_EQ(result["flipped_faces"], 0);
+  EXPECT_NEAR(result["quasi_conformal"]["histogram"]["share"][0], 1, 1e-12);
+}
+
+TEST_F(Compare, a_stretch_by_two_has_error_two_at_most)
+{
+  const auto mesh = cgp_test::icosphere(2);
+  auto points = mesh.positions();
+  points.row(2) *= 2;
+  write("a.off", off(mesh));
+  write("b.off", off({points, mesh.corners()}));
+  ASSERT_EQ(run("compare a.off b.off --json c.json -o q.ply").code, 0);
+  const auto result = nlohmann::json::parse(content(path("c.json")))["result"];
+  EXPECT_NEAR(result["quasi_conformal"]["max"], 2, 0.05);
+  const auto q = conformal::read_surface(path("q.ply"));
+  EXPECT_NE(find_property(q.vertices, "quality"), nullptr);
+  EXPECT_EQ(q.points[7][2], points(2, 7));
+}
+
+TEST_F(Compare, other_faces_are_refused_with_the_first_difference)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  write("b.off", off(cgp_test::icosphere(2)));
+  EXPECT_TRUE(fails(run("compare a.off b.off"), 4, "162 vertices, wanted 42"));
+  auto corners = cgp_test::icosphere(1).corners();
+  std::swap(corners[3], corners[4]);
+  write("c.off", off({cgp_test::icosphere(1).positions(), corners}));
+  EXPECT_TRUE(fails(run("compare a.off c.off"), 4, "face 3 has the vertices"));
+}
+
+}  // namespace

@@ -1,0 +1,149 @@
+// Tests examples/conformal/rho.cpp examples/conformal/rho_from_values.cpp
+// Tests examples/conformal/rho_from_image.cpp examples/conformal/Expression.cpp
+// Tests examples/conformal/Gray_image.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "conformal/rho.h"
+
+#include "program/support.h"
+#include "support/spheres.h"
+
+#include "conformal/Expression.h"
+#include "conformal/Failure.h"
+#include "conformal/Gray_image.h"
+#include "conformal/io/read_surface.h"
+
+#include <cmath>
+
+namespace {
+
+using namespace program_test;
+using namespace conformal;
+
+using Rho = Program;
+
+double value(const std::string& formula, const Eigen::Vector3d& p = {1, 2, 3})
+{
+  return Expression(formula)(p, {0.25, 0.5, 0.75});
+}
+
+TEST(Expression, knows_points_normals_constants_and_bumps)
+{
+  EXPECT_DOUBLE_EQ(value("x+10*y+100*z"), 321);
+  EXPECT_DOUBLE_EQ(value("nx+ny+nz"), 1.5);
+  EXPECT_NEAR(value("cos(pi)+ln(e)"), 0, 1e-15);
+  EXPECT_DOUBLE_EQ(value("gauss(1,2)"), std::exp(-0.125));
+  EXPECT_DOUBLE_EQ(value("bump(0,3)"), 1);
+  EXPECT_DOUBLE_EQ(value("bump(3,3)"), 0);
+}
+
+TEST(Expression, that_is_no_formula_names_the_place)
+{
+  for (const std::string wrong : {"x+", "sin(x", "x+foo", "", "x,y", "2x)"}) try {
+      value(wrong);
+      FAIL() << wrong;
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.code(), Exit_code::usage);
+    }
+  try {
+    value("x+foo");
+  } catch (const Failure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("\"foo\" found, at place 3"), std::string::npos)
+        << failure.what();
+  }
+}
+
+TEST(Gray_image, is_linear_between_pixels_and_begins_below)
+{
+  const Gray_image image(2, 2, {0, 1, 2, 3});
+  EXPECT_DOUBLE_EQ(image(0.25, 0.75), 0);
+  EXPECT_DOUBLE_EQ(image(0.75, 0.25), 3);
+  EXPECT_DOUBLE_EQ(image(0.5, 0.5), 1.5);
+  EXPECT_DOUBLE_EQ(image(1, 0), 3);
+  EXPECT_DOUBLE_EQ(image(1.75, 0.25), 3);
+}
+
+TEST_F(Rho, of_an_expression_lives_in_the_frame_of_diagonal_2)
+{
+  const auto mesh = cgp_test::scaled(cgp_test::icosahedron(), 40);
+  const Surface_input input = prepare(parse_surface(off(mesh), "a.off"));
+  const User_frame frame(input.mesh);
+  Rho_options options;
+  options.expression = "x";
+  options.amplitude = 3;
+  const auto rho = read_rho(input, options);
+  EXPECT_NEAR(rho.values[8], 3 * mesh.position(8).x() / frame.unit(), 1e-12);
+  options.on_faces = true;
+  EXPECT_EQ(read_rho(input, options).values.size(), 20);
+}
+
+TEST_F(Rho, that_is_not_finite_names_the_vertex)
+{
+  write("a.off", off(cgp_test::icosahedron()));
+  EXPECT_TRUE(fails(run("spin -q a.off -o b.ply --rho-expression '1/(x-x)'"), 4,
+                    "at 12 vertices (first: vertex 0)"));
+}
+
+TEST_F(Rho, of_a_file_has_a_number_per_vertex_or_face)
+{
+  write("a.off", off(cgp_test::icosahedron()));
+  const std::string spin = "spin -q a.off -o b.ply --rho-file ";
+  std::string twelve = "# a comment\n";
+  for (int i = 0; i < 12; ++i) twelve += "0." + std::to_string(i % 10) + "\n";
+  write("rho.txt", twelve);
+  EXPECT_EQ(run(spin + "rho.txt").code, 0);
+  EXPECT_TRUE(fails(run(spin + "rho.txt --on faces"), 4, "wanted one per vertex (12)"));
+  write("rho.txt", twelve + "1\n");
+  EXPECT_TRUE(fails(run(spin + "rho.txt"), 4, "has 13 numbers"));
+  write("rho.txt", twelve + "one\n");
+  EXPECT_TRUE(fails(run(spin + "rho.txt"), 3, "rho.txt:14: 'one' is not a number"));
+  EXPECT_TRUE(fails(run(spin + "absent.txt"), 3, "absent.txt"));
+}
+
+TEST_F(Rho, of_a_property_comes_back_and_others_come_through)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  ASSERT_EQ(run("spin a.off -o b.ply --rho-expression 'x*y' --lambda mine").code, 0);
+  EXPECT_EQ(run("spin b.ply -o c.ply --rho-property rho").code, 0);
+  const auto b = read_surface(path("b.ply")), c = read_surface(path("c.ply"));
+  EXPECT_EQ(find_property(b.vertices, "mine_x")->value(7),
+            find_property(c.vertices, "mine_x")->value(7));
+  EXPECT_EQ(find_property(b.vertices, "rho")->value(7), find_property(c.vertices, "rho")->value(7));
+  EXPECT_TRUE(fails(run("spin -q b.ply -o c.ply --rho-property density"), 4,
+                    "vertices have: quality, rho, mine_w"));
+}
+
+TEST_F(Rho, of_a_picture_by_each_projection)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  write("gray.pgm", std::string("P5 2 2 255\n") + '\0' + '\xff' + '\x80' + '\x40');
+  for (const std::string projection : {"x", "y", "z", "sphere"})
+    EXPECT_EQ(run("spin a.off -o b.ply --rho-image gray.pgm --projection " + projection).code, 0);
+  EXPECT_TRUE(
+      fails(run("spin -q a.off -o c.ply --rho-image gray.pgm"), 4, "no texture coordinates"));
+  EXPECT_TRUE(fails(run("spin -q a.off -o c.ply --rho-image a.off"), 3, "as PNG, JPEG"));
+}
+
+TEST_F(Rho, of_a_picture_takes_the_mean_at_a_seam)
+{
+  write("gray.pgm", std::string("P5 2 1 255\n") + '\0' + '\xff');
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\n"
+      "f 1/1 3/1 2/1\nf 1/1 2/1 4/1\nf 1/2 4/1 3/1\nf 2/1 3/1 4/1\n";
+  const Surface_input input = prepare(parse_surface(text, "a.obj"));
+  Rho_options options;
+  options.image = path("gray.pgm");
+  const auto rho = read_rho(input, options);
+  EXPECT_NEAR(rho.values[0], 1. / 3 - 0.5, 1e-12);
+  EXPECT_NEAR(rho.values[1], -0.5, 1e-12);
+}
+
+TEST_F(Rho, generalized_problem_wants_it_on_faces)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  const std::string spin = "spin -q a.off -o b.ply --rho-expression x --problem generalized";
+  EXPECT_TRUE(fails(run(spin), 2, "--on faces"));
+  EXPECT_EQ(run(spin + " --on faces").code, 0);
+}
+
+}  // namespace

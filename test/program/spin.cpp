@@ -1,0 +1,140 @@
+// Tests examples/conformal/spin.cpp examples/conformal/write_result.cpp
+// Tests examples/conformal/verification.cpp examples/conformal/solve_spin.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "program/support.h"
+#include "support/spheres.h"
+
+#include "conformal/io/read_surface.h"
+
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using namespace program_test;
+using conformal::read_surface;
+
+using Spin = Program;
+
+TEST_F(Spin, report_has_the_agreed_fields)
+{
+  write("a.off", off(cgp_test::icosphere(2)));
+  const Program_run r = run("spin a.off --rho-expression 'x*y' -o b.ply --json b.json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const auto json = nlohmann::json::parse(content(path("b.json")));
+  EXPECT_EQ(json["command"], "spin");
+  EXPECT_EQ(json["input"]["vertices"], 162);
+  EXPECT_EQ(json["input"]["genus"], 0);
+  EXPECT_LE(json["result"]["residual"], 1e-8);
+  for (const char* place :
+       {"eigenvalue", "gap", "iterations", "closure_residual", "quasi_conformal/mean",
+        "quasi_conformal/p99", "quasi_conformal/max", "length_cross_ratio/rms",
+        "length_cross_ratio/max", "scale/min", "scale/max", "flipped_faces"})
+    EXPECT_TRUE(json.at(nlohmann::json::json_pointer(std::string("/result/") + place)).is_number())
+        << place;
+  for (const char* stage :
+       {"read", "assembly", "factorization", "solve", "reconstruction", "write", "total"})
+    EXPECT_TRUE(json["seconds"].at(stage).is_number()) << stage;
+  EXPECT_TRUE(json["steps"].is_array());
+  EXPECT_TRUE(json["verified"]);
+}
+
+TEST_F(Spin, constant_rho_changes_nothing_but_the_numbering_stays)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(2)));
+  ASSERT_EQ(run("spin a.off --rho-expression 0.1 -o b.ply").code, 0);
+  const auto a = read_surface(path("a.off")), b = read_surface(path("b.ply"));
+  EXPECT_EQ(a.polygons.corners, b.polygons.corners);
+  for (std::size_t v = 0; v < a.points.size(); ++v)
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a.points[v][i], b.points[v][i], 2e-2);
+}
+
+TEST_F(Spin, two_runs_write_the_same_bytes)
+{
+  write("a.off", off(cgp_test::icosphere(3)));
+  for (const std::string name : {"b.ply", "c.ply"})
+    ASSERT_EQ(run("spin a.off --rho-expression 'sin(3*x)' -o " + name).code, 0);
+  EXPECT_EQ(content(path("b.ply")), content(path("c.ply")));
+}
+
+TEST_F(Spin, both_solvers_agree)
+{
+  write("a.off", off(cgp_test::icosphere(2)));
+  ASSERT_EQ(run("spin a.off --rho-expression 'x*y' -o b.ply").code, 0);
+  ASSERT_EQ(run("spin a.off --rho-expression 'x*y' -o c.ply --solver eigen").code, 0);
+  const auto b = read_surface(path("b.ply")), c = read_surface(path("c.ply"));
+  for (std::size_t v = 0; v < b.points.size(); ++v)
+    EXPECT_NEAR(b.points[v][0], c.points[v][0], 1e-6);
+}
+
+TEST_F(Spin, input_may_be_the_output)
+{
+  write("a.ply", "");
+  write("a.off", off(cgp_test::icosphere(1)));
+  ASSERT_EQ(run("spin a.off --rho-expression 0 -o a.ply").code, 0);
+  EXPECT_EQ(run("spin a.ply --rho-expression x -o a.ply").code, 0);
+  EXPECT_EQ(read_surface(path("a.ply")).points.size(), 42u);
+}
+
+TEST_F(Spin, output_has_quality_rho_and_lambda)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  ASSERT_EQ(run("spin a.off --rho-expression z --lambda spin -o b.ply").code, 0);
+  const auto b = read_surface(path("b.ply"));
+  for (const char* name : {"quality", "rho", "spin_w", "spin_x", "spin_y", "spin_z"})
+    EXPECT_NE(find_property(b.vertices, name), nullptr) << name;
+  EXPECT_GE(find_property(b.vertices, "quality")->value(0), 1);
+}
+
+TEST_F(Spin, unreferenced_vertices_stay_where_they_are)
+{
+  write("a.off", off(cgp_test::icosphere(1), "7 8 9\n", 1));
+  const Program_run r = run("spin a.off --rho-expression x -o b.ply");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_NE(r.err.find("1 vertex without a face"), std::string::npos) << r.err;
+  const auto b = read_surface(path("b.ply"));
+  EXPECT_EQ(b.points.size(), 43u);
+  EXPECT_EQ(b.points[0], (conformal::Point{7, 8, 9}));
+}
+
+TEST_F(Spin, surface_inside_out_gives_the_same_points_and_keeps_its_faces)
+{
+  const auto mesh = cgp_test::icosphere(2);
+  write("a.off", off(mesh));
+  write("inside.off", off(cgp_test::with_reversed_faces(mesh)));
+  ASSERT_EQ(run("spin a.off --rho-expression x -o b.ply").code, 0);
+  const Program_run r = run("spin inside.off --rho-expression x -o c.ply");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_NE(r.err.find("inside out"), std::string::npos);
+  const auto b = read_surface(path("b.ply")), c = read_surface(path("c.ply"));
+  EXPECT_EQ(read_surface(path("inside.off")).polygons.corners, c.polygons.corners);
+  for (std::size_t v = 0; v < b.points.size(); ++v)
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(b.points[v][i], c.points[v][i], 1e-6);
+}
+
+TEST_F(Spin, result_that_does_not_verify_is_written_only_by_force)
+{
+  write("a.off", off(cgp_test::icosphere(2)));
+  const std::string spin =
+      "spin -q a.off --rho-expression 'x*y' -o b.ply --json b.json --max-quasi-conformal 1.0001";
+  EXPECT_TRUE(fails(run(spin), 1, "mean quasi-conformal error is"));
+  EXPECT_FALSE(has("b.ply"));
+  const auto json = nlohmann::json::parse(content(path("b.json")));
+  EXPECT_FALSE(json["verified"]);
+  EXPECT_TRUE(json["error"].is_string());
+  EXPECT_EQ(run(spin + " --force").code, 0);
+  EXPECT_TRUE(has("b.ply"));
+  EXPECT_TRUE(fails(run("spin -q a.off --rho-expression 'x*y' -o c.ply --max-closure 1e-9"), 1,
+                    "does not close up"));
+  EXPECT_TRUE(fails(run("spin -q a.off --rho-expression 'x*y' -o c.ply --tolerance 1e-30"), 1,
+                    "did not converge"));
+}
+
+TEST_F(Spin, every_format_is_written)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  for (const std::string name : {"b.ply", "b.off", "b.obj", "b.glb"})
+    EXPECT_EQ(run("spin a.off --rho-expression x -o " + name).code, 0) << name;
+}
+
+}  // namespace

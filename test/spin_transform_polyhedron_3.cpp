@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin_transform.h
+#include <Conformal_geometry_processing/mesh/Conformal_mesh_traits_Polyhedron_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include "spin_transform_checks.h"
+
+namespace {
+
+using namespace cgp_test;
+using Surface = CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
+
+}  // namespace
+
+TEST(Spin_transform_of_a_Polyhedron_3, is_that_of_its_triangles)
+{
+  expect_transformation(to_cgal_mesh<Surface>(sphere_to_transform()), 1e-14);
+}
+
+TEST(Spin_transform_of_a_Polyhedron_3, reads_and_fills_the_maps_of_the_mesh_traits)
+{
+  Surface mesh = to_cgal_mesh<Surface>(sphere_to_transform());
+  const Mesh_view before = view_of(mesh);
+  const CGP::Conformal_mesh_traits<Surface> traits(mesh);
+  fill(vertices(mesh), traits.vertex_curvature_potential_map(), rho_on_vertices(before).values);
+  ASSERT_TRUE(CGP::spin_transform(mesh, traits.vertex_curvature_potential_map(),
+                                  CGP::parameters::vertex_spin_map(traits.vertex_spin_map())));
+  const CGP::Spin_result expected = expected_result(before, rho_on_vertices(before));
+  EXPECT_EQ(spins(vertices(mesh), traits.vertex_spin_map(), before.size_of_vertices()),
+            expected.lambda);
+}

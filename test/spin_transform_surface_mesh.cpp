@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin_transform.h
+#include <Conformal_geometry_processing/mesh/Conformal_mesh_traits_Surface_mesh.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include "spin_transform_checks.h"
+
+namespace {
+
+using namespace cgp_test;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Surface = CGAL::Surface_mesh<Point>;
+
+/// an octahedron beside the sphere, which is removed and leaves its slots behind
+Surface sphere_with_garbage()
+{
+  Surface mesh;
+  add_to_cgal_mesh(tetrahedron(), mesh);
+  const std::vector<Surface::Face_index> first(faces(mesh).begin(), faces(mesh).end());
+  add_to_cgal_mesh(sphere_to_transform(), mesh);
+  for (const auto f : first) CGAL::Euler::remove_face(halfedge(f, mesh), mesh);
+  return mesh;
+}
+
+}  // namespace
+
+TEST(Spin_transform_of_a_Surface_mesh, is_that_of_its_triangles)
+{
+  expect_transformation(to_cgal_mesh<Surface>(sphere_to_transform()), 1e-14);
+}
+
+TEST(Spin_transform_of_a_Surface_mesh, ignores_removed_elements)
+{
+  const Surface mesh = sphere_with_garbage();
+  ASSERT_TRUE(mesh.has_garbage());
+  ASSERT_EQ(view_of(mesh).size_of_faces(), sphere_to_transform().size_of_faces());
+  expect_transformation(mesh, 1e-14);
+}
+
+TEST(Spin_transform_of_a_Surface_mesh, reads_and_fills_the_properties_of_the_mesh_traits)
+{
+  Surface mesh = sphere_with_garbage();
+  const Mesh_view before = view_of(mesh);
+  const CGP::Conformal_mesh_traits<Surface> traits(mesh);
+  fill(faces(mesh), traits.face_curvature_potential_map(), rho_on_faces(before).values);
+  ASSERT_TRUE(CGP::spin_transform(mesh, traits.face_curvature_potential_map(),
+                                  CGP::parameters::vertex_spin_map(traits.vertex_spin_map())));
+  const CGP::Spin_result expected = expected_result(before, rho_on_faces(before));
+  EXPECT_EQ(spins(vertices(mesh), traits.vertex_spin_map(), before.size_of_vertices()),
+            expected.lambda);
+  EXPECT_EQ(view_of(mesh).positions(), expected.positions);
+}
