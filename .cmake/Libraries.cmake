@@ -1,12 +1,13 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# The two targets users link: Conformal_geometry_processing::core, every header except those over
-# CHOLMOD, and Conformal_geometry_processing::cholmod, which adds them and SuiteSparse.
+# The targets users link: Conformal_geometry_processing::core, every header except those over CHOLMOD
+# and METIS, and Conformal_geometry_processing::cholmod and ::metis, which add them and the library.
 
 cgp_find(CGP_HAS_CGAL libcgal-dev CGAL 5.5 QUIET)
 # NO_MODULE: CGAL puts a FindEigen3.cmake of its own on the module path.
 cgp_find(CGP_HAS_EIGEN libeigen3-dev Eigen3 3.4 QUIET NO_MODULE)
 cgp_find(CGP_HAS_CHOLMOD libsuitesparse-dev CHOLMOD QUIET MODULE)
+cgp_find(CGP_HAS_METIS libmetis-dev METIS QUIET MODULE)
 if(NOT CGP_HAS_CGAL OR NOT CGP_HAS_EIGEN)
   message(FATAL_ERROR "Conformal Geometry Processing needs CGAL 5.5 or later and Eigen 3.4; "
                       "on Debian: apt-get install libcgal-dev libeigen3-dev")
@@ -24,8 +25,10 @@ endfunction()
 
 file(GLOB_RECURSE CGP_CORE_HEADERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.h)
 set(CGP_CHOLMOD_HEADERS ${CGP_CORE_HEADERS})
-list(FILTER CGP_CORE_HEADERS EXCLUDE REGEX "/Cholmod_")
+set(CGP_METIS_HEADERS ${CGP_CORE_HEADERS})
+list(FILTER CGP_CORE_HEADERS EXCLUDE REGEX "/(Cholmod|Metis)_")
 list(FILTER CGP_CHOLMOD_HEADERS INCLUDE REGEX "/Cholmod_")
+list(FILTER CGP_METIS_HEADERS INCLUDE REGEX "/Metis_")
 
 cgp_add_library(core ${CGP_CORE_HEADERS})
 target_link_libraries(cgp_core INTERFACE CGAL::CGAL Eigen3::Eigen)
@@ -36,4 +39,10 @@ if(CGP_HAS_CHOLMOD)
   target_link_libraries(cgp_cholmod INTERFACE cgp_core CHOLMOD::CHOLMOD)
   target_compile_definitions(cgp_cholmod INTERFACE CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD)
   list(APPEND CGP_TARGETS cgp_cholmod)
+endif()
+
+if(CGP_HAS_METIS)
+  cgp_add_library(metis ${CGP_METIS_HEADERS})
+  target_link_libraries(cgp_metis INTERFACE cgp_core METIS::METIS)
+  list(APPEND CGP_TARGETS cgp_metis)
 endif()
