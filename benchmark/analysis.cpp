@@ -16,7 +16,7 @@ static void analysis(benchmark::State& state)
   std::optional<Solver> solver;
   run_stage(state, mesh, [&] {
     solver.emplace();
-    benchmark::DoNotOptimize(solver->analyze(*pattern));
+    benchmark::DoNotOptimize(solver->analyze_with_positions(*pattern, mesh.positions()));
   });
   count_factor_entries(state, solver->statistics());
 }

@@ -15,7 +15,7 @@ static void poisson_factor(benchmark::State& state)
   const CGP::Dirac_eigenproblem<> problem(mesh);
   std::optional<CGP::Poisson_reconstruction<>> reconstruction;
   run_stage(state, mesh, [&] {
-    reconstruction.emplace(mesh, problem.matrix().shared_pattern(), problem.solver().ordering());
+    reconstruction.emplace(mesh, problem.matrix().shared_pattern(), problem.solver());
   });
   count_factor_entries(state, reconstruction->statistics());
 }

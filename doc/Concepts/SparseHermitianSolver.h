@@ -43,6 +43,16 @@ class SparseHermitianSolver {
   /// \param order a permutation of the rows, as another solver's `ordering()` gives it
   Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order);
 
+  /// the same, with a hint: column i of `positions`, 3 x n, is where vertex i is in space. A model
+  /// that can make nothing of it ignores it.
+  Solver_status analyze_with_positions(const Sparse_pattern& pattern,
+                                       const Eigen::Matrix3Xd& positions);
+
+  /// the same, with all that can be shared of the analysis of another solver of the same traits,
+  /// maybe for another scalar, that has analyzed the same pattern
+  template <class OtherSolver>
+  Solver_status analyze_like(const Sparse_pattern& pattern, const OtherSolver& other);
+
   /// the ordering in use
   const Ordering& ordering() const;
 

@@ -94,8 +94,9 @@ class Parser {
                      "standard, or generalized for rho on faces where that can be trusted")
         ->check(CLI::IsMember({"standard", "generalized"}))
         ->capture_default_str();
-    command->add_option("--solver", m_solver, "cholmod (where it was built in) or eigen")
-        ->check(CLI::IsMember({"cholmod", "eigen"}));
+    command->add_option("--solver", m_solver, "native, cholmod (where it was built in) or eigen")
+        ->check(CLI::IsMember({"native", "cholmod", "eigen"}))
+        ->capture_default_str();
     command->add_option("--seed", m_common.seed, "of random start vectors")->capture_default_str();
     command->add_option("--tolerance", m_common.tolerance, "of the eigenvector")
         ->check(above_zero)
@@ -195,11 +196,11 @@ class Parser {
     const auto projection = std::find(projections.begin(), projections.end(), m_projection);
     m_spin.rho.projection = static_cast<Projection>(projection - projections.begin());
     m_spin.generalized = m_problem == "generalized";
-    m_spin.eigen_solver = m_solver == "eigen";
+    m_spin.solver = m_solver;
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
     if (m_solver == "cholmod")
       throw Failure(Exit_code::usage,
-                    "this program was built without CHOLMOD; try: --solver eigen");
+                    "this program was built without CHOLMOD; try: --solver native");
 #endif
     line.options = m_spin;
     return line;
@@ -209,7 +210,7 @@ class Parser {
   Info_options m_info;
   Spin_options m_spin;
   Compare_options m_compare;
-  std::string m_on, m_problem = "standard", m_solver, m_projection = "uv";
+  std::string m_on, m_problem = "standard", m_solver = "native", m_projection = "uv";
   CLI::App m_app;
 };
 

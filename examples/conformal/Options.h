@@ -42,7 +42,8 @@ struct Spin_options {
   std::string input;
   Rho_options rho;
   std::string lambda;  ///< the name of the vertex properties, none if empty
-  bool generalized = false, eigen_solver = false, force = false;
+  bool generalized = false, force = false;
+  std::string solver = "native";  // or cholmod, eigen
   Verification_limits limits;
 };
 

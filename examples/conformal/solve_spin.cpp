@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solve_spin.h"
 
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
+#include <Conformal_geometry_processing/linear_algebra/Cholmod_hermitian_solver_traits.h>
+#endif
 #include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
@@ -31,8 +34,12 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const CGP::Curvature_potent
       options.generalized ? CGP::Eigenproblem::generalized : CGP::Eigenproblem::standard;
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
-  if (options.eigen_solver)
+  if (options.solver == "eigen")
     return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, rho, dirac, go_further);
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
+  if (options.solver == "cholmod")
+    return solve_by<CGP::Cholmod_hermitian_solver_traits>(mesh, rho, dirac, go_further);
+#endif
   return solve_by<CGP::Default_solver_traits>(mesh, rho, dirac, go_further);
 }
 

@@ -35,6 +35,18 @@ class Sparse_hermitian_solver_archetype {
     return analyze(pattern, order);
   }
 
+  CGP::Solver_status analyze_with_positions(const CGP::Sparse_pattern& pattern,
+                                            const Eigen::Matrix3Xd&)
+  {
+    return analyze(pattern);
+  }
+
+  template <class Other>
+  CGP::Solver_status analyze_like(const CGP::Sparse_pattern& pattern, const Other& other)
+  {
+    return analyze(pattern, other.ordering());
+  }
+
   CGP::Solver_status analyze(const CGP::Sparse_pattern& pattern, const CGP::Ordering& order)
   {
     m_analyzed = pattern.size() > 0 && at(pattern.size()) == order.size();

@@ -60,6 +60,19 @@ class Embedded_hermitian_solver {
     });
   }
 
+  /// chooses an ordering that knows nothing of positions
+  Solver_status analyze_with_positions(const Sparse_pattern& pattern, const Eigen::Matrix3Xd&)
+  {
+    return analyze(pattern);
+  }
+
+  /// with the ordering of another solver for the same pattern
+  template <class Other>
+  Solver_status analyze_like(const Sparse_pattern& pattern, const Other& other)
+  {
+    return analyze(pattern, other.ordering());
+  }
+
   const Ordering& ordering() const { return m_ordering; }
 
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)

@@ -42,6 +42,15 @@ class Grounded_solver {
     check("analysis", m_solver.analyze(m_grounded.pattern(), order));
   }
 
+  /// shares the analysis of another solver of the same traits and pattern
+  /// \tparam OtherSolver a model of `SparseHermitianSolver`
+  template <class OtherSolver, class = typename OtherSolver::Scalar>
+  Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern, const OtherSolver& other)
+      : m_grounded(std::move(pattern))
+  {
+    check("analysis", m_solver.analyze_like(m_grounded.pattern(), other));
+  }
+
   const Ordering& ordering() const { return m_solver.ordering(); }
   Solver_statistics statistics() const { return m_solver.statistics(); }
 

@@ -6,12 +6,16 @@
 #include <Conformal_geometry_processing/linear_algebra/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/Supernodal_substitution.h>
 #include <Conformal_geometry_processing/linear_algebra/amd_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/choose_ordering.h>
+
+#include <Eigen/Core>
 
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <new>
 #include <optional>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -47,19 +51,39 @@ class Supernodal_cholesky {
   Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order)
   {
     return guarded([&] {
-      m_factor.reset();
-      m_is_factorized = false;
-      if (pattern.size() == 0 || order.size() != static_cast<std::size_t>(pattern.size()) ||
-          inverse_permutation(order).empty())
-        return Solver_status::wrong_state;
-      m_entries = pattern.size_of_entries();
-      m_ordering = order;
-      m_factor.emplace(std::make_shared<Supernodal_structure>(pattern, order));
-      return Solver_status::success;
+      const bool fits = order.size() == static_cast<std::size_t>(pattern.size()) &&
+                        !inverse_permutation(order).empty();
+      const Solver_status status =
+          adopt(pattern, fits ? std::make_shared<Supernodal_structure>(pattern, order) : nullptr);
+      if (fits) m_ordering = order;
+      return status;
     });
   }
 
+  /// with an ordering chosen among minimum degree and dissection in space (`choose_structure()`)
+  /// \param positions 3 x n, where the vertices are
+  Solver_status analyze_with_positions(const Sparse_pattern& pattern,
+                                       const Eigen::Matrix3Xd& positions)
+  {
+    const int factorizations = 2;  // a spin transformation often needs a second one
+    return guarded([&] {
+      const bool fits = pattern.size() > 0 && positions.cols() == pattern.size();
+      return adopt(pattern, fits ? choose_structure(pattern, &positions, factorizations) : nullptr);
+    });
+  }
+
+  /// with the structure of another solver for the same pattern, which is shared
+  template <class OtherScalar, class OtherReal>
+  Solver_status analyze_like(const Sparse_pattern& pattern,
+                             const Supernodal_cholesky<OtherScalar, OtherReal>& other)
+  {
+    return guarded([&] { return adopt(pattern, other.structure()); });
+  }
+
   const Ordering& ordering() const { return m_ordering; }
+
+  /// what depends on the pattern alone; null before `analyze()`
+  const std::shared_ptr<const Supernodal_structure>& structure() const { return m_structure; }
 
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
   {
@@ -121,6 +145,21 @@ class Supernodal_cholesky {
     }
   }
 
+  Solver_status adopt(const Sparse_pattern& pattern,
+                      std::shared_ptr<const Supernodal_structure> structure)
+  {
+    m_factor.reset();
+    m_structure.reset();
+    m_is_factorized = false;
+    if (!structure || structure->size_of_columns() != pattern.size())
+      return Solver_status::wrong_state;
+    m_entries = pattern.size_of_entries();
+    m_ordering = structure->order();
+    m_structure = std::move(structure);
+    m_factor.emplace(m_structure);
+    return Solver_status::success;
+  }
+
   int size() const { return static_cast<int>(m_ordering.size()); }
 
   static bool is_finite(const Hermitian_sparse_matrix<Scalar>& A)
@@ -164,6 +203,7 @@ class Supernodal_cholesky {
 
   Ordering m_ordering;
   int m_entries = 0;
+  std::shared_ptr<const Supernodal_structure> m_structure;
   std::optional<Factor> m_factor;
   bool m_is_factorized = false;
   int m_bad_vertex = -1;

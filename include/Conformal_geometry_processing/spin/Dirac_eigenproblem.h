@@ -43,7 +43,7 @@ class Dirac_eigenproblem {
   explicit Dirac_eigenproblem(const Mesh_view& mesh)
       : m_mesh(mesh), m_areas(vertex_areas(mesh)), m_X(vertex_graph(mesh))
   {
-    check("analysis", m_solver.analyze(m_X.pattern()));
+    check("analysis", m_solver.analyze_with_positions(m_X.pattern(), mesh.positions()));
   }
 
   const Mesh_view& mesh() const { return m_mesh; }

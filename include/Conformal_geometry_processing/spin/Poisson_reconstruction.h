@@ -41,10 +41,12 @@ class Poisson_reconstruction {
     m_solver.factorize(cotan_laplacian(mesh, std::move(pattern)));
   }
 
-  /// with an ordering of the vertices that another solver on the same pattern has found
+  /// shares the analysis of another solver on the same pattern
+  /// \param other a `Solver` of the same traits, for any scalar
+  template <class OtherSolver>
   Poisson_reconstruction(const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern,
-                         const Ordering& order)
-      : m_mesh(mesh), m_weights(cotan_weights(mesh)), m_solver(pattern, order)
+                         const OtherSolver& other)
+      : m_mesh(mesh), m_weights(cotan_weights(mesh)), m_solver(pattern, other)
   {
     m_solver.factorize(cotan_laplacian(mesh, std::move(pattern)));
   }

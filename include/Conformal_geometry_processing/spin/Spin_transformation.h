@@ -58,7 +58,7 @@ class Spin_transformation {
         m_mesh(mesh),
         m_dirac(in_frame(m_mesh, m_frame)),
         m_reconstruction(m_mesh, m_dirac.problem().matrix().shared_pattern(),
-                         m_dirac.problem().solver().ordering()),
+                         m_dirac.problem().solver()),
         m_setup_seconds(m_watch.lap())
   {}
 
