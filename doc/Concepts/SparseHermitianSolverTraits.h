@@ -7,9 +7,10 @@
 /// \brief one name for the solvers of all scalars: what the named parameter `sparse_solver` takes.
 ///
 /// \cgalHasModelsBegin
+/// \cgalHasModels{`Conformal_geometry_processing::Supernodal_solver_traits`, the default,}
+/// \cgalHasModels{`Conformal_geometry_processing::Mixed_supernodal_solver_traits`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Cholmod_hermitian_solver_traits`,}
-/// \cgalHasModels{`Conformal_geometry_processing::Eigen_hermitian_solver_traits`,}
-/// \cgalHasModels{`Conformal_geometry_processing::Default_solver_traits`, one of the two.}
+/// \cgalHasModels{`Conformal_geometry_processing::Eigen_hermitian_solver_traits`.}
 /// \cgalHasModelsEnd
 class SparseHermitianSolverTraits {
  public:

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "support/dense.h"
@@ -39,6 +40,23 @@ class Dirac_eigenproblem : public testing::Test {
   const Mesh_view mesh = icosphere(1);
   CGP::Dirac_eigenproblem<> problem{mesh};
   CGP::Dirac_solution::Seconds seconds;
+};
+
+/// finds matrices indefinite until they are shifted by so much, in multiples of the vertex areas
+struct Timid_solver_traits {
+  static inline double enough = 0;
+  static inline int factorizations = 0;
+
+  template <class Scalar>
+  struct Solver : CGP::Supernodal_cholesky<Scalar> {
+    CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>& A,
+                                 const Eigen::VectorXd& shift)
+    {
+      ++factorizations;
+      if (shift.sum() < enough) return CGP::Solver_status::not_positive_definite;
+      return CGP::Supernodal_cholesky<Scalar>::factorize(A, shift);
+    }
+  };
 };
 
 }  // namespace
@@ -123,4 +141,20 @@ TEST_F(Dirac_eigenproblem, tells_which_step_of_the_solver_failed)
   } catch (const CGP::Solver_error& error) {
     EXPECT_STREQ(error.what(), "Dirac_equation: factorization of X failed: a value is not finite");
   }
+}
+
+TEST_F(Dirac_eigenproblem, is_shifted_more_where_rounding_makes_it_indefinite_but_not_forever)
+{
+  const double four_pi = 4 * std::acos(-1.);  // the sum of the shifts by unit()
+  const auto rho = Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh));
+  CGP::Dirac_eigenproblem<Timid_solver_traits> timid(mesh);
+  Timid_solver_traits::enough = 0.005 * four_pi;
+  timid.set_potential(rho, seconds);
+  EXPECT_EQ(Timid_solver_traits::factorizations, 2);
+  const auto r = timid.smallest(timid.start(one(), 0), 1, 1e-9, 200, CGP::Always_go_further());
+  set_potential(1);
+  EXPECT_NEAR(r.values[0], smallest(1).values[0], 1e-12);
+
+  Timid_solver_traits::enough = four_pi;
+  EXPECT_THROW(timid.set_potential(rho, seconds), CGP::Solver_error);
 }

@@ -36,12 +36,26 @@ const Mesh_view sphere = icosphere(3);
 
 }  // namespace
 
-TEST(Spin_transformation, is_the_same_with_the_solvers_of_eigen_and_of_cholmod)
+TEST(Spin_transformation, is_the_same_with_every_linear_solver)
 {
-  const CGP::Spin_result a = transformed<CGP::Eigen_hermitian_solver_traits>(sphere);
+  const CGP::Spin_result a = transformed<CGP::Supernodal_solver_traits>(sphere);
   const CGP::Spin_result b = transformed<CGP::Cholmod_hermitian_solver_traits>(sphere);
-  EXPECT_TRUE(a.report && b.report);
+  const CGP::Spin_result c = transformed<CGP::Eigen_hermitian_solver_traits>(sphere);
+  EXPECT_TRUE(a.report && b.report && c.report);
   EXPECT_LT(difference(a, b), 1e-7);
+  EXPECT_LT(difference(a, c), 1e-7);
+}
+
+TEST(Spin_transformation, is_the_same_to_ten_digits_with_factors_of_double_and_of_single_precision)
+{
+  CGP::Dirac_options options;
+  options.tolerance = 1e-12;
+  const CGP::Spin_result a = transformed<CGP::Supernodal_solver_traits>(sphere, options);
+  const CGP::Spin_result b = transformed<CGP::Mixed_supernodal_solver_traits>(sphere, options);
+  const CGP::Spin_result c = transformed<CGP::Cholmod_hermitian_solver_traits>(sphere, options);
+  EXPECT_TRUE(a.report && b.report && c.report);
+  EXPECT_LT(difference(a, b), 1e-10);
+  EXPECT_LT(difference(a, c), 1e-10);
 }
 
 TEST(Spin_transformation, is_the_same_with_both_eigenvalue_solvers)

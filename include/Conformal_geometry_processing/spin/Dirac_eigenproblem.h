@@ -58,18 +58,21 @@ class Dirac_eigenproblem {
     return 4 * pi / m_areas.sum();
   }
 
-  /// \brief assembles X for rho and factors it, shifted by a thousandth of `unit()`.
+  /// \brief assembles X for rho and factors it, shifted by a thousandth of `unit()`, or by a
+  /// hundredth where rounding makes that indefinite (slivers, factors in single precision).
   ///
   /// X is singular for rho = 0 and nearly so for small rho. A smaller shift would let the rounding
   /// of the solves blow up along the wanted vector; Rayleigh-Ritz takes the effect of this one out.
   /// \throw Solver_error if X is not positive definite to rounding, or memory is short
   void set_potential(const Curvature_potential& rho, Dirac_solution::Seconds& seconds)
   {
-    const double relative_shift = 1e-3;
     Stopwatch watch;
     assemble_dirac_energy(m_mesh, rho, m_X);
     seconds.assembly += watch.lap();
-    check("factorization", m_solver.factorize(m_X, relative_shift * unit() * m_areas));
+    Solver_status status = m_solver.factorize(m_X, 1e-3 * unit() * m_areas);
+    if (status == Solver_status::not_positive_definite)
+      status = m_solver.factorize(m_X, 1e-2 * unit() * m_areas);
+    check("factorization", status);
     seconds.factorization += watch.lap();
   }
 
