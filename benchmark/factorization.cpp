@@ -12,7 +12,7 @@ static void factorization(benchmark::State& state)
   const auto X = CGP::dirac_energy(mesh, potential_of(mesh));
   const Eigen::VectorXd shift = 1e-3 * CGP::vertex_areas(mesh);
   CGP::Default_solver_traits::Solver<CGP::Quaternion<double>> solver;
-  if (solver.analyze(X.pattern()) != CGP::Solver_status::success)
+  if (solver.analyze_with_positions(X.pattern(), mesh.positions()) != CGP::Solver_status::success)
     return state.SkipWithError("the analysis failed");
   run_stage(state, mesh, [&] { benchmark::DoNotOptimize(solver.factorize(X, shift)); });
   count_factor_entries(state, solver.statistics());
