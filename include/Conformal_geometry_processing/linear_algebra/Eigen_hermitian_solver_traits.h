@@ -4,8 +4,8 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_EIGEN_HERMITIAN_SOLVER_TRAITS_H
 
 #include <Conformal_geometry_processing/linear_algebra/Embedded_hermitian_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/amd_ordering.h>
 
-#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 
 #include <cmath>
@@ -23,15 +23,7 @@ class Eigen_backend {
   /// approximate minimum degree
   static Solver_status find_ordering(const Sparse_pattern& pattern, Ordering& order)
   {
-    using Graph = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-    const std::vector<double> ones(pattern.indices.size(), 1.0);
-    const Eigen::Map<const Graph> lower(pattern.size(), pattern.size(), pattern.size_of_entries(),
-                                        pattern.offsets.data(), pattern.indices.data(),
-                                        ones.data());
-    const Graph graph = lower.selfadjointView<Eigen::Lower>();
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-    Eigen::AMDOrdering<int>()(graph, permutation);
-    order.assign(permutation.indices().data(), permutation.indices().data() + pattern.size());
+    order = amd_ordering(pattern);
     return Solver_status::success;
   }
 
