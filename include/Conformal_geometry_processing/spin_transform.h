@@ -102,9 +102,9 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 /// the mesh; area and centroid stay. On a surface of genus > 0 not every rho belongs to a surface
 /// that closes up: the report's `closure_residual` tells.
 ///
-/// Computes in double precision whatever the kernel. One sparse factorization of a complex matrix
-/// of twice the number of vertices dominates time and memory. Use `Spin_transformation` for several
-/// rho on one mesh.
+/// Computes in double precision whatever the kernel. The sparse factorization of a quaternionic
+/// matrix on the vertices, and some ten solves with it, dominate time and memory. Use
+/// `Spin_transformation` for several rho on one mesh.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam CurvaturePotentialMap a model of `ReadablePropertyMap` whose key is the vertex or the

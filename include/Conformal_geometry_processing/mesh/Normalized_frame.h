@@ -14,7 +14,7 @@ namespace Conformal_geometry_processing {
 /// \brief the coordinates in which all numerics run: the centre of the bounding box at the origin,
 /// its half diagonal about 1.
 ///
-/// The scale is a power of two, so that going there and back costs no digit, and surfaces that
+/// The scale is a power of two, so that scaling there and back costs no digit, and surfaces that
 /// differ by a power of two give the same bits. Nothing overflows for coordinates of 1e-300..1e300.
 class Normalized_frame {
  public:
