@@ -7,9 +7,9 @@
 #include <Conformal_geometry_processing/linear_algebra/Embedded_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/guarded.h>
 
 #include <cstdint>
-#include <new>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -36,7 +36,7 @@ class Embedded_hermitian_solver {
 
   Solver_status analyze(const Sparse_pattern& pattern)
   {
-    return guarded([&] {
+    return internal::guarded([&] {
       m_state = State::empty;
       if (pattern.size() == 0) return Solver_status::wrong_state;
       Ordering order;
@@ -47,7 +47,7 @@ class Embedded_hermitian_solver {
 
   Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order)
   {
-    return guarded([&] {
+    return internal::guarded([&] {
       m_state = State::empty;
       m_new_of_old = inverse_permutation(order);
       if (pattern.size() == 0 || size() != pattern.size()) return Solver_status::wrong_state;
@@ -77,7 +77,7 @@ class Embedded_hermitian_solver {
 
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
   {
-    return guarded([&] {
+    return internal::guarded([&] {
       if (!fits(A, shift)) return Solver_status::wrong_state;
       m_state = State::analyzed;
       m_matrix.set_values(A, shift);
@@ -90,7 +90,7 @@ class Embedded_hermitian_solver {
 
   Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const
   {
-    return guarded([&] {
+    return internal::guarded([&] {
       if (m_state != State::factorized || b.rows() != size()) return Solver_status::wrong_state;
       Block<Entry> solution;
       const Solver_status status = m_backend.solve(to_entries(b), solution);
@@ -103,9 +103,8 @@ class Embedded_hermitian_solver {
   {
     Solver_statistics s = m_state == State::empty ? Solver_statistics{} : m_backend.statistics();
     // Diagonal blocks are stored as triangles.
-    const std::int64_t diagonal = s.factor_entries > 0 ? size() : 0;
-    s.factor_entries =
-        (s.factor_entries - diagonal * width * (width + 1) / 2) / (width * width) + diagonal;
+    const std::int64_t w = width, diagonal = s.factor_entries > 0 ? size() : 0;
+    s.factor_entries = (s.factor_entries - diagonal * w * (w + 1) / 2) / (w * w) + diagonal;
     return s;
   }
 
@@ -114,16 +113,6 @@ class Embedded_hermitian_solver {
   using Entry = typename Embedding::Entry;
   static constexpr int width = Embedding::width;
   enum class State { empty, analyzed, factorized };
-
-  template <class Action>
-  static Solver_status guarded(Action action)
-  {
-    try {
-      return action();
-    } catch (const std::bad_alloc&) {
-      return Solver_status::out_of_memory;
-    }
-  }
 
   int size() const { return static_cast<int>(m_new_of_old.size()); }
 
@@ -134,21 +123,24 @@ class Embedded_hermitian_solver {
            (shift.size() == 0 || shift.size() == A.size());
   }
 
+  // The row of the given matrix that is block k in factor order.
+  int row(Eigen::Index k) const { return m_ordering[static_cast<std::size_t>(k)]; }
+
   Block<Entry> to_entries(const Block<Scalar>& b) const
   {
     Block<Entry> e(width * b.rows(), b.cols());
     for (Eigen::Index c = 0; c < b.cols(); ++c)
-      for (int k = 0; k < size(); ++k)
-        Embedding::to_entries(b(m_ordering[static_cast<std::size_t>(k)], c), &e(width * k, c));
+      for (Eigen::Index k = 0; k < b.rows(); ++k)
+        Embedding::to_entries(b(row(k), c), &e(width * k, c));
     return e;
   }
 
   Block<Scalar> from_entries(const Block<Entry>& e) const
   {
     Block<Scalar> x(size(), e.cols());
-    for (Eigen::Index c = 0; c < e.cols(); ++c)
-      for (int k = 0; k < size(); ++k)
-        x(m_ordering[static_cast<std::size_t>(k)], c) = Embedding::from_entries(&e(width * k, c));
+    for (Eigen::Index c = 0; c < x.cols(); ++c)
+      for (Eigen::Index k = 0; k < x.rows(); ++k)
+        x(row(k), c) = Embedding::from_entries(&e(width * k, c));
     return x;
   }
 

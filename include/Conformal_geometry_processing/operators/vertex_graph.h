@@ -22,7 +22,8 @@ inline std::shared_ptr<const Sparse_pattern> vertex_graph(const Mesh_view& mesh)
   auto pattern = std::make_shared<Sparse_pattern>();
   const int n = mesh.size_of_vertices();
   pattern->offsets.reserve(static_cast<std::size_t>(n) + 1);
-  pattern->indices.reserve(static_cast<std::size_t>(n + mesh.size_of_edges()));
+  pattern->indices.reserve(static_cast<std::size_t>(n) +
+                           static_cast<std::size_t>(mesh.size_of_edges()));
   for (int i = 0, k = 0; i < n; ++i) {
     pattern->offsets.push_back(static_cast<int>(pattern->indices.size()));
     pattern->indices.push_back(i);
