@@ -19,6 +19,11 @@ namespace cgp_test {
 
 using CGP::Solver_status;
 
+/// The relative error that a model may leave in a solution. Exact models keep this one; the test of
+/// an approximate one states its own by a specialisation, and why.
+template <class Solver>
+inline constexpr double error_of_solution = 1e-11;
+
 template <class Solver_>
 class Hermitian_solver : public testing::Test {
  protected:
@@ -33,7 +38,7 @@ class Hermitian_solver : public testing::Test {
     CGP::Block<Scalar> x;
     ASSERT_EQ(solver.solve(b, x), Solver_status::success);
     const Eigen::MatrixXd expected = dense(matrix).ldlt().solve(real_columns(b));
-    EXPECT_LE((real_columns(x) - expected).norm(), 1e-11 * expected.norm());
+    EXPECT_LE((real_columns(x) - expected).norm(), error_of_solution<Solver> * expected.norm());
   }
 
   Pattern pattern = random_pattern(n, 1);
