@@ -167,6 +167,23 @@ TYPED_TEST(Supernodal_cholesky, that_does_not_fit_tells_how_much_it_needs_and_wo
   most_bytes = ~std::size_t(0);
 }
 
+TYPED_TEST(Supernodal_cholesky, that_is_released_can_be_factorized_again)
+{
+  const auto A = random_definite<typename TypeParam::Scalar>(grid_pattern(9, 9), 19);
+  this->solver.release();
+  ASSERT_EQ(this->solver.analyze(A.pattern()), Solver_status::success);
+  ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
+  const auto b = random_block<typename TypeParam::Scalar>(81, 1, 20);
+  const Eigen::MatrixXd before = solution(this->solver, b);
+  const double needed = this->solver.statistics().bytes;
+  this->solver.release();
+  CGP::Block<typename TypeParam::Scalar> x;
+  EXPECT_EQ(this->solver.solve(b, x), Solver_status::wrong_state);
+  EXPECT_EQ(this->solver.statistics().bytes, needed);
+  ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
+  EXPECT_EQ(solution(this->solver, b), before);
+}
+
 TYPED_TEST(Supernodal_cholesky, counts_the_operations_of_its_scalars)
 {
   // On a path every column but the last has one entry below the diagonal.

@@ -100,6 +100,14 @@ class Supernodal_cholesky {
     });
   }
 
+  /// \brief gives the memory of the factor back, which takes a new one as after `analyze()`; the
+  /// structure stays.
+  void release()
+  {
+    m_is_factorized = false;
+    if (m_factor) m_factor->release();
+  }
+
   /// the vertex whose pivot was not positive in the last factorization, -1 if there was none
   int bad_vertex() const { return m_bad_vertex; }
 

@@ -74,6 +74,13 @@ class Supernodal_factor {
     return -1;
   }
 
+  /// gives the memory of the numbers back; the next factorization allocates it anew
+  void release()
+  {
+    m_panels.resize(0);
+    for (auto& stack : m_stacks) stack.resize(0);
+  }
+
   /// the panel of supernode s
   const Real* panel(int s) const { return m_panels.data() + m_panel_offsets[at(s)]; }
 
