@@ -15,7 +15,8 @@
 /// One object is used by one thread at a time.
 ///
 /// \cgalHasModelsBegin
-/// \cgalHasModels{`Conformal_geometry_processing::Embedded_hermitian_solver`}
+/// \cgalHasModels{`Conformal_geometry_processing::Supernodal_cholesky`,}
+/// \cgalHasModels{`Conformal_geometry_processing::Embedded_hermitian_solver`.}
 /// \cgalHasModelsEnd
 class SparseHermitianSolver {
  public:

@@ -9,8 +9,11 @@
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Supernodal_solver_traits`, the default,}
 /// \cgalHasModels{`Conformal_geometry_processing::Mixed_supernodal_solver_traits`,}
+/// \cgalHasModels{`Conformal_geometry_processing::Supernodal_real_solver_traits`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Cholmod_hermitian_solver_traits`,}
-/// \cgalHasModels{`Conformal_geometry_processing::Eigen_hermitian_solver_traits`.}
+/// \cgalHasModels{`Conformal_geometry_processing::Cholmod_real_hermitian_solver_traits`,}
+/// \cgalHasModels{`Conformal_geometry_processing::Eigen_hermitian_solver_traits`,}
+/// \cgalHasModels{`Conformal_geometry_processing::Eigen_real_hermitian_solver_traits`.}
 /// \cgalHasModelsEnd
 class SparseHermitianSolverTraits {
  public:

@@ -8,7 +8,10 @@
 namespace cgp_test {
 
 using Traits = CGP::Cholmod_hermitian_solver_traits;
-using Solvers = testing::Types<Traits::Solver<double>, Traits::Solver<Quaternion<double>>>;
+using Real_traits = CGP::Cholmod_real_hermitian_solver_traits;
+using Solvers =
+    testing::Types<Traits::Solver<double>, Traits::Solver<Quaternion<double>>,
+                   Real_traits::Solver<double>, Real_traits::Solver<Quaternion<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Cholmod, Hermitian_solver, Solvers);
 
 }  // namespace cgp_test

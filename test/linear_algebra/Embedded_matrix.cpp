@@ -13,13 +13,21 @@ using Q = CGP::Quaternion<double>;
 
 namespace {
 
-template <class Scalar>
+template <class Scalar_, class Embedding_>
+struct Case {
+  using Scalar = Scalar_;
+  using Embedding = Embedding_;
+};
+
+template <class Case>
 class Embedded_matrix : public testing::Test {
  protected:
-  using Embedding = CGP::Solver_embedding<Scalar>;
+  using Scalar = typename Case::Scalar;
+  using Embedding = typename Case::Embedding;
+  using Matrix = CGP::Embedded_matrix<Scalar, Embedding>;
 
   // Entry by entry from the definition: row k of the result is row order[k] of A.
-  static void expect_lower_triangle(const CGP::Embedded_matrix<Scalar>& embedded,
+  static void expect_lower_triangle(const Matrix& embedded,
                                     const CGP::Hermitian_sparse_matrix<Scalar>& A,
                                     const CGP::Ordering& order)
   {
@@ -34,8 +42,9 @@ class Embedded_matrix : public testing::Test {
   }
 };
 
-using Scalars = testing::Types<double, Q>;
-TYPED_TEST_SUITE(Embedded_matrix, Scalars);
+using Cases = testing::Types<Case<double, CGP::Number_embedding<double>>,
+                             Case<Q, CGP::Complex_embedding<Q>>, Case<Q, CGP::Real_embedding<Q>>>;
+TYPED_TEST_SUITE(Embedded_matrix, Cases);
 
 }  // namespace
 
@@ -43,9 +52,9 @@ TYPED_TEST(Embedded_matrix, is_the_lower_triangle_in_factor_order)
 {
   const Pattern pattern = random_pattern(15, 1);
   const CGP::Ordering order = random_permutation(15, 2);
-  CGP::Embedded_matrix<TypeParam> embedded(*pattern, CGP::inverse_permutation(order));
+  typename TestFixture::Matrix embedded(*pattern, CGP::inverse_permutation(order));
   for (const std::uint64_t seed : {3u, 4u}) {
-    const auto A = random_hermitian<TypeParam>(pattern, seed);
+    const auto A = random_hermitian<typename TestFixture::Scalar>(pattern, seed);
     embedded.set_values(A, {});
     this->expect_lower_triangle(embedded, A, order);
   }
@@ -55,9 +64,9 @@ TYPED_TEST(Embedded_matrix, adds_the_shift_to_the_diagonal)
 {
   const Pattern pattern = random_pattern(15, 5);
   const CGP::Ordering order = random_permutation(15, 6);
-  const auto A = random_hermitian<TypeParam>(pattern, 7);
+  const auto A = random_hermitian<typename TestFixture::Scalar>(pattern, 7);
   const Eigen::VectorXd shift = random_numbers(15, 8);
-  CGP::Embedded_matrix<TypeParam> embedded(*pattern, CGP::inverse_permutation(order));
+  typename TestFixture::Matrix embedded(*pattern, CGP::inverse_permutation(order));
   embedded.set_values(A, shift);
   this->expect_lower_triangle(embedded, plus_diagonal(A, shift), order);
 }
@@ -65,12 +74,20 @@ TYPED_TEST(Embedded_matrix, adds_the_shift_to_the_diagonal)
 TYPED_TEST(Embedded_matrix, has_sorted_columns_and_nothing_above_the_diagonal)
 {
   const Pattern pattern = random_pattern(15, 9);
-  const CGP::Embedded_matrix<TypeParam> embedded(
-      *pattern, CGP::inverse_permutation(random_permutation(15, 10)));
+  const typename TestFixture::Matrix embedded(*pattern,
+                                              CGP::inverse_permutation(random_permutation(15, 10)));
   const auto& matrix = embedded.matrix();
   for (int j = 0; j < matrix.cols(); ++j) {
     EXPECT_EQ(matrix.innerIndexPtr()[matrix.outerIndexPtr()[j]], j);
     EXPECT_TRUE(std::is_sorted(matrix.innerIndexPtr() + matrix.outerIndexPtr()[j],
                                matrix.innerIndexPtr() + matrix.outerIndexPtr()[j + 1]));
   }
+}
+
+TEST(Embedded_entries, fit_an_int_or_are_too_many)
+{
+  EXPECT_EQ(CGP::internal::embedded_entries(5, 7, 1), 5 + 7);
+  EXPECT_EQ(CGP::internal::embedded_entries(5, 7, 4), 5 * 10 + 7 * 16);
+  EXPECT_EQ(CGP::internal::embedded_entries(1, 134217727, 4), 10 + 2147483632);
+  EXPECT_THROW(CGP::internal::embedded_entries(2, 134217727, 4), std::bad_alloc);
 }

@@ -148,6 +148,15 @@ struct Cholmod_hermitian_solver_traits {
   using Solver = Embedded_hermitian_solver<Scalar, Cholmod_backend>;
 };
 
+/// \ingroup PkgLinearAlgebra
+/// \brief the same over the real 4n x 4n form of quaternionic matrices: two to three times slower
+/// than the complex form, and a cross-check of it.
+/// \cgalModels{SparseHermitianSolverTraits}
+struct Cholmod_real_hermitian_solver_traits {
+  template <class Scalar>
+  using Solver = Embedded_hermitian_solver<Scalar, Cholmod_backend, Real_embedding>;
+};
+
 }  // namespace Conformal_geometry_processing
 
 #endif

@@ -17,14 +17,17 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgLinearAlgebra
 /// \brief a sparse solver of another library as a solver for real and quaternionic matrices.
 ///
-/// The matrix is handed over in factor order, as a real n x n or complex 2n x 2n matrix, so that
-/// the other library never orders the larger graph. Entries that are not finite are reported here,
+/// The matrix is handed over in factor order, as a matrix of numbers, n x n for real scalars and
+/// complex 2n x 2n or real 4n x 4n for quaternions, so that the other library never orders the
+/// larger graph. Entries that are not finite are reported here,
 /// because libraries disagree on them.
 ///
 /// \cgalModels{SparseHermitianSolver}
 /// \tparam Scalar_ `double` or `Quaternion<double>`
 /// \tparam Backend a class template over the entries, see `Eigen_backend`
-template <class Scalar_, template <class> class Backend>
+/// \tparam Embedding_ what the entries are: `Complex_embedding` or `Real_embedding`
+template <class Scalar_, template <class> class Backend,
+          template <class> class Embedding_ = Complex_embedding>
 class Embedded_hermitian_solver {
  public:
   using Scalar = Scalar_;
@@ -53,7 +56,7 @@ class Embedded_hermitian_solver {
       if (pattern.size() == 0 || size() != pattern.size()) return Solver_status::wrong_state;
       m_ordering = order;
       m_entries = pattern.size_of_entries();
-      m_matrix = Embedded_matrix<Scalar>(pattern, m_new_of_old);
+      m_matrix = Matrix(pattern, m_new_of_old);
       const Solver_status status = m_backend.analyze(m_matrix.matrix());
       if (status == Solver_status::success) m_state = State::analyzed;
       return status;
@@ -109,8 +112,9 @@ class Embedded_hermitian_solver {
   }
 
  private:
-  using Embedding = Solver_embedding<Scalar>;
+  using Embedding = Embedding_<Scalar>;
   using Entry = typename Embedding::Entry;
+  using Matrix = Embedded_matrix<Scalar, Embedding>;
   static constexpr int width = Embedding::width;
   enum class State { empty, analyzed, factorized };
 
@@ -148,7 +152,7 @@ class Embedded_hermitian_solver {
   int m_entries = 0;
   Ordering m_ordering;
   std::vector<int> m_new_of_old;
-  Embedded_matrix<Scalar> m_matrix;
+  Matrix m_matrix;
   Backend<Entry> m_backend;
 };
 

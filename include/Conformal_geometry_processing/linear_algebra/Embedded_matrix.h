@@ -12,11 +12,26 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <new>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
+
+namespace internal {
+
+// The entries of a lower triangle of n diagonal blocks, stored as triangles, and of others below.
+inline int embedded_entries(std::int64_t n, std::int64_t blocks, std::int64_t width)
+{
+  const std::int64_t entries = width * (width + 1) / 2 * n + width * width * blocks;
+  if (entries > std::numeric_limits<int>::max()) throw std::bad_alloc();
+  return static_cast<int>(entries);
+}
+
+}  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
 /// \brief a Hermitian sparse matrix as an `Eigen::SparseMatrix` of numbers, in factor order.
@@ -24,10 +39,11 @@ namespace Conformal_geometry_processing {
 /// Row k of the result is row `order[k]` of the given matrix; only the lower triangle is stored.
 /// The pattern is built once, `set_values()` then refills the values in place and in the order of
 /// memory: nothing is searched, inserted or allocated again. O(|V| + |E|) each.
-template <class Scalar>
+/// \tparam Embedding_ of the scalars, such as `Complex_embedding`
+template <class Scalar, class Embedding_>
 class Embedded_matrix {
  public:
-  using Embedding = Solver_embedding<Scalar>;
+  using Embedding = Embedding_;
   using Entry = typename Embedding::Entry;
   using FT = typename Scalar_traits<Scalar>::FT;
   using Matrix = Eigen::SparseMatrix<Entry, Eigen::ColMajor, int>;
@@ -36,6 +52,7 @@ class Embedded_matrix {
   Embedded_matrix() = default;
 
   /// \param new_of_old the place of every row in the factor, a permutation
+  /// \throws std::bad_alloc where there are more entries than an `int` can number
   Embedded_matrix(const Sparse_pattern& pattern, const std::vector<int>& new_of_old)
   {
     find_blocks(pattern, new_of_old);
@@ -95,8 +112,9 @@ class Embedded_matrix {
   void build_pattern()
   {
     const int blocks = static_cast<int>(m_blocks.size());
+    const int entries = internal::embedded_entries(size(), blocks, width);
     m_matrix.resize(width * size(), width * size());
-    m_matrix.resizeNonZeros(width * (width + 1) / 2 * size() + width * width * blocks);
+    m_matrix.resizeNonZeros(entries);
     int position = 0;
     for (int j = 0; j < size(); ++j)
       for (int c = 0; c < width; ++c) {

@@ -13,11 +13,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief how a scalar acts as a `width` x `width` matrix of entries that other libraries know.
-///
-/// Numbers stand for themselves.
+/// \brief how a scalar acts as a `width` x `width` matrix of entries that other libraries know, and
+/// as which `width` coordinates it is acted on: numbers stand for themselves.
 template <class Scalar>
-struct Solver_embedding {
+struct Number_embedding {
   using Entry = Scalar;
   static constexpr int width = 1;
   using Matrix = Eigen::Matrix<Entry, width, width>;
@@ -30,9 +29,14 @@ struct Solver_embedding {
   static Scalar from_entries(const Entry* entries) { return *entries; }
 };
 
-/// Quaternions act as complex 2 x 2 matrices: half of the memory and of the work of real 4 x 4.
+/// \ingroup PkgLinearAlgebra
+/// \brief a `Number_embedding` with quaternions as complex 2 x 2 matrices: half of the memory and
+/// of the work of real 4 x 4.
+template <class Scalar>
+struct Complex_embedding : Number_embedding<Scalar> {};
+
 template <class FT>
-struct Solver_embedding<Quaternion<FT>> {
+struct Complex_embedding<Quaternion<FT>> {
   using Entry = std::complex<FT>;
   static constexpr int width = 2;
   using Matrix = Eigen::Matrix<Entry, width, width>;
@@ -45,6 +49,32 @@ struct Solver_embedding<Quaternion<FT>> {
   static Quaternion<FT> from_entries(const Entry* entries)
   {
     return quaternion(entries[0], entries[1]);
+  }
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \brief a `Number_embedding` with quaternions as real 4 x 4 matrices, for libraries that know
+/// real numbers only.
+template <class Scalar>
+struct Real_embedding : Number_embedding<Scalar> {};
+
+template <class FT>
+struct Real_embedding<Quaternion<FT>> {
+  using Entry = FT;
+  static constexpr int width = 4;
+  using Matrix = Eigen::Matrix<Entry, width, width>;
+
+  static Matrix block(const Quaternion<FT>& q) { return real_block(q); }
+  static void to_entries(const Quaternion<FT>& q, Entry* entries)
+  {
+    entries[0] = q.w;
+    entries[1] = q.x;
+    entries[2] = q.y;
+    entries[3] = q.z;
+  }
+  static Quaternion<FT> from_entries(const Entry* entries)
+  {
+    return {entries[0], entries[1], entries[2], entries[3]};
   }
 };
 
