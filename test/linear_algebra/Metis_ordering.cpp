@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "linear_algebra/graphs.h"
 #include "support/spheres.h"
 
@@ -36,6 +38,16 @@ TEST(Metis_ordering, fills_in_less_than_minimum_degree_and_about_as_much_as_the_
     EXPECT_LT(by_sweep, 1.15 * by_metis);
     EXPECT_LT(by_metis, 1.25 * by_sweep);
   }
+}
+
+TEST(Metis_ordering, is_the_same_twice_whatever_has_been_drawn_from_rand)
+{
+  const CGP::Sparse_pattern pattern = pattern_of(geodesic_sphere(30));
+  std::srand(2);
+  const CGP::Ordering first = CGP::metis_ordering(pattern);
+  std::srand(3);
+  std::rand();
+  EXPECT_EQ(CGP::metis_ordering(pattern), first);
 }
 
 TEST(Metis_ordering, refuses_what_metis_refuses)

@@ -35,7 +35,9 @@ inline void check_metis_status(int status)
 ///
 /// Needs no positions. The least fill on convoluted meshes, but takes two to four times as long as
 /// `sweep_nested_dissection()`, and as long as the factorization of a quaternionic matrix on meshes
-/// of 100000 faces: for matrices that are factored often. This header, and no other, reaches METIS.
+/// of 100000 faces: for matrices that are factored often. Deterministic; but METIS draws from
+/// `std::rand()`, which it seeds anew, so the numbers that the program itself draws from it repeat,
+/// and another thread must not use it meanwhile. This header, and no other, reaches METIS.
 /// \throws Solver_error where METIS fails
 inline Ordering metis_ordering(const Sparse_pattern& pattern)
 {
@@ -62,6 +64,7 @@ inline Ordering metis_ordering(const Sparse_pattern& pattern)
 
   idx_t options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
+  options[METIS_OPTION_SEED] = 1;      // of std::rand(), at the beginning of every call
   options[METIS_OPTION_COMPRESS] = 0;  // no two vertices of a mesh have the same neighbours
   Ordering order(at(n)), inverse(at(n));
   internal::check_metis_status(METIS_NodeND(&n, offsets.data(), neighbours.data(), nullptr, options,
