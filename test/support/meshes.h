@@ -8,6 +8,7 @@
 #include "support/mesh_tools.h"
 #include "support/polyhedra.h"
 #include "support/random.h"
+#include "support/scans.h"
 #include "support/spheres.h"
 #include "support/tori.h"
 
