@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_REDUCED_BASIS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_REDUCED_BASIS_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/algebra/Reduced_rows.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgAlgebra
+/// \brief the space of quaternionic vectors whose reduced rows lie in given planes of H:
+/// x_i = u_i a + v_i b with real a and b and orthonormal u_i, v_i. The matrix B of [CGP 5.7].
+///
+/// The space is real-linear and *not* quaternionic: x q does not belong to it. The plane
+/// { x : U x = x V } of a prescribed direction is u span(1, V) = span(1, U) u, so it is closed
+/// under multiplication from the right by V and by no other unit: only if V is the same at all
+/// reduced rows up to its sign could the system be made complex, which prescribed tangents of a
+/// closed curve never allow. Hence reduced systems are real.
+template <class FT_>
+class Reduced_basis {
+ public:
+  using FT = FT_;
+  using Plane = std::array<Quaternion<FT>, 2>;
+
+  Reduced_basis() = default;
+
+  /// \param size the number of all rows \param reduced the reduced ones, in any order
+  /// \param planes an orthonormal basis for each of them
+  /// \throw Precondition_error where `Reduced_rows` does, where numbers differ, and where u and v
+  /// are not orthonormal to 1e-12 in double precision
+  Reduced_basis(int size, const std::vector<int>& reduced, const std::vector<Plane>& planes)
+      : m_rows(size, reduced), m_planes(static_cast<std::size_t>(size))
+  {
+    if (planes.size() != reduced.size())
+      throw Precondition_error("Reduced_basis", std::to_string(planes.size()) + " planes for " +
+                                                    std::to_string(reduced.size()) + " rows");
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+      if (!is_orthonormal(planes[k]))
+        throw Precondition_error("Reduced_basis", "the basis of row " + std::to_string(reduced[k]) +
+                                                      " is not orthonormal");
+      m_planes[static_cast<std::size_t>(reduced[k])] = planes[k];
+    }
+  }
+
+  const Reduced_rows& rows() const { return m_rows; }
+
+  /// the number c of the basis of row i: u or v, or one of 1, i, j, k where the row is not reduced
+  Quaternion<FT> vector(int i, int c) const
+  {
+    if (m_rows.is_reduced(i)) return plane(i)[static_cast<std::size_t>(c)];
+    return {FT(c == 0), FT(c == 1), FT(c == 2), FT(c == 3)};
+  }
+
+  /// \brief x = B c, from real coordinates to quaternions, for all columns.
+  Block<Quaternion<FT>> embed(const Block<FT>& c) const
+  {
+    Block<Quaternion<FT>> x(m_rows.size(), c.cols());
+    for (Eigen::Index k = 0; k < c.cols(); ++k)
+      for (int i = 0; i < m_rows.size(); ++i) {
+        const FT* const s = &c(m_rows.first(i), k);
+        x(i, k) = m_rows.is_reduced(i) ? plane(i)[0] * s[0] + plane(i)[1] * s[1]
+                                       : Quaternion<FT>{s[0], s[1], s[2], s[3]};
+      }
+    return x;
+  }
+
+  /// \brief c = B^T x, the adjoint: coordinates of the nearest vector of the space.
+  Block<FT> coordinates(const Block<Quaternion<FT>>& x) const
+  {
+    Block<FT> c(m_rows.dimension(), x.cols());
+    for (Eigen::Index k = 0; k < x.cols(); ++k)
+      for (int i = 0; i < m_rows.size(); ++i) {
+        FT* const s = &c(m_rows.first(i), k);
+        const Quaternion<FT>& q = x(i, k);
+        if (m_rows.is_reduced(i))
+          s[0] = dot(plane(i)[0], q), s[1] = dot(plane(i)[1], q);
+        else
+          s[0] = q.w, s[1] = q.x, s[2] = q.y, s[3] = q.z;
+      }
+    return c;
+  }
+
+  /// \brief B B^T x, the nearest vectors of the space.
+  Block<Quaternion<FT>> project(Block<Quaternion<FT>> x) const
+  {
+    for (Eigen::Index k = 0; k < x.cols(); ++k)
+      for (int i = 0; i < m_rows.size(); ++i)
+        if (m_rows.is_reduced(i)) {
+          const auto& [u, v] = plane(i);
+          x(i, k) = u * dot(u, x(i, k)) + v * dot(v, x(i, k));
+        }
+    return x;
+  }
+
+ private:
+  const Plane& plane(int i) const { return m_planes[static_cast<std::size_t>(i)]; }
+
+  static bool is_orthonormal(const Plane& p)
+  {
+    const FT tolerance = 4096 * std::numeric_limits<FT>::epsilon();
+    return std::abs(squared_norm(p[0]) - 1) <= tolerance &&
+           std::abs(squared_norm(p[1]) - 1) <= tolerance && std::abs(dot(p[0], p[1])) <= tolerance;
+  }
+
+  Reduced_rows m_rows;
+  std::vector<Plane> m_planes;  // of all rows, so that finding one costs nothing
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_REDUCED_ROWS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_REDUCED_ROWS_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgAlgebra
+/// \brief which rows of a quaternionic vector have two real degrees of freedom and not four: the
+/// boundary vertices of a surface whose boundary directions are prescribed [CGP 5.7].
+///
+/// Real coordinates are numbered row by row, four or two for each. Depends on the connectivity
+/// alone; in which plane of H a row lies is told by `Reduced_basis`.
+class Reduced_rows {
+ public:
+  Reduced_rows() = default;
+
+  /// \param size the number of all rows \param reduced the reduced ones, in any order
+  /// \throw Precondition_error where a number is not a row, or comes twice
+  Reduced_rows(int size, const std::vector<int>& reduced)
+      : m_is_reduced(at(size), 0), m_count(static_cast<int>(reduced.size()))
+  {
+    for (int i : reduced) {
+      if (i < 0 || i >= size)
+        throw Precondition_error("Reduced_rows", "row " + std::to_string(i) + " is not one of " +
+                                                     std::to_string(size) + " rows");
+      if (is_reduced(i))
+        throw Precondition_error("Reduced_rows", "row " + std::to_string(i) + " is named twice");
+      m_is_reduced[at(i)] = 1;
+    }
+    m_first.reserve(at(size) + 1);
+    m_first.push_back(0);
+    for (int i = 0; i < size; ++i) m_first.push_back(first(i) + (is_reduced(i) ? 2 : 4));
+  }
+
+  /// the number of rows
+  int size() const { return static_cast<int>(m_is_reduced.size()); }
+
+  int size_of_reduced() const { return m_count; }
+
+  bool is_reduced(int i) const { return m_is_reduced[at(i)] != 0; }
+
+  /// the number of real coordinates
+  int dimension() const { return m_first.empty() ? 0 : m_first.back(); }
+
+  /// the number of coordinates of row i, 2 or 4
+  int dimension(int i) const { return first(i + 1) - first(i); }
+
+  /// the first coordinate of row i
+  int first(int i) const { return m_first[at(i)]; }
+
+  friend bool operator==(const Reduced_rows& a, const Reduced_rows& b)
+  {
+    return a.m_is_reduced == b.m_is_reduced;
+  }
+  friend bool operator!=(const Reduced_rows& a, const Reduced_rows& b) { return !(a == b); }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  std::vector<char> m_is_reduced;
+  std::vector<int> m_first;  // size() + 1
+  int m_count = 0;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif
