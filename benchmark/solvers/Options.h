@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef BENCHMARK_SOLVERS_OPTIONS_H
+#define BENCHMARK_SOLVERS_OPTIONS_H
+
+#include <cstddef>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "Row.h"
+
+namespace cgp_benchmark {
+
+/// the command line of benchmark_solvers
+struct Options {
+  Job job;
+  std::vector<std::string> tables, models, meshes;
+  std::vector<std::string> passed_on;  // the words that a row's process gets too
+  bool all = false;
+  int row = -1;  // the row to be measured by this process
+};
+
+/// the parts between the separators
+inline std::vector<std::string> split(const std::string& words, char separator)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(words);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+/// \throws std::exception where a word is not understood
+inline Options read_options(int argc, char** argv)
+{
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const std::size_t equals = word.find('=');
+    const std::string key = word.substr(0, equals);
+    const std::string value = equals == std::string::npos ? "" : word.substr(equals + 1);
+    const bool is_mesh = word.rfind("--", 0) != 0;
+    if (is_mesh)
+      options.meshes.push_back(word);
+    else if (key == "--tables")
+      options.tables = split(value, ',');
+    else if (key == "--models")
+      options.models = split(value, ';');
+    else if (key == "--runs")
+      options.job.runs = std::stoi(value);
+    else if (key == "--seconds")
+      options.job.seconds = std::stod(value);
+    else if (key == "--amplitude")
+      options.job.amplitude = std::stod(value);
+    else if (key == "--tolerance")
+      options.job.tolerance = std::stod(value);
+    else if (key == "--all")
+      options.all = true;
+    else if (key == "--row")
+      options.row = std::stoi(value);
+    else if (key == "--reference")
+      options.job.reference = value;
+    else
+      throw std::runtime_error("unknown option " + word);
+    if (!is_mesh) options.passed_on.push_back(word);
+  }
+  if (options.meshes.empty()) options.meshes = {"20", "41", "81"};
+  return options;
+}
+
+}  // namespace cgp_benchmark
+
+#endif

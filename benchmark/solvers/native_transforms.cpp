@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/linear_algebra/inverse_power_method.h>
+
+#include "transforms.h"
+
+namespace cgp_benchmark {
+
+// Not measured but made: the positions that all others are compared to.
+static void make_reference(const Job& job, const CGP::Mesh_view& mesh, Record& record)
+{
+  CGP::Dirac_options options;
+  options.tolerance = 1e-12;
+  const CGP::Spin_result result =
+      CGP::Spin_transformation<>(mesh).transform(smooth_potential(mesh, job.amplitude), options);
+  write_positions(job.reference, result.positions);
+  record.add("residual", result.report.residual).add("gap", result.report.gap);
+  record.add("iterations", result.report.iterations);
+}
+
+void add_native_transforms(std::vector<Row>& rows)
+{
+  rows.push_back({"reference", "native, double, 1e-12", make_reference});
+  rows.push_back({"transform", "native, double", measure_transform<CGP::Supernodal_solver_traits>});
+  rows.push_back(
+      {"transform", "native, float", measure_transform<CGP::Mixed_supernodal_solver_traits>});
+  rows.push_back(
+      {"transform", "native, inverse power method",
+       measure_transform<CGP::Supernodal_solver_traits, CGP::Inverse_power_eigensolver_traits>});
+}
+
+}  // namespace cgp_benchmark

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/linear_algebra/Cholmod_hermitian_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/Eigen_hermitian_solver_traits.h>
+
+#include "factors.h"
+
+namespace cgp_benchmark {
+
+void add_other_factors(std::vector<Row>& rows)
+{
+  using Quaternion = CGP::Quaternion<double>;
+  const auto add = [&](const char* model, Row::Measure measure, int most_vertices,
+                       const char* reason) {
+    rows.push_back({"factor", model, measure, most_vertices, reason});
+  };
+  add("CHOLMOD, complex 2n",
+      measure_factor<CGP::Cholmod_hermitian_solver_traits::Solver<Quaternion>>, 300'000,
+      "takes a minute and 6 GB");
+  add("CHOLMOD, real 4n",
+      measure_factor<CGP::Cholmod_real_hermitian_solver_traits::Solver<Quaternion>>, 300'000,
+      "takes minutes and 12 GB");
+  add("Eigen, complex 2n", measure_factor<CGP::Eigen_hermitian_solver_traits::Solver<Quaternion>>,
+      20'000, "time grows like the square of the size");
+  add("Eigen, real 4n", measure_factor<CGP::Eigen_real_hermitian_solver_traits::Solver<Quaternion>>,
+      20'000, "time grows like the square of the size");
+}
+
+}  // namespace cgp_benchmark

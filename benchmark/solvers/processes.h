@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef BENCHMARK_SOLVERS_PROCESSES_H
+#define BENCHMARK_SOLVERS_PROCESSES_H
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace cgp_benchmark {
+
+/// \brief runs this program anew with the arguments; what it prints goes where ours goes.
+///
+/// One BLAS thread: the threads of a BLAS wait in busy loops, which would count as work.
+/// \returns how it ended, in words; nothing if well
+inline std::string run_anew(std::vector<std::string> arguments)
+{
+  std::vector<char*> pointers{const_cast<char*>("benchmark_solvers")};
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    setenv("OPENBLAS_NUM_THREADS", "1", 0);
+    setenv("OMP_NUM_THREADS", "1", 0);
+    execv("/proc/self/exe", pointers.data());
+    _exit(127);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child) return "no process";
+  if (WIFSIGNALED(status)) return "stopped by signal " + std::to_string(WTERMSIG(status));
+  return WEXITSTATUS(status) == 0 ? "" : "exit code " + std::to_string(WEXITSTATUS(status));
+}
+
+}  // namespace cgp_benchmark
+
+#endif

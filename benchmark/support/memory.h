@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef BENCHMARK_SUPPORT_MEMORY_H
+#define BENCHMARK_SUPPORT_MEMORY_H
+
+#include <malloc.h>
+
+#include <fstream>
+#include <string>
+
+namespace cgp_benchmark {
+
+/// a line of /proc/self/status, in bytes: "VmRSS:" is the memory in use, "VmHWM:" its peak
+inline double bytes_of(const std::string& line)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (word == line) {
+      double kilobytes = 0;
+      status >> kilobytes;
+      return 1024 * kilobytes;
+    }
+  return 0;
+}
+
+/// the peak of memory while `stage()` runs, above what was in use before
+template <class Stage>
+double peak_bytes(Stage stage)
+{
+  malloc_trim(0);                               // gives back what earlier stages have freed
+  std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
+  const double before = bytes_of("VmRSS:");
+  stage();
+  return bytes_of("VmHWM:") - before;
+}
+
+}  // namespace cgp_benchmark
+
+#endif
