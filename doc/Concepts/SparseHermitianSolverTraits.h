@@ -13,7 +13,8 @@
 /// \cgalHasModels{`Conformal_geometry_processing::Cholmod_hermitian_solver_traits`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Cholmod_real_hermitian_solver_traits`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Eigen_hermitian_solver_traits`,}
-/// \cgalHasModels{`Conformal_geometry_processing::Eigen_real_hermitian_solver_traits`.}
+/// \cgalHasModels{`Conformal_geometry_processing::Eigen_real_hermitian_solver_traits`,}
+/// \cgalHasModels{`Conformal_geometry_processing::Lagged_solver_traits`.}
 /// \cgalHasModelsEnd
 class SparseHermitianSolverTraits {
  public:
