@@ -86,26 +86,37 @@ bool is_named(const std::vector<std::string>& names, const std::string& name)
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void measure_mesh(const Options& options, const std::vector<Row>& rows, const std::string& name)
+/// measures the row in a process of its own, or says why not; true if it is done
+bool measure_apart(const Options& options, const std::vector<Row>& rows, std::size_t k,
+                   const std::string& name, const CGP::Mesh_view& mesh,
+                   const std::string& reference)
 {
-  const CGP::Mesh_view mesh = make_mesh(name);
-  const std::string reference = "/tmp/cgp_reference_" + std::to_string(getpid());
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Row& row = rows[k];
-    const bool is_reference = row.table == "reference";
-    if (!is_named(options.tables, is_reference ? "transform" : row.table)) continue;
-    if (!is_reference && !is_named(options.models, row.model)) continue;
-    if (mesh.size_of_vertices() > row.most_vertices && !options.all) {
-      begin_record(row, name, mesh).add("left_out", row.reason).print();
-      continue;
-    }
+  std::string reason = rows[k].reason;
+  if (options.all || mesh.size_of_vertices() <= rows[k].most_vertices) {
     std::vector<std::string> arguments = options.passed_on;
     arguments.insert(arguments.end(),
                      {"--row=" + std::to_string(k), "--reference=" + reference, name});
-    const std::string failure = run_anew(arguments);
-    if (!failure.empty()) begin_record(row, name, mesh).add("left_out", failure).print();
+    reason = run_anew(arguments);
+    if (reason.empty()) return true;
   }
-  std::remove(reference.c_str());
+  begin_record(rows[k], name, mesh).add("left_out", reason).print();
+  return false;
+}
+
+/// all rows that are asked for; the reference comes before those that are compared to it
+void measure_mesh(const Options& options, const std::vector<Row>& rows, const std::string& name)
+{
+  const CGP::Mesh_view mesh = make_mesh(name);
+  const std::string file = "/tmp/cgp_reference_" + std::to_string(getpid());
+  bool has_reference = false;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (rows[k].table == "reference") {
+      if (is_named(options.tables, "transform"))
+        has_reference = measure_apart(options, rows, k, name, mesh, file);
+    } else if (is_named(options.tables, rows[k].table) && is_named(options.models, rows[k].model)) {
+      measure_apart(options, rows, k, name, mesh, has_reference ? file : "");
+    }
+  std::remove(file.c_str());
 }
 
 }  // namespace

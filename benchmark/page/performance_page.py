@@ -1,0 +1,130 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""doc/performance.md and its figures, made of measurements."""
+
+from page import plot, tables
+from page.measurements import bytes_per_vertex, is_sphere, title
+
+TEXT = """\
+# The solvers, measured
+
+Written by `benchmark/performance` from one run of `benchmark_solvers`; run it on your machine to
+compare. The measurements are in performance.jsonl beside this page, one row a line.
+
+{machine}
+
+**P** is the yardstick: one scalar Poisson problem on the same mesh by CHOLMOD, called directly and
+left to its own choices: assembly of the cotan Laplacian, ordering and analysis, factorization, one
+solve with three right-hand sides. It is measured in turn with every row, in the process of that
+row. Times are seconds of the processor on one thread, the best of several runs; wall clock where
+threads are compared. Memory is the peak of the first run above the mesh, in a fresh process.
+
+Meshes have area 4 pi. The spheres have bumps of a tenth of their radius, the others are from CGAL
+(Debian's package libcgal-demo). rho is
+*amplitude* (sin(3x + 1/2) cos 2y + 0.6 sin(4z + x)), less its mean, at the centroids of the faces,
+with amplitude 1: the unit is 1/R, R the radius of the sphere of the same area. 1 is an edit that
+one sees, 3 a strong one. The eigenvector is computed to an error of 1e-6.
+
+## Targets
+
+{met} of {measured} targets are met, of {all} in all. The worst mesh counts.
+
+{targets}
+
+## Time and memory
+
+![time of the first transformation](figures/performance_time.svg)
+
+![memory of the first transformation](figures/performance_memory.svg)
+
+Exponents in the number of vertices, fitted to the spheres with all sizes, from 131k and from 0.5M
+faces:
+
+{exponents}
+
+The implementation that came with the thesis in 2011, as measured on such a machine, and *native,
+double*:
+
+{original}
+
+## First transformations
+
+The whole of `Spin_transformation` on a mesh never seen before: checks, pattern, ordering, analysis,
+both factorizations, eigenvector, positions and certificate. *Difference* is the largest distance
+to the positions of *native, double* at tolerance 1e-12, after the best similarity, relative to
+the bounding box. The stages are shares of the total; *setup* has the checks, the ordering, the
+analysis and the factor of the Laplacian.
+
+*Thesis recipe* is what a careful user of other libraries writes: X in real numbers, 4n x 4n, by
+triplets (lower triangle only), `Eigen::CholmodSupernodalLLT`, three steps of the inverse power
+method from lambda = 1, and the Poisson problem by the same means; no checks, no certificate, and
+an error that nobody knows. *CHOLMOD, complex 2n* and *native, inverse power method* are this
+library with one part replaced.
+
+{transforms}
+
+## Later steps of a flow
+
+{flows}
+
+## Two threads
+
+Wall clock.
+
+{threads}
+
+## Instruction sets
+
+The same source compiled for SSE2 (what x86-64 guarantees) and AVX2, seconds of the second numeric
+factorization.
+
+{simd}
+
+## Factorizations
+
+Each model with the ordering that it chooses by itself. *Again* is a second factorization into the
+same memory, as flows do; its ratio is to the same of CHOLMOD on the scalar Laplacian. *Solve* is
+one quaternionic right-hand side, or three real ones; *bytes/vertex* are those of the factor.
+
+{factors}
+"""
+
+
+def headed(m, table_of, kind):
+    """One table per mesh, under its name."""
+    parts = []
+    for mesh, faces, vertices in m.meshes():
+        rows = m.rows(kind, mesh=mesh)
+        if rows:
+            parts.append(f"**{title(mesh)}**: {faces:,} faces, {vertices:,} vertices\n\n"
+                         + table_of(m, mesh))
+    return "\n\n".join(parts)
+
+
+def page(m, machine):
+    targets, met, measured = tables.target_table(m)
+    return TEXT.format(
+        machine=machine, targets=targets, met=met, measured=measured,
+        all=len(tables.targets.TARGETS), exponents=tables.exponent_table(m),
+        original=tables.original_table(m),
+        transforms=headed(m, tables.transform_table, "transform"), flows=tables.flow_table(m),
+        threads=tables.thread_table(m), simd=tables.simd_table(m),
+        factors=headed(m, tables.factor_table, "factor"))
+
+
+def figures(m):
+    """file name -> SVG"""
+    rows = [row for row in m.measured("poisson") + m.measured("transform")
+            if is_sphere(row["mesh"])]
+    time, memory = {}, {}
+    for row in rows:
+        name = "P" if row["table"] == "poisson" else row["model"]
+        time.setdefault(name, []).append((row["faces"], row["seconds"]))
+        memory.setdefault(name, []).append((row["faces"], bytes_per_vertex(row)))
+    if not rows:
+        return {}
+    return {"performance_time.svg": plot.log_log(
+                time, "faces", "seconds", "First transformation of a bumpy sphere: time"),
+            "performance_memory.svg": plot.log_log(
+                memory, "faces", "bytes per vertex",
+                "First transformation of a bumpy sphere: peak memory above the mesh")}

@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""doc/performance.md is computed rightly: fits, ratios, verdicts and drawings, from made-up
+measurements whose answers are known."""
+
+import json
+import sys
+import xml.etree.ElementTree
+
+import sources
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(sources.ROOT / "benchmark"))
+from page import performance_page, plot, targets  # noqa: E402
+from page.measurements import Measurements, exponent, title  # noqa: E402
+
+
+def transform(mesh, faces, model, seconds, **more):
+    return {"table": "transform", "model": model, "mesh": mesh, "faces": faces,
+            "vertices": faces // 2 + 2, "seconds": seconds, "poisson": 0.5, "bytes": 1000 * faces,
+            "difference": 1e-7, "iterations": 3, "assembly_share": 0.01, "setup_share": 0.99,
+            **more}
+
+
+def factor(mesh, faces, model, again, **more):
+    return {"table": "factor", "model": model, "mesh": mesh, "faces": faces, "simd": "AVX2",
+            "vertices": faces // 2 + 2, "ordering": 0.1, "symbolic": 0.1, "numeric": 2 * again,
+            "again": again, "solve": 0.1, "bytes": 100 * faces, "residual": 1e-14,
+            "poisson": 0.5, "poisson_again": 0.25, "poisson_solve": 0.05, **more}
+
+
+ROWS = [
+    transform("20", 8000, "native, double", 1.5),
+    transform("41", 33620, "native, double", 0.75),
+    transform("20", 8000, "native, float", 1.0),
+    transform("20", 8000, "thesis recipe", 6.0),
+    transform("bull.off", 12396, "native, double", 0.5),
+    transform("bull.off", 12396, "thesis recipe", 0.6, difference=0.1),
+    transform("162", 524880, "multigrid", 1.0),
+    transform("324", 2099520, "multigrid", 4.0),
+    factor("20", 8000, "native, quaternion n", 0.5),
+    factor("20", 8000, "native, quaternion n", 0.3),
+    factor("20", 8000, "CHOLMOD, real 4n", 3.0),
+    factor("20", 8000, "native, quaternion n", 1.0, build="avx2"),
+    factor("20", 8000, "native, quaternion n", 2.0, build="sse2"),
+    {"table": "factor", "model": "Eigen, real 4n", "mesh": "20", "faces": 8000, "vertices": 4002,
+     "left_out": "too long"},
+    {"table": "threads", "model": "whole", "mesh": "20", "faces": 8000, "vertices": 4002,
+     "wall_1": 3.0, "wall_2": 2.0},
+]
+
+VERDICTS = {  # beginning of the statement: (met, part of what is shown)
+    "first transformation, double": (False, "3.00 (20), best 1.00"),
+    "first transformation, float": (False, "2.00 (20)"),
+    "either": (True, "3.00 (20)"),
+    "float factor: difference": (True, "1.0e-07"),
+    "quaternionic numeric factorization": (True, "1.20 (20)"),
+    "CHOLMOD, real 4n": (True, "10.00 (20)"),
+    "Eigen": (None, "not measured"),
+    "thesis recipe": (False, "4.00 (20)"),
+    "implementation of 2011 / first transformation, time": (False, "0.20 (20), best 2.19"),
+    "2M faces, multigrid": (False, "8.00 (324)"),
+    "multigrid from 0.5M": (True, "1.00"),
+    "two threads, first": (True, "1.50 (20)"),
+    "built for SSE2": (True, "2.00 (20)"),
+    "assembly": (True, "1.0"),
+}
+
+
+def check_numbers(m):
+    if abs(exponent([1, 10, 100], [3, 3e2, 3e4]) - 2) > 1e-12:
+        yield "the exponent of 3 x^2 is not 2"
+    if exponent([5], [1]) is not None or exponent([5, 5], [1, 2]) is not None:
+        yield "one size has an exponent"
+    if [mesh for mesh, _, _ in m.meshes()] != ["20", "41", "162", "324", "bull.off"]:
+        yield "meshes are not in order: spheres by size, then the others"
+    if title("bear.off:2") != "bear.off, every face split in 16":
+        yield "a split mesh has the wrong title"
+
+
+def check_verdicts(m):
+    for beginning, (met, shown) in VERDICTS.items():
+        target = next(t for t in targets.TARGETS if t.statement.startswith(beginning))
+        found, cells = target.verdict(m)
+        if found is not met or shown not in cells[2]:
+            yield f"{target.statement}: {found} with \"{cells[2]}\", not {met} with \"{shown}\""
+
+
+def check_drawing():
+    lines = {"a <b>": [(1, 1), (1000, 50)], "c": [(1000, 51), (10, 2)]}
+    svg = xml.etree.ElementTree.fromstring(plot.log_log(lines, "x", "y", "title"))
+    space = "{http://www.w3.org/2000/svg}"
+    corners = [tuple(map(float, corner.split(",")))
+               for line in svg.iter(space + "polyline") for corner in line.get("points").split()]
+    if len(corners) != 4 or corners != [c for c in corners if plot.LEFT < c[0] < plot.WIDTH
+                                        - plot.RIGHT and plot.TOP < c[1] < plot.HEIGHT]:
+        yield "the plot does not hold all points"
+    if not (corners[0][0] < corners[1][0] and corners[0][1] > corners[1][1]):
+        yield "larger values are not to the right and above"
+    heights = plot.spread([100, 100, 400, 409, 409])
+    gaps = [b - a for a, b in zip(sorted(heights), sorted(heights)[1:])]
+    if min(gaps) < plot.LINE_HEIGHT or max(heights) > plot.HEIGHT - plot.BOTTOM:
+        yield f"names overlap or leave the plot: {heights}"
+
+
+def check_page(m):
+    page = performance_page.page(m, "machine")
+    for part in ("| **not met** |", "left out: too long", "11 of 17 targets"):
+        if part not in page:
+            yield f"the page does not say \"{part}\""
+    if len(performance_page.figures(m)) != 2:
+        yield "figures are missing"
+
+
+if __name__ == "__main__":
+    measured = Measurements(json.dumps(row) for row in ROWS)
+    sources.finish([*check_numbers(measured), *check_verdicts(measured), *check_drawing(),
+                    *check_page(measured)], "the page of measurements")
