@@ -6,6 +6,7 @@
 cgp_find(CGP_HAS_CGAL libcgal-dev CGAL 5.5 QUIET)
 # NO_MODULE: CGAL puts a FindEigen3.cmake of its own on the module path.
 cgp_find(CGP_HAS_EIGEN libeigen3-dev Eigen3 3.4 QUIET NO_MODULE)
+find_package(Threads REQUIRED)
 cgp_find(CGP_HAS_CHOLMOD libsuitesparse-dev CHOLMOD QUIET MODULE)
 cgp_find(CGP_HAS_METIS libmetis-dev METIS QUIET MODULE)
 if(NOT CGP_HAS_CGAL OR NOT CGP_HAS_EIGEN)
@@ -31,7 +32,7 @@ list(FILTER CGP_CHOLMOD_HEADERS INCLUDE REGEX "/Cholmod_")
 list(FILTER CGP_METIS_HEADERS INCLUDE REGEX "/Metis_")
 
 cgp_add_library(core ${CGP_CORE_HEADERS})
-target_link_libraries(cgp_core INTERFACE CGAL::CGAL Eigen3::Eigen)
+target_link_libraries(cgp_core INTERFACE CGAL::CGAL Eigen3::Eigen Threads::Threads)
 set(CGP_TARGETS cgp_core)
 
 if(CGP_HAS_CHOLMOD)

@@ -43,14 +43,18 @@ class Extend_add : public testing::Test {
         for (int q = 0; q < Kernels::planes; ++q)
           target[q * Kernels::lanes] += static_cast<Real>(parts[q]);
       }
-    extend_add.set_front(k, u);
-    extend_add.add_to_panel(child.data(), n, place.data(), panel.data());
-    extend_add.add_to_update(child.data(), n, place.data(), update.data());
+    const CGP::Extend_add<Scalar, Real> extend_add(k, u);
+    for (int begin = 0; begin < k + u; begin += step)
+      extend_add.add_to_panel({child.data(), n, place.data()}, panel.data(), begin,
+                              std::min(begin + step, k + u));
+    for (int begin = 0; begin < u; begin += step)
+      extend_add.add_to_update({child.data(), n, place.data()}, update.data(), begin,
+                               std::min(begin + step, u));
     EXPECT_EQ(panel, expected_panel);
     EXPECT_EQ(update, expected_update);
   }
 
-  CGP::Extend_add<Scalar, Real> extend_add;
+  int step = 1000;  // rows at once
 };
 TYPED_TEST_SUITE(Extend_add, Kinds);
 
@@ -66,7 +70,7 @@ TYPED_TEST(Extend_add, serves_fronts_of_any_size_one_after_another)
 {
   Random random(6);
   for (const int k : {1, 7, 8, 33})
-    for (const int u : {0, 5, 16, 70}) {
+    for (const int u : {0, 5, 16, 70, 400}) {
       std::vector<int> place;
       for (int i = 0; i < k + u; ++i)
         if (random.below(3) > 0) place.push_back(i);
@@ -74,13 +78,24 @@ TYPED_TEST(Extend_add, serves_fronts_of_any_size_one_after_another)
     }
 }
 
+TYPED_TEST(Extend_add, serves_some_rows_after_others)
+{
+  std::vector<int> place;
+  for (int i = 0; i < 60; ++i)
+    if (i % 3 > 0) place.push_back(i);
+  for (const int rows : {1, 8, 13}) {
+    this->step = rows;
+    this->expect_sum(20, 40, place);
+    this->expect_sum(50, 10, place);
+  }
+}
+
 TYPED_TEST(Extend_add, tells_where_an_entry_of_the_panel_is)
 {
-  this->extend_add.set_front(11, 23);
+  const CGP::Extend_add<typename TypeParam::Scalar, typename TypeParam::Real> extend_add(11, 23);
   for (int j = 0; j < 11; ++j)
     for (int i = j; i < 34; ++i)
-      EXPECT_EQ(static_cast<std::size_t>(this->extend_add.in_panel(i, j)),
-                in_panel<TypeParam>(11, i, j));
+      EXPECT_EQ(static_cast<std::size_t>(extend_add.in_panel(i, j)), in_panel<TypeParam>(11, i, j));
 }
 
 }  // namespace

@@ -68,6 +68,36 @@ TYPED_TEST(Front_kernels, factor_a_panel_as_a_dense_cholesky_factorization_does)
   }
 }
 
+TYPED_TEST(Front_kernels, do_the_rows_below_in_parts_as_well)
+{
+  using Front = typename TypeParam::Kernels;
+  for (const auto& [k, u] : sizes) {
+    SCOPED_TRACE(testing::Message() << k << " columns and " << u << " rows below");
+    const auto A = random_definite_block<TypeParam>(k + u, 6);
+    this->set_panel(A, k);
+    ASSERT_EQ(this->factor_panel(), -1);
+    const Eigen::MatrixXd expected = dense(this->factor());
+    this->set_panel(A, k);
+    const int triangle = Front::blocks(k), all = triangle + Front::blocks(u);
+    ASSERT_EQ(Front::factor_panel(this->panel.data(), k, triangle), -1);
+    for (int b = all; b > triangle; b -= 3)
+      Front::solve_below(this->panel.data(), k, std::max(triangle, b - 3), b);
+    EXPECT_LE((dense(this->factor()) - expected).norm(), TypeParam::precision * expected.norm());
+
+    CGP::Aligned_array<typename TypeParam::Real> whole, parts;
+    whole.resize(Front::update_size(u));
+    parts.resize(Front::update_size(u));
+    const auto* const under = this->panel.data() + Front::panel_size(k, 0);
+    Front::set_outer_product(whole.data(), under, k, u, 0, Front::blocks(u));
+    for (int b = Front::blocks(u); b > 0; b -= 2)
+      Front::set_outer_product(parts.data(), under, k, u, std::max(0, b - 2), b);
+    for (int j = 0; j < u; ++j)
+      for (int i = j; i < u; ++i)
+        EXPECT_EQ(get<TypeParam>(whole.data() + in_update<TypeParam>(u, i, j)),
+                  get<TypeParam>(parts.data() + in_update<TypeParam>(u, i, j)));
+  }
+}
+
 TYPED_TEST(Front_kernels, leave_zeros_above_the_diagonal_and_in_rows_that_do_not_exist)
 {
   constexpr int lanes = TypeParam::Kernels::lanes;
@@ -96,7 +126,8 @@ TYPED_TEST(Front_kernels, hand_minus_the_outer_product_to_the_parent)
     CGP::Aligned_array<typename TypeParam::Real> update;
     update.resize(Front::update_size(u));
     std::fill_n(update.data(), update.size(), typename TypeParam::Real(77));
-    Front::set_outer_product(update.data(), this->panel.data() + Front::panel_size(k, 0), k, u);
+    Front::set_outer_product(update.data(), this->panel.data() + Front::panel_size(k, 0), k, u, 0,
+                             Front::blocks(u));
     const Eigen::MatrixXd L = dense(A).bottomRows(Front::planes * u);
     const Eigen::MatrixXd expected = -L * L.transpose();
     CGP::Block<typename TypeParam::Scalar> found(u, u);

@@ -6,11 +6,16 @@
 
 #include <gtest/gtest.h>
 
+#include <Conformal_geometry_processing/linear_algebra/sweep_nested_dissection.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
+
 #include <cstring>
 #include <memory>
 
 #include "linear_algebra/dense_fronts.h"
 #include "linear_algebra/symbolic_elimination.h"
+#include "linear_algebra/threads.h"
+#include "support/spheres.h"
 
 namespace cgp_test {
 namespace {
@@ -102,6 +107,64 @@ TYPED_TEST(Supernodal_factor, names_the_vertex_of_a_pivot_that_is_not_positive)
     EXPECT_EQ(factor.factorize(A, shift), vertex);
   }
   EXPECT_EQ(factor.factorize(A, {}), -1);
+}
+
+// A dense matrix is a chain of large fronts, done in pieces; a mesh has a tree with many branches.
+template <class Kind>
+std::vector<std::pair<Pattern, CGP::Ordering>> large_graphs()
+{
+  constexpr int planes = Kind::Kernels::planes, n = 520 / planes + 150;
+  const Mesh_view mesh = geodesic_sphere(planes == 1 ? 30 : planes == 2 ? 24 : 16);
+  const Pattern graph = CGP::vertex_graph(mesh);
+  return {{full_pattern(n), random_permutation(n, 16)},
+          {graph, CGP::sweep_nested_dissection(*graph, mesh.positions())}};
+}
+
+TYPED_TEST(Supernodal_factor, is_the_same_to_the_bit_for_any_number_of_threads)
+{
+  using Real = typename TypeParam::Real;
+  for (const auto& [pattern, order] : large_graphs<TypeParam>()) {
+    const auto A = random_definite<typename TypeParam::Scalar>(pattern, 17);
+    auto factor = this->factor_of(pattern, order);
+    ASSERT_EQ(factor.factorize(A, {}), -1);
+    const std::int64_t bytes = factor.bytes();
+    std::int64_t bytes_of_many = 0, bytes_of_one = 0;
+    const std::vector<Real> one(
+        factor.panel(0), factor.panel(0) + factor.panel_bytes() / std::int64_t(sizeof(Real)));
+    for (const int threads : {2, 3, 7, 1}) {
+      const Threads setting(threads);
+      ASSERT_EQ(factor.factorize(A, {}), -1);
+      (threads > 1 ? bytes_of_many : bytes_of_one) = factor.bytes();
+      EXPECT_EQ(std::memcmp(factor.panel(0), one.data(), std::size_t(factor.panel_bytes())), 0);
+    }
+    EXPECT_EQ(bytes_of_one, bytes);
+    EXPECT_GE(bytes_of_many, bytes);
+  }
+}
+
+TYPED_TEST(Supernodal_factor, names_the_first_bad_vertex_for_any_number_of_threads)
+{
+  for (const auto& [pattern, order] : large_graphs<TypeParam>()) {
+    const auto A = random_definite<typename TypeParam::Scalar>(pattern, 18);
+    auto factor = this->factor_of(pattern, order);
+    for (const int threads : {2, 5}) {
+      const Threads setting(threads);
+      Eigen::VectorXd shift = Eigen::VectorXd::Zero(pattern->size());
+      for (const double place : {0.95, 0.7, 0.6, 0.3, 0.1}) {
+        const int vertex = factor.structure().order()[at(int(place * pattern->size()))];
+        shift[vertex] = -3 * A.diagonal(vertex);
+        EXPECT_EQ(factor.factorize(A, shift), vertex);
+      }
+      EXPECT_EQ(factor.factorize(A, {}), -1);
+    }
+  }
+}
+
+TYPED_TEST(Supernodal_factor, takes_one_thread_where_more_do_not_pay)
+{
+  const Threads setting(4);
+  EXPECT_EQ(TestFixture::Factor::threads(1e-4), 1);
+  EXPECT_EQ(TestFixture::Factor::threads(1), 4);
 }
 
 TYPED_TEST(Supernodal_factor, knows_its_memory_before_it_is_allocated)

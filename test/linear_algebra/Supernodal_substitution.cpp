@@ -6,11 +6,17 @@
 
 #include <gtest/gtest.h>
 
+#include <Conformal_geometry_processing/linear_algebra/sweep_nested_dissection.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
+
+#include <cmath>
 #include <memory>
 #include <vector>
 
 #include "linear_algebra/dense_fronts.h"
 #include "linear_algebra/symbolic_elimination.h"
+#include "linear_algebra/threads.h"
+#include "support/spheres.h"
 
 namespace cgp_test {
 namespace {
@@ -65,6 +71,28 @@ TYPED_TEST(Supernodal_substitution, solves_as_dense_elimination_does)
 TYPED_TEST(Supernodal_substitution, solves_with_a_dense_matrix_of_many_row_blocks)
 {
   this->expect_solution(full_pattern(150), random_permutation(150, 7));
+}
+
+TYPED_TEST(Supernodal_substitution, gives_the_same_bits_for_any_number_of_threads)
+{
+  const Mesh_view mesh = geodesic_sphere(TypeParam::Kernels::planes == 4 ? 34 : 60);
+  const Pattern pattern = CGP::vertex_graph(mesh);
+  typename TestFixture::Factor factor(std::make_shared<CGP::Supernodal_structure>(
+      *pattern, CGP::sweep_nested_dissection(*pattern, mesh.positions())));
+  ASSERT_EQ(factor.factorize(random_definite<typename TypeParam::Scalar>(pattern, 8), {}), -1);
+  std::vector<typename TypeParam::Real> b(at(4 * pattern->size()));
+  for (std::size_t i = 0; i < b.size(); ++i)
+    b[i] = static_cast<typename TypeParam::Real>(std::sin(double(i)));
+  auto expected = b;
+  typename TestFixture::Substitution(factor).solve(expected.data());
+  for (const int threads : {2, 5}) {
+    const Threads setting(threads);
+    ASSERT_GT(factor.panel_bytes(), 5000000);  // enough for threads
+    auto x = b;
+    typename TestFixture::Substitution substitution(factor);
+    substitution.solve(x.data());
+    EXPECT_EQ(x, expected);
+  }
 }
 
 TYPED_TEST(Supernodal_substitution, takes_four_numbers_per_row)

@@ -5,9 +5,8 @@
 
 #include <Conformal_geometry_processing/linear_algebra/Front_kernels.h>
 
-#include <cstddef>
+#include <algorithm>
 #include <cstdint>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -16,62 +15,73 @@ namespace Conformal_geometry_processing {
 /// the panel of the parent, the others to its own update (see `Front_kernels` for their layouts).
 ///
 /// Rows of the child become rows of the front by a list of places, so every number goes its own
-/// way; the offsets that all columns share are computed once per child.
+/// way. Only the rows of the front between two bounds are served, so that parts of a front can be
+/// added to at the same time: each number is the same sum whatever the parts.
 template <class Scalar, class Real>
 class Extend_add {
   using Kernels = Front_kernels<Scalar, Real>;
   static constexpr int lanes = Kernels::lanes, cell = Kernels::cell, planes = Kernels::planes;
 
  public:
-  /// \brief prepares for a front of so many columns and so many rows below.
-  void set_front(int columns, int rows_below)
-  {
-    m_columns = columns;
-    m_rows_below = rows_below;
-    m_panel_row.resize(at(columns + rows_below));
-    for (int i = 0; i < columns + rows_below; ++i) {
-      const int block = i < columns ? i / lanes : Kernels::blocks(columns) + (i - columns) / lanes;
-      m_panel_row[at(i)] = block * columns * cell + (i < columns ? i : i - columns) % lanes;
-    }
-    while (static_cast<int>(m_tile_row.size()) < rows_below) grow_tile_rows();
-  }
+  /// the update of a child: its rows, and the place of each in the front, ascending
+  struct Child {
+    const Real* update;
+    int rows;
+    const int* place;
+  };
+
+  /// \param columns of the panel \param rows_below the rows of the front that follow
+  Extend_add(int columns, int rows_below) : m_columns(columns), m_rows_below(rows_below) {}
 
   /// where the entry of the panel in that row of the front and that column is
   std::int64_t in_panel(int row, int column) const
   {
-    return m_panel_row[at(row)] + static_cast<std::int64_t>(column) * cell;
+    return panel_row(row) + static_cast<std::int64_t>(column) * cell;
   }
 
-  /// \brief panel += the columns of a child's update that are columns of the panel.
-  /// \param place the place in the front of each row of the child, ascending
-  void add_to_panel(const Real* child, int child_rows, const int* place, Real* panel)
+  /// \brief panel += the columns of a child's update that are columns of the panel, in the rows
+  /// begin <= row < end of the front.
+  void add_to_panel(const Child& child, Real* panel, int begin, int end) const
   {
-    prepare(child_rows, [&](int i) { return m_panel_row[at(place[i])]; });
-    for (int j = 0; j < child_rows && place[j] < m_columns; ++j)
-      add_column(child, child_rows, j, panel + static_cast<std::int64_t>(place[j]) * cell);
+    const int last_column = find(child, m_columns);
+    for_row_groups(child, begin, end, [&](Rows& rows) {
+      for (int i = 0; i < rows.count; ++i) rows.target[i] = panel_row(child.place[rows.first + i]);
+      for (int j = 0; j < std::min(last_column, rows.first + rows.count); ++j)
+        add_column(child, j, rows, panel + static_cast<std::int64_t>(child.place[j]) * cell);
+    });
   }
 
-  /// \brief update += the other columns of the child's update.
-  void add_to_update(const Real* child, int child_rows, const int* place, Real* update)
+  /// \brief update += the other columns of the child's update, in the rows begin <= row < end below
+  /// the panel.
+  void add_to_update(const Child& child, Real* update, int begin, int end) const
   {
-    int begin = 0;
-    while (begin < child_rows && place[begin] < m_columns) ++begin;
-    prepare(child_rows,
-            [&](int i) { return place[i] < m_columns ? 0 : m_tile_row[at(place[i] - m_columns)]; });
-    for (int j = begin; j < child_rows; ++j)
-      add_column(child, child_rows, j,
-                 update + tile_column(Kernels::blocks(m_rows_below), place[j] - m_columns));
+    const int first_column = find(child, m_columns), blocks = Kernels::blocks(m_rows_below);
+    for_row_groups(child, m_columns + begin, m_columns + end, [&](Rows& rows) {
+      for (int i = 0; i < rows.count; ++i)
+        rows.target[i] = tile_row(child.place[rows.first + i] - m_columns);
+      for (int j = first_column; j < rows.first + rows.count; ++j)
+        add_column(child, j, rows, update + tile_column(blocks, child.place[j] - m_columns));
+    });
   }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  // Some rows of the child, whose places are looked up at once for all columns.
+  struct Rows {
+    static constexpr int most = 256;
+    int first, count;
+    int source[most], target[most];
+  };
+
+  int panel_row(int row) const
+  {
+    const int block =
+        row < m_columns ? row / lanes : Kernels::blocks(m_columns) + (row - m_columns) / lanes;
+    const int lane = (row < m_columns ? row : row - m_columns) % lanes;
+    return block * m_columns * cell + lane;
+  }
 
   // Within a block column of tiles rows are this far from where row 0 would be.
-  void grow_tile_rows()
-  {
-    const int i = static_cast<int>(m_tile_row.size());
-    m_tile_row.push_back(i / lanes * (lanes * cell) + i % lanes);
-  }
+  static int tile_row(int row) { return row / lanes * (lanes * cell) + row % lanes; }
 
   // Where row 0 of a column would be, had its tiles above the diagonal been stored.
   static std::int64_t tile_column(int blocks, int column)
@@ -81,29 +91,38 @@ class Extend_add {
            column % lanes * cell;
   }
 
-  template <class Offset>
-  void prepare(int child_rows, Offset offset)
+  // The first row of the child at that place of the front or after it.
+  static int find(const Child& child, int place)
   {
-    while (static_cast<int>(m_tile_row.size()) < child_rows) grow_tile_rows();
-    m_target.resize(at(child_rows));
-    for (int i = 0; i < child_rows; ++i) m_target[at(i)] = offset(i);
+    return static_cast<int>(std::lower_bound(child.place, child.place + child.rows, place) -
+                            child.place);
   }
 
-  void add_column(const Real* child, int child_rows, int column, Real* to) const
+  template <class Visitor>
+  static void for_row_groups(const Child& child, int begin, int end, Visitor visit)
   {
-    const Real* const from = child + tile_column(Kernels::blocks(child_rows), column);
-    const int* const source = m_tile_row.data();
-    const int* const target = m_target.data();
-    for (int i = column; i < child_rows; ++i) {
-      const Real* const f = from + source[i];
-      Real* const t = to + target[i];
+    const int last = find(child, end);
+    Rows rows;
+    for (int first = find(child, begin); first < last; first += Rows::most) {
+      rows.first = first;
+      rows.count = std::min(Rows::most, last - first);
+      for (int i = 0; i < rows.count; ++i) rows.source[i] = tile_row(first + i);
+      visit(rows);
+    }
+  }
+
+  static void add_column(const Child& child, int column, const Rows& rows, Real* to)
+  {
+    const Real* const from = child.update + tile_column(Kernels::blocks(child.rows), column);
+    for (int i = std::max(0, column - rows.first); i < rows.count; ++i) {
+      const Real* const f = from + rows.source[i];
+      Real* const t = to + rows.target[i];
 #pragma GCC unroll 4
       for (int q = 0; q < planes; ++q) t[q * lanes] += f[q * lanes];
     }
   }
 
-  int m_columns = 0, m_rows_below = 0;
-  std::vector<int> m_panel_row, m_tile_row, m_target;
+  int m_columns, m_rows_below;
 };
 
 }  // namespace Conformal_geometry_processing

@@ -58,54 +58,52 @@ class Front_kernels {
   }
 
   /// \brief replaces the panel A = (A11; A21) by L11 with A11 = L11 L11^H and L21 = A21 L11^-H.
-  /// \returns the first column whose pivot is not positive, -1 if all are
+  /// \param row_blocks of the panel; with those of the triangle alone, `solve_below()` does the
+  /// rest \returns the first column whose pivot is not positive, -1 if all are
   static int factor_panel(Real* panel, int columns, int row_blocks)
   {
     for (int j = 0; j < columns; j += group) {
       const int width = std::min(group, columns - j), diagonal = j / lanes, lane = j % lanes;
-      const Real* const B = panel + static_cast<std::int64_t>(diagonal) * columns * cell + lane;
-      const auto address = [&](int block) {
-        return panel + (static_cast<std::int64_t>(block) * columns + j) * cell;
-      };
       Triangle triangle;
       Register acc[group][planes];
-      load(address(diagonal), width, acc);
-      subtract_products(acc, panel + static_cast<std::int64_t>(diagonal) * columns * cell, B, j);
+      Real* const corner = panel + place(columns, diagonal, j);
+      load(corner, width, acc);
+      subtract_earlier(acc, panel, columns, diagonal, j);
       const int bad = triangle.factor(acc, lane, width);
       if (bad >= 0) return j + bad;
       triangle.solve(acc, width);
-      store(address(diagonal), width, acc);
-      triangle.write(address(diagonal), lane, width);
-      for (int block = diagonal + 1; block < row_blocks; ++block) {
-        load(address(block), width, acc);
-        subtract_products(acc, panel + static_cast<std::int64_t>(block) * columns * cell, B, j);
-        triangle.solve(acc, width);
-        store(address(block), width, acc);
-      }
+      store(corner, width, acc);
+      triangle.write(corner, lane, width);
+      solve_columns(panel, columns, j, triangle, diagonal + 1, row_blocks);
     }
     return -1;
   }
 
-  /// \brief update = -L21 L21^H, the lower triangle.
+  /// \brief the same for the row blocks begin <= block < end below a triangle that is factored.
+  static void solve_below(Real* panel, int columns, int begin, int end)
+  {
+    for (int j = 0; j < columns; j += group) {
+      const int width = std::min(group, columns - j), diagonal = j / lanes;
+      Triangle triangle;
+      triangle.read(panel + place(columns, diagonal, j), j % lanes, width);
+      solve_columns(panel, columns, j, triangle, begin, end);
+    }
+  }
+
+  /// \brief update = -L21 L21^H in the row blocks begin <= block < end of its lower triangle.
   /// \param below the row blocks of the panel under its triangle
-  static void set_outer_product(Real* update, const Real* below, int columns, int rows)
+  static void set_outer_product(Real* update, const Real* below, int columns, int rows, int begin,
+                                int end)
   {
     const int nb = blocks(rows);
     const std::int64_t stride = static_cast<std::int64_t>(columns) * cell;
-    // So many row blocks stay in the second-level cache while all columns pass by.
-    const std::int64_t cached = 384 * 1024 / static_cast<std::int64_t>(sizeof(Real));
-    const int chunk = static_cast<int>(std::max<std::int64_t>(8, cached / stride));
-    for (int begin = 0; begin < nb; begin += chunk) {
-      const int end = std::min(nb, begin + chunk);
-      for (int jb = 0; jb < end; ++jb)
-        for (int ib = std::max(jb, begin); ib < end; ++ib)
-          for (int c = 0; c < std::min(lanes, rows - jb * lanes); c += group) {
-            Real* const target = update + tile(nb, ib, jb) + c * cell;
-            Register acc[group][planes] = {};
-            subtract_products(acc, below + ib * stride, below + jb * stride + c, columns);
-            store(target, group, acc);
-          }
-    }
+    for (int jb = 0; jb < end; ++jb)
+      for (int ib = std::max(jb, begin); ib < end; ++ib)
+        for (int c = 0; c < std::min(lanes, rows - jb * lanes); c += group) {
+          Register acc[group][planes] = {};
+          subtract_products(acc, below + ib * stride, below + jb * stride + c, columns);
+          store(update + tile(nb, ib, jb) + c * cell, group, acc);
+        }
   }
 
  private:
@@ -114,6 +112,38 @@ class Front_kernels {
   static constexpr int most = internal::simd_bytes == 64 ? 16 : 8;
   static constexpr int group = std::min(lanes, std::max(1, most / planes));
   static_assert(lanes % group == 0);
+
+  class Triangle;
+
+  static std::int64_t place(int columns, int block, int column)
+  {
+    return (static_cast<std::int64_t>(block) * columns + column) * cell;
+  }
+
+  // Subtracts what the columns before j contribute to the row block.
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void subtract_earlier(Register (&acc)[group][planes],
+                                                                    const Real* panel, int columns,
+                                                                    int block, int j)
+  {
+    subtract_products(acc, panel + place(columns, block, 0),
+                      panel + place(columns, j / lanes, 0) + j % lanes, j);
+  }
+
+  // Columns j, j + 1, ... of the row blocks begin <= block < end.
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void solve_columns(Real* panel, int columns, int j,
+                                                                 const Triangle& triangle,
+                                                                 int begin, int end)
+  {
+    const int width = std::min(group, columns - j);
+    Register acc[group][planes];
+    for (int block = begin; block < end; ++block) {
+      Real* const cells = panel + place(columns, block, j);
+      load(cells, width, acc);
+      subtract_earlier(acc, panel, columns, block, j);
+      triangle.solve(acc, width);
+      store(cells, width, acc);
+    }
+  }
 
   static CONFORMAL_GEOMETRY_PROCESSING_INLINE void load(const Real* from, int width,
                                                         Register (&acc)[group][planes])
@@ -174,6 +204,16 @@ class Front_kernels {
           for (int q = 0; q < planes; ++q) m[r][c][q] *= m_inverse[c];
       }
       return -1;
+    }
+
+    /// takes the block from where `write()` has put it
+    void read(const Real* from, int lane, int width)
+    {
+      for (int c = 0; c < width; ++c) {
+        for (int r = c; r < width; ++r)
+          for (int q = 0; q < planes; ++q) m[r][c][q] = from[c * cell + q * lanes + lane + r];
+        m_inverse[c] = 1 / m[c][c][0];
+      }
     }
 
     /// acc <- acc L^-H, for the rows below

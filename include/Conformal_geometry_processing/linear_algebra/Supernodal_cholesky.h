@@ -7,13 +7,13 @@
 #include <Conformal_geometry_processing/linear_algebra/Supernodal_substitution.h>
 #include <Conformal_geometry_processing/linear_algebra/amd_ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/choose_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/guarded.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <new>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -27,7 +27,8 @@ namespace Conformal_geometry_processing {
 /// A quaternionic matrix of size n costs 16 times the operations and 4 times the memory of a real
 /// one, where the real matrix of size 4n costs 64 and 16 times as much. Ordering and symbolic
 /// analysis see the n x n graph only. Multifrontal, with dense kernels of its own for the vector
-/// registers of the target; needs no BLAS. The memory of the factor is kept for the next one.
+/// registers of the target; needs no BLAS. The memory of the factor is kept for the next one. Uses
+/// up to `number_of_threads()` threads, with the same results to the bit.
 ///
 /// \tparam Scalar_ `double`, `std::complex<double>`, `Quaternion<double>`, or of `float`
 /// \tparam Real the numbers of the factor: `float` halves the memory, for a factor that is used as
@@ -46,12 +47,12 @@ class Supernodal_cholesky {
   /// with the ordering of approximate minimum degree
   Solver_status analyze(const Sparse_pattern& pattern)
   {
-    return guarded([&] { return analyze(pattern, amd_ordering(pattern)); });
+    return internal::guarded([&] { return analyze(pattern, amd_ordering(pattern)); });
   }
 
   Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order)
   {
-    return guarded([&] {
+    return internal::guarded([&] {
       const bool fits = order.size() == static_cast<std::size_t>(pattern.size()) &&
                         !inverse_permutation(order).empty();
       const Solver_status status =
@@ -67,7 +68,7 @@ class Supernodal_cholesky {
                                        const Eigen::Matrix3Xd& positions)
   {
     const int factorizations = 2;  // a spin transformation often needs a second one
-    return guarded([&] {
+    return internal::guarded([&] {
       const bool fits = pattern.size() > 0 && positions.cols() == pattern.size();
       return adopt(pattern, fits ? choose_structure(pattern, &positions, factorizations) : nullptr);
     });
@@ -78,7 +79,7 @@ class Supernodal_cholesky {
   Solver_status analyze_like(const Sparse_pattern& pattern,
                              const Supernodal_cholesky<OtherScalar, OtherReal>& other)
   {
-    return guarded([&] { return adopt(pattern, other.structure()); });
+    return internal::guarded([&] { return adopt(pattern, other.structure()); });
   }
 
   const Ordering& ordering() const { return m_ordering; }
@@ -88,7 +89,7 @@ class Supernodal_cholesky {
 
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
   {
-    return guarded([&] {
+    return internal::guarded([&] {
       if (!m_factor || A.size() != size() || A.pattern().size_of_entries() != m_entries ||
           (shift.size() != 0 && shift.size() != A.size()))
         return Solver_status::wrong_state;
@@ -113,10 +114,10 @@ class Supernodal_cholesky {
 
   Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const
   {
-    return guarded([&] {
+    return internal::guarded([&] {
       if (!m_is_factorized || b.rows() != size()) return Solver_status::wrong_state;
       Block<Scalar> solution(b.rows(), b.cols());
-      const Substitution substitution(*m_factor);
+      Substitution substitution(*m_factor);
       Aligned_array<Real> packed;
       packed.resize(static_cast<std::int64_t>(size()) * Substitution::numbers);
       for (Eigen::Index c = 0; c < b.cols(); c += Substitution::columns) {
@@ -143,16 +144,6 @@ class Supernodal_cholesky {
   using Factor = Supernodal_factor<Scalar, Real>;
   using Substitution = Supernodal_substitution<Scalar, Real>;
   static constexpr int planes = Scalar_planes<Scalar>::size;
-
-  template <class Action>
-  static Solver_status guarded(Action action)
-  {
-    try {
-      return action();
-    } catch (const std::bad_alloc&) {
-      return Solver_status::out_of_memory;
-    }
-  }
 
   Solver_status adopt(const Sparse_pattern& pattern,
                       std::shared_ptr<const Supernodal_structure> structure)

@@ -16,6 +16,10 @@ namespace Conformal_geometry_processing {
 /// \brief solves L L^H x = b for right-hand sides of four numbers per row: four real ones, two
 /// complex ones or one of quaternions, which fill the registers equally well.
 ///
+/// Forward, each front hands the sums for the rows below to its parent, as the factorization does;
+/// backward, it reads the rows below. So subtrees are tasks for several threads, with the same
+/// results to the bit.
+///
 /// The vector is stored [row][right-hand side][component], rows in the order of elimination.
 template <class Scalar, class Real>
 class Supernodal_substitution {
@@ -31,12 +35,27 @@ class Supernodal_substitution {
   static constexpr int numbers = 4;                 ///< per row
   static constexpr int columns = numbers / planes;  ///< right-hand sides at once
 
-  explicit Supernodal_substitution(const Factor& factor) : m_factor(factor), S(factor.structure())
-  {}
+  /// \throw std::bad_alloc
+  explicit Supernodal_substitution(const Factor& factor)
+      : m_factor(factor),
+        S(factor.structure()),
+        m_threads(Factor::threads(static_cast<double>(factor.panel_bytes()) / 5e9))  // read twice
+  {
+    const auto size = [&](int s) { return static_cast<std::int64_t>(S.height(s)) * numbers; };
+    m_places = m_threads > 1 ? Update_places(S, factor.tasks(), size) : Update_places(S, size);
+    m_updates.resize(m_places.size());
+  }
 
   /// b, `numbers` * |V| of them, becomes x
-  void solve(Real* x) const
+  void solve(Real* x)
   {
+    const auto up = [&](const Elimination_tasks::Task& task, Task_pool&) {
+      for (int s = task.begin; s < task.end; ++s) forward(s, x);
+    };
+    const auto down = [&](const Elimination_tasks::Task& task, Task_pool&) {
+      for (int s = task.end - 1; s >= task.begin; --s) backward(s, x);
+    };
+    if (m_threads > 1) return m_factor.tasks().run(m_threads, up, down);
     for (int s = 0; s < S.size(); ++s) forward(s, x);
     for (int s = S.size() - 1; s >= 0; --s) backward(s, x);
   }
@@ -82,11 +101,33 @@ class Supernodal_substitution {
     for (int c = 0; c < columns; ++c) Planes::add_conjugate(acc[c], a, y[c]);
   }
 
-  void forward(int s, Real* x) const
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void add_row(Real* to, const Real* from)
   {
-    const int k = S.width(s), triangle = Factor::Kernels::blocks(k);
+    for (int i = 0; i < numbers; ++i) to[i] += from[i];
+  }
+
+  // What the children hand over goes to the rows y of the front, and to those below.
+  void add_children(int s, Real* y, Real* below) const
+  {
+    const int k = S.width(s);
+    for (const int* c = S.children_begin(s); c != S.children_end(s); ++c) {
+      const Real* from = m_updates.data() + m_places[*c];
+      const int *place = S.relative_rows(*c), *const end = place + S.height(*c);
+      for (; place != end && *place < k; ++place, from += numbers)
+        add_row(y + *place * numbers, from);
+      for (; place != end; ++place, from += numbers)
+        add_row(below + std::int64_t(*place - k) * numbers, from);
+    }
+  }
+
+  void forward(int s, Real* x)
+  {
+    const int k = S.width(s), u = S.height(s), triangle = Factor::Kernels::blocks(k);
     const Real* const L = m_factor.panel(s);
     Real* const y = x + static_cast<std::int64_t>(S.first(s)) * numbers;
+    Real* const own = m_updates.data() + m_places[s];
+    std::fill_n(own, u * numbers, Real(0));
+    add_children(s, y, own);
     alignas(64) Real block[most_blocks * wide] = {};
     for (int j = 0; j < k; ++j)
       for (int i = 0; i < numbers; ++i)
@@ -104,8 +145,8 @@ class Supernodal_substitution {
       }
     }
     const Real* const below = L + static_cast<std::int64_t>(triangle) * k * cell;
-    for_row_blocks(below, k, S.height(s), [&](auto blocks, const Real* from, int row) {
-      forward_below<blocks>(from, k, S.rows(s) + row, S.height(s) - row, y, x);
+    for_row_blocks(below, k, u, [&](auto blocks, const Real* from, int row) {
+      forward_below<blocks>(from, k, u - row, y, own + std::int64_t(row) * numbers);
     });
   }
 
@@ -137,8 +178,7 @@ class Supernodal_substitution {
   }
 
   template <int blocks>
-  static void forward_below(const Real* L, int k, const int* rows, int count, const Real* y,
-                            Real* x)
+  static void forward_below(const Real* L, int k, int count, const Real* y, Real* to)
   {
     const std::int64_t stride = static_cast<std::int64_t>(k) * cell;
     Accumulators acc[blocks] = {};
@@ -152,8 +192,7 @@ class Supernodal_substitution {
     for (int b = 0; b < blocks; ++b) store(sums + b * wide, acc[b]);
     for (int l = 0; l < std::min(count, blocks * lanes); ++l)
       for (int i = 0; i < numbers; ++i)
-        x[static_cast<std::int64_t>(rows[l]) * numbers + i] +=
-            sums[l / lanes * wide + i * lanes + l % lanes];
+        to[l * numbers + i] += sums[l / lanes * wide + i * lanes + l % lanes];
   }
 
   void backward(int s, Real* x) const
@@ -214,6 +253,9 @@ class Supernodal_substitution {
 
   const Factor& m_factor;
   const Supernodal_structure& S;
+  int m_threads;
+  Update_places m_places;
+  Aligned_array<Real> m_updates;
 };
 
 }  // namespace Conformal_geometry_processing
