@@ -216,7 +216,7 @@ Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
   Spin_transformation<Solver_traits, Eigensolver_traits> transformation(graph.view(),
                                                                         "spin_transform");
   const Spin_result result =
-      transformation.transform(potential, internal::dirac_options(np), go_further);
+      std::move(transformation).transform(potential, internal::dirac_options(np), go_further);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

@@ -43,26 +43,40 @@ double distance_to_identity(const CGP::Block<Q>& A)
 
 TEST_F(Eigen_panel, holds_what_k_and_n_make_of_the_vectors)
 {
-  const auto p = panel(random_block<Q>(n, 3, 5)), q = panel(random_block<Q>(n, 2, 6));
+  auto p = panel(random_block<Q>(n, 3, 5));
   expect_consistent(p);
-  expect_consistent(CGP::combination(p, random_block<Q>(3, 2, 7)));
-  const auto both = CGP::beside(p, q);
-  ASSERT_EQ(both.size(), 5);
-  expect_consistent(both);
-  EXPECT_EQ(CGP::beside(p, {}).size(), 3);
+  p.v = random_block<Q>(n, 3, 6);
+  CGP::apply_operators(CGP::block_operator(K), CGP::block_operator(N), p);
+  expect_consistent(p);
+}
+
+TEST_F(Eigen_panel, can_be_replaced_by_a_combination_with_another)
+{
+  const auto q = panel(random_block<Q>(n, 2, 7));
+  for (int columns = 0; columns <= 3; ++columns) {  // fewer than before, as many, or more
+    auto p = panel(random_block<Q>(n, columns, 8));
+    const auto C = random_block<Q>(columns, 2, 9), D = random_block<Q>(2, 2, 10);
+    const Eigen::MatrixXd expected =
+        real_columns(CGP::combination(p.v, C)) + real_columns(CGP::combination(q.v, D));
+    CGP::replace_by_combination(p, C, q, D);
+    EXPECT_LE((real_columns(p.v) - expected).norm(), 1e-13);
+    expect_consistent(p);
+  }
 }
 
 TEST_F(Eigen_panel, has_a_residual_orthogonal_to_the_vector)
 {
   const auto p = panel(random_block<Q>(n, 1, 8));
-  const CGP::Block<Q> r = p.residual();
+  CGP::Block<Q> r;
+  p.residual(r);
   EXPECT_LE(std::abs(CGP::inner_product(p.v.col(0), r.col(0)).w), 1e-13);
 }
 
 TEST_F(Eigen_panel, becomes_an_orthonormal_basis_of_the_same_span)
 {
   const auto p = panel(random_block<Q>(n, 4, 9));
-  const auto basis = CGP::orthonormal_basis(p);
+  auto basis = p;
+  CGP::orthonormalize(basis);
   ASSERT_EQ(basis.size(), 4);
   expect_consistent(basis);
   EXPECT_LE(distance_to_identity(CGP::gram_matrix(basis.v, basis.nv)), 1e-13);
@@ -80,13 +94,18 @@ TEST_F(Eigen_panel, loses_directions_that_depend_on_others)
     v(i, 3) = v(i, 2) + 1e-8 * v(i, 3);  // nearly the same
     v(i, 4) = v(i, 2) + 1e-3 * v(i, 4);  // clearly another
   }
-  EXPECT_EQ(CGP::orthonormal_basis(panel(v)).size(), 3);
-  EXPECT_EQ(CGP::orthonormal_basis(panel(CGP::Block<Q>(n, 2))).size(), 0);
+  auto p = panel(v), zero = panel(CGP::Block<Q>(n, 2));
+  CGP::orthonormalize(p);
+  CGP::orthonormalize(zero);
+  EXPECT_EQ(p.size(), 3);
+  expect_consistent(p);
+  EXPECT_EQ(zero.size(), 0);
 }
 
 TEST_F(Eigen_panel, is_orthogonal_to_what_was_projected_out)
 {
-  const auto base = CGP::orthonormal_basis(panel(random_block<Q>(n, 2, 11)));
+  auto base = panel(random_block<Q>(n, 2, 11));
+  CGP::orthonormalize(base);
   CGP::Block<Q> v = base.v.leftCols(1);
   const auto other = random_block<Q>(n, 1, 12);
   for (int i = 0; i < n; ++i) v(i, 0) += 1e-9 * other(i, 0);

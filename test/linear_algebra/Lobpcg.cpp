@@ -50,7 +50,7 @@ TEST(Lobpcg, finds_the_smallest_eigenpairs_of_a_matrix)
     EXPECT_LE((dense(p.A) * X - N * X * four_times(r.values).asDiagonal()).norm(), 1e-8);
     EXPECT_LE((X.transpose() * N * X - Eigen::MatrixXd::Identity(4 * block, 4 * block)).norm(),
               1e-12);
-    ASSERT_EQ(r.gap.has_value(), block > 1);
+    ASSERT_TRUE(r.gap.has_value());
     if (block > 1) {
       EXPECT_NEAR(*r.gap, p.expected[4] - p.expected[0], 1e-12);
     }
@@ -118,6 +118,17 @@ TEST(Lobpcg, needs_fewer_iterations_than_the_inverse_power_method)
       CGP::inverse_power_method(problem.k(), problem.n(), problem.inverse(), x0, until(1e-8));
   ASSERT_TRUE(fast.converged && slow.converged);
   EXPECT_LT(3 * fast.iterations, slow.iterations);
+}
+
+TEST(Lobpcg, bounds_the_gap_with_one_column)
+{
+  const Spectral_problem problem(counting(30));
+  const auto r = solve(problem, random_block<Q>(30, 1, 2), until(1e-7));
+  ASSERT_TRUE(r.gap.has_value());
+  EXPECT_GE(*r.gap, 1 - 1e-12);  // by the law of Courant and Fischer
+  EXPECT_LE(*r.gap, 2);
+  const auto at_once = solve(problem, problem.vectors().leftCols(1), until(1e-7));
+  EXPECT_FALSE(at_once.gap.has_value());
 }
 
 TEST(Lobpcg, turns_its_answer_with_the_initial_vector)

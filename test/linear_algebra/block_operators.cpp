@@ -28,6 +28,37 @@ TEST(Block_operator, multiplies_all_columns_by_masses)
   EXPECT_EQ(y, four_times(m).asDiagonal() * real_columns(x));
 }
 
+TEST(Block_operator, writes_where_it_is_told)
+{
+  const auto A = random_hermitian<Q>(random_pattern(12, 1), 2);
+  const auto x = random_block<Q>(12, 3, 3);
+  auto y = random_block<Q>(12, 3, 4);
+  const auto* const memory = y.data();
+  CGP::apply_operator(CGP::block_operator(A), x, y);
+  EXPECT_EQ(real_columns(y), real_columns(CGP::block_operator(A)(x)));
+  EXPECT_EQ(y.data(), memory);
+  CGP::apply_operator([](const CGP::Block<Q>& z) { return CGP::Block<Q>(-z); }, x, y);
+  EXPECT_EQ(real_columns(y), -real_columns(x));
+}
+
+TEST(Inverse_operator, prefers_what_the_solver_offers_as_a_preconditioner)
+{
+  struct Half {
+    using Scalar = Q;
+    CGP::Solver_status solve(const CGP::Block<Q>&, CGP::Block<Q>&) const
+    {
+      return CGP::Solver_status::wrong_state;
+    }
+    CGP::Solver_status precondition(const CGP::Block<Q>& b, CGP::Block<Q>& x) const
+    {
+      x = b / 2.;
+      return CGP::Solver_status::success;
+    }
+  };
+  const auto b = random_block<Q>(5, 2, 9);
+  EXPECT_EQ(real_columns(CGP::inverse_operator(Half{})(b)), real_columns(b) / 2);
+}
+
 TEST(Inverse_operator, undoes_the_matrix)
 {
   const auto A = random_definite<Q>(random_pattern(12, 6), 7);

@@ -23,6 +23,19 @@ TEST(Combination, multiplies_from_the_right)
   EXPECT_LE((dense(CGP::combination(V, C)) - dense(V) * dense(C)).norm(), 1e-14);
 }
 
+TEST(Replace_by_combination, combines_more_rows_than_it_takes_at_a_time)
+{
+  const int n = 700;
+  for (int columns = 0; columns <= 3; ++columns) {
+    const auto W = random_block<Q>(n, columns, 5), V = random_block<Q>(n, 2, 6),
+               C = random_block<Q>(columns, 2, 7), D = random_block<Q>(2, 2, 8);
+    const CGP::Block<Q> expected = CGP::combination(W, C) + CGP::combination(V, D);
+    auto result = W;
+    CGP::replace_by_combination(result, C, V, D);
+    EXPECT_LE((real_columns(result) - real_columns(expected)).norm(), 1e-12);
+  }
+}
+
 TEST(Scale_column, scales_just_that_one)
 {
   const auto V = random_block<Q>(4, 2, 5);

@@ -53,6 +53,17 @@ TEST(Cotan_laplacian, is_the_sum_of_weighted_differences)
   EXPECT_LT((CGP::cotan_laplacian(mesh) * f - wanted).norm(), 1e-13);
 }
 
+TEST(Cotan_laplacian, is_assembled_again_for_other_weights)
+{
+  const Mesh_view mesh = perturbed(disk(3), .1);
+  const auto wanted = CGP::cotan_laplacian(mesh);
+  CGP::Hermitian_sparse_matrix<double> L(wanted.shared_pattern());
+  CGP::assemble_cotan_laplacian(mesh, random_numbers(mesh.size_of_edges(), 2), L);
+  CGP::assemble_cotan_laplacian(mesh, CGP::cotan_weights(mesh), L);
+  for (int k = 0; k < wanted.pattern().size_of_entries(); ++k)
+    EXPECT_EQ(L.value(k), wanted.value(k)) << k;
+}
+
 TEST(Cotan_laplacian, has_the_dirichlet_energy_of_linear_functions)
 {
   // |grad (3x + 5y)|^2 = 34 times the area, exact for piecewise linear functions.

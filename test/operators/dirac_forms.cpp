@@ -73,6 +73,21 @@ TEST(Dirac_forms, are_those_of_the_assembled_matrices_for_rho_on_vertices)
       Curvature_potential::on_vertices(random_numbers(bumps.size_of_vertices(), 2)));
 }
 
+TEST(Apply_dirac_form, is_the_operator_of_the_form)
+{
+  const Quaternion_matrix V = random_columns(2);
+  for (const auto& rho :
+       {Curvature_potential::on_faces(random_numbers(bumps.size_of_faces(), 3)),
+        Curvature_potential::on_vertices(random_numbers(bumps.size_of_vertices(), 4))}) {
+    const CGP::Dirac_forms forms = CGP::dirac_forms(bumps, rho, V);
+    for (int c = 0; c < 2; ++c) {
+      const Quaternion_vector<double> image = CGP::apply_dirac_form(bumps, rho, V.col(c));
+      for (int r = 0; r < 2; ++r)
+        EXPECT_LT(norm(CGP::inner_product(V.col(r), image) - forms.dirac(r, c)), 1e-13);
+    }
+  }
+}
+
 TEST(Dirac_quotient, of_constants_is_minus_the_constant_rho)
 {
   const Quaternion_vector<double> q =

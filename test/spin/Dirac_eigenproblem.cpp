@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Dirac_eigenproblem.h
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
+#include <Conformal_geometry_processing/spin/separate_signs.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -115,6 +116,23 @@ TEST_F(Dirac_eigenproblem, starts_with_the_guide_and_noise_that_depends_on_the_s
   EXPECT_EQ(Quaternion_vector<double>(a.col(0)), one());
   EXPECT_TRUE(a == b);
   EXPECT_LT(problem.overlap(a.col(1), c.col(1)), 1 - 1e-6);
+}
+
+TEST_F(Dirac_eigenproblem, finds_the_companion_in_a_mixture)
+{
+  const auto rho = Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh));
+  problem.set_potential(rho, seconds);
+  const CGP::Eigen_result r = smallest(2);
+  const Quaternion_matrix pure =
+      CGP::separate_signs(r.vectors, CGP::dirac_forms(mesh, rho, r.vectors));
+  const Quaternion_vector<double> u = pure.col(0), v = pure.col(1);
+  for (const double angle : {0.1, 0.5}) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const Quaternion_matrix both = problem.with_companion(c * u + s * v, rho);
+    EXPECT_EQ(Quaternion_vector<double>(both.col(0)), Quaternion_vector<double>(c * u + s * v));
+    EXPECT_LT(problem.overlap(both.col(0), both.col(1)), 1e-12);
+    EXPECT_GT(problem.overlap(both.col(1), c * v - s * u), 0.95);
+  }
 }
 
 TEST_F(Dirac_eigenproblem, overlap_is_one_for_right_factors_and_zero_for_orthogonal_vectors)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Poisson_reconstruction.h
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/Lagged_solver.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
@@ -113,6 +114,42 @@ TEST(Poisson_reconstruction, can_take_the_ordering_of_another_solver)
   EXPECT_GT(other.statistics().factor_entries, 0);
 }
 
+TEST(Poisson_reconstruction, follows_a_mesh_that_moves_without_another_analysis)
+{
+  Mesh_view mesh = icosphere(2);
+  CGP::Poisson_reconstruction<> reconstruction(mesh, CGP::vertex_graph(mesh));
+  const auto structure = reconstruction.solver().solver().structure();
+  const Eigen::MatrixX3d edges =
+      random_numbers(3 * mesh.size_of_edges(), 7).reshaped(mesh.size_of_edges(), 3);
+  for (const double amplitude : {0.1, 0.3}) {
+    mesh.set_positions(radially_perturbed(mesh, amplitude).positions());
+    reconstruction.update_geometry();
+    const Points expected = reconstruction_of(mesh).positions(edges);
+    EXPECT_LT((reconstruction.positions(edges) - expected).norm(), 1e-13 * expected.norm());
+    EXPECT_EQ(reconstruction.residual(expected, edges),
+              reconstruction_of(mesh).residual(expected, edges));
+  }
+  EXPECT_EQ(reconstruction.solver().solver().structure(), structure);
+}
+
+// f -> c + (f - c) / |f - c|^2, from a point off the surface: conformal, so L hardly changes.
+TEST(Poisson_reconstruction, needs_two_iterations_with_the_factor_of_a_conformal_image)
+{
+  Mesh_view mesh = bumpy_sphere(4);
+  CGP::Poisson_reconstruction<CGP::Lagged_solver_traits<>> lagged(mesh, CGP::vertex_graph(mesh));
+  const Eigen::Vector3d centre(0.3, 2, -1);
+  mesh = mapped(mesh, [&](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d((p - centre) / (p - centre).squaredNorm());
+  });
+  lagged.update_geometry();
+  const Eigen::MatrixX3d edges = differences(mesh, bumpy_sphere(4, 0.1).positions());
+  const Points expected = reconstruction_of(mesh).positions(edges);
+  EXPECT_LT((lagged.positions(edges) - expected).norm(), 1e-8 * expected.norm());
+  EXPECT_LE(lagged.solver().solver().iterations(), 3);
+  EXPECT_GE(lagged.solver().solver().iterations(), 2);
+  EXPECT_EQ(lagged.solver().solver().factorizations(), 1);
+}
+
 TEST(Poisson_reconstruction, residual_is_relative_to_the_edges)
 {
   const Mesh_view mesh = icosphere(1);
@@ -128,4 +165,9 @@ TEST(Poisson_reconstruction, refuses_weights_that_are_not_finite)
   p(0, 0) = std::numeric_limits<double>::quiet_NaN();
   const Mesh_view mesh(p, icosahedron().corners());
   EXPECT_THROW(reconstruction_of(mesh), CGP::Solver_error);
+
+  Mesh_view moving = icosahedron();
+  CGP::Poisson_reconstruction<> reconstruction(moving, CGP::vertex_graph(moving));
+  moving.set_positions(p);
+  EXPECT_THROW(reconstruction.update_geometry(), CGP::Solver_error);
 }

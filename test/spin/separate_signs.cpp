@@ -56,6 +56,21 @@ const double degree = pi / 180;
 
 }  // namespace
 
+TEST(Is_surely_unmixed, holds_for_no_visible_mixture_and_for_pure_vectors_without_error)
+{
+  for (const double g : {0.1, 1.0})
+    for (const double other : {-g, -1.3 * g}) {
+      const auto claimed = [&](double angle) {
+        const double c = std::cos(angle), s = std::sin(angle);
+        return CGP::is_surely_unmixed(c * c * g + s * s * other,
+                                      c * c * g * g + s * s * other * other);
+      };
+      EXPECT_TRUE(claimed(0));
+      EXPECT_TRUE(claimed(1 * degree));
+      for (int a = 3; a <= 45; a += 3) EXPECT_FALSE(claimed(a * degree));
+    }
+}
+
 TEST(Has_mixed_signs, sees_angles_above_three_degrees_between_opposite_eigenvalues)
 {
   const CGP::Dirac_forms pure = forms_of_eigenvectors(-0.4, 0.5);

@@ -64,12 +64,29 @@ class Hermitian_sparse_matrix {
   template <class X>
   Vector<Scalar> operator*(const Eigen::MatrixBase<X>& x) const
   {
-    Vector<Scalar> y = Vector<Scalar>::Constant(size(), Scalar{});
-    for_each_entry([&](int i, int j, const Scalar& a) {
-      y[i] += a * x[j];
-      if (i != j) y[j] += conjugate(a) * x[i];
-    });
+    Vector<Scalar> y(size());
+    multiply(x.derived(), y);
     return y;
+  }
+
+  /// y = A x, in the memory of y
+  /// \tparam X, Y vectors or columns of as many entries as A has rows
+  template <class X, class Y>
+  void multiply(const X& x, Y&& y) const
+  {
+    const int* const rows = m_pattern->indices.data();
+    const int* const offsets = m_pattern->offsets.data();
+    y.setConstant(Scalar{});
+    for (int j = 0; j < size(); ++j) {
+      const Scalar x_j = x[j];
+      Scalar sum = m_values[offsets[j]] * x_j;  // the diagonal is first in its column
+      for (int k = offsets[j] + 1; k < offsets[j + 1]; ++k) {
+        const Scalar a = m_values[k];
+        y[rows[k]] += a * x_j;
+        sum += conjugate(a) * x[rows[k]];
+      }
+      y[j] += sum;
+    }
   }
 
   /// calls visit(i, j, A_ij) for every stored entry, i >= j, in the order of the pattern

@@ -35,12 +35,13 @@ class Eigen_convergence {
   }
 
   /// the basis of the initial vectors, if there is one
-  Eigen_panel initial(const Eigen_panel& x0) const
+  Eigen_panel initial(Eigen_panel x) const
   {
-    Eigen_panel x = orthonormal_basis(x0);
-    if (x.size() != x0.size())
+    const Eigen::Index columns = x.size();
+    orthonormalize(x);
+    if (x.size() != columns)
       throw Precondition_error(
-          m_function, "the " + std::to_string(x0.size()) + " initial vectors depend on each other");
+          m_function, "the " + std::to_string(columns) + " initial vectors depend on each other");
     return x;
   }
 
@@ -69,10 +70,15 @@ class Eigen_convergence {
   /// there is no direction left to search
   void stop() { m_result.stagnated = true; }
 
+  /// there is a Ritz value after those of the iterates; one never below the eigenvalue it bounds
+  void note_next_value(double value) { m_next = std::min(m_next, value); }
+
   /// the best iterate
   Eigen_result result()
   {
     m_result.iterations = m_iterations;
+    if (m_result.values.size() == 1 && std::isfinite(m_next))
+      m_result.gap = std::max(m_next - m_result.values[0], 0.);
     if (m_result.values.size() > 1) m_result.gap = m_result.values[1] - m_result.values[0];
     return std::move(m_result);
   }
@@ -114,6 +120,7 @@ class Eigen_convergence {
   Eigen_result m_result;
   double m_best = std::numeric_limits<double>::infinity();
   double m_lowest = std::numeric_limits<double>::infinity();
+  double m_next = std::numeric_limits<double>::infinity();
   int m_iterations = 0, m_idle = 0;
 };
 

@@ -45,11 +45,13 @@ struct Eigen_result {
   Block<Quaternion<double>> vectors;  ///< |V| x block size, X^H N X = 1
   Vector<double> estimates;           ///< one per vector
   int iterations = 0;
-  int solves = 0;             ///< applications of T, to all columns at once
-  bool converged = false;     ///< every wanted estimate is at most the tolerance
-  bool stagnated = false;     ///< rounding errors keep the estimate above the tolerance
-  bool cancelled = false;     ///< `go_further` said no
-  std::optional<double> gap;  ///< theta_2 - theta_1, if the block has two columns or more
+  int solves = 0;          ///< applications of T, to all columns at once
+  bool converged = false;  ///< every wanted estimate is at most the tolerance
+  bool stagnated = false;  ///< rounding errors keep the estimate above the tolerance
+  bool cancelled = false;  ///< `go_further` said no
+  std::optional<double>
+      gap;  ///< theta_2 - theta_1, if the block has two columns or more; with one,
+            ///< the least upper bound met, if any: rough where the gap is wide
 };
 
 }  // namespace Conformal_geometry_processing

@@ -9,24 +9,65 @@
 #include <Conformal_geometry_processing/linear_algebra/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/quaternionic_jacobi.h>
 
+#include <array>
 #include <utility>
 
 namespace Conformal_geometry_processing {
 
 namespace internal {
 
-// S^H K S for S = [x, d], without putting S together.
-inline Block<Quaternion<double>> projection(const Eigen_panel& x, const Eigen_panel& d)
-{
-  Block<Quaternion<double>> G(x.size() + d.size(), x.size() + d.size());
-  const Block<Quaternion<double>> corner = gram_matrix(x.v, d.kv);
-  G.topLeftCorner(x.size(), x.size()) = gram_matrix(x.v, x.kv);
-  G.topRightCorner(x.size(), d.size()) = corner;
-  G.bottomRightCorner(d.size(), d.size()) = gram_matrix(d.v, d.kv);
-  for (Eigen::Index j = 0; j < d.size(); ++j)
-    for (Eigen::Index i = 0; i < x.size(); ++i) G(x.size() + j, i) = conjugate(corner(i, j));
-  return G;
-}
+// The search space of the iteration, [x, w, p] in columns that are N-orthonormal, and in memory
+// that is used again by every iteration.
+struct Lobpcg_space {
+  using Vectors = Block<Quaternion<double>>;
+
+  Eigen_panel x, w, p;  // iterates; preconditioned residuals; the steps before
+
+  std::array<const Eigen_panel*, 3> panels() const { return {&x, &w, &p}; }
+  Eigen::Index size_of_directions() const { return w.size() + p.size(); }
+
+  // Turns w into directions orthogonal to x and to each other, and p with it.
+  template <class K, class N>
+  void orthonormalize_directions(const K& apply_k, const N& apply_n)
+  {
+    for (int pass = 0; pass < 2; ++pass)
+      add_combination(w.v, x.v, Vectors(-gram_matrix(x.nv, w.v)));
+    apply_operators(apply_k, apply_n, w);
+    orthonormalize(w);
+    project_out(p, x);
+    project_out(p, w);
+    orthonormalize(p);
+  }
+
+  // S^H K S for S = [x, w, p].
+  Vectors projection() const
+  {
+    Vectors G(x.size() + size_of_directions(), x.size() + size_of_directions());
+    Eigen::Index column = 0;
+    for (const Eigen_panel* b : panels()) {
+      Eigen::Index row = 0;
+      for (const Eigen_panel* a : panels()) {
+        if (row <= column) G.block(row, column, a->size(), b->size()) = gram_matrix(a->v, b->kv);
+        row += a->size();
+      }
+      column += b->size();
+    }
+    for (Eigen::Index j = 0; j < G.cols(); ++j)
+      for (Eigen::Index i = j + 1; i < G.rows(); ++i) G(i, j) = conjugate(G(j, i));
+    return G;
+  }
+
+  // Moves x to [x, w, p] C. Of x only the vectors: K and N are applied to them anew.
+  void advance(const Vectors& C)
+  {
+    const Vectors c_x = C.topRows(x.size()), c_w = C.middleRows(x.size(), w.size()),
+                  c_p = C.bottomRows(p.size());
+    Vectors one = Vectors::Constant(C.cols(), C.cols(), {});
+    for (Eigen::Index j = 0; j < C.cols(); ++j) one(j, j).w = 1;
+    replace_by_combination(p, c_p, w, c_w);
+    replace_by_combination(x.v, c_x, p.v, one);
+  }
+};
 
 }  // namespace internal
 
@@ -54,34 +95,29 @@ Eigen_result lobpcg(const K& apply_k, const N& apply_n, const T& precondition,
                     Block<Quaternion<double>> x0, const Eigen_options& options = {},
                     GoFurther go_further = {})
 {
-  Eigen_convergence convergence("lobpcg", options, x0);
   using Vectors = Block<Quaternion<double>>;
-  Eigen_panel x = convergence.initial(make_panel(apply_k, apply_n, std::move(x0)));
-  x = combination(x, quaternionic_jacobi(gram_matrix(x.v, x.kv)).vectors);
-  Eigen_panel p;
+  Eigen_convergence convergence("lobpcg", options, x0);
+  internal::Lobpcg_space space;
+  auto& [x, w, p] = space;
+  x = convergence.initial(make_panel(apply_k, apply_n, std::move(x0)));
+  x.v = combination(x.v, quaternionic_jacobi(gram_matrix(x.v, x.kv)).vectors);
   while (true) {
     // Anew, so that the residual is the true one and not that of accumulated combinations.
-    x = make_panel(apply_k, apply_n, std::move(x.v));
-    const Vectors r = x.residual();
-    Vectors w = precondition(r);
+    apply_operators(apply_k, apply_n, x);
+    Vectors& r = w.kv;  // until K w takes its place
+    x.residual(r);
+    apply_operator(precondition, r, w.v);
     convergence.count_solve();
-    if (convergence.is_last(x, r, w, go_further)) break;
+    if (convergence.is_last(x, r, w.v, go_further)) break;
 
-    for (int pass = 0; pass < 2; ++pass) add_combination(w, x.v, Vectors(-gram_matrix(x.nv, w)));
-    Eigen_panel directions = make_panel(apply_k, apply_n, std::move(w));
-    if (p.size() > 0) project_out(p, x);
-    directions = orthonormal_basis(beside(directions, p));
-    if (directions.size() == 0) {
+    space.orthonormalize_directions(apply_k, apply_n);
+    if (space.size_of_directions() == 0) {
       convergence.stop();
       break;
     }
-
-    const Vectors ritz =
-        quaternionic_jacobi(internal::projection(x, directions)).vectors.leftCols(x.size());
-    p = combination(directions, Vectors(ritz.bottomRows(directions.size())));
-    // Of x = x C + p, only the vectors: K and N are applied to them anew.
-    x.v = combination(x.v, Vectors(ritz.topRows(x.size())));
-    x.v += p.v;
+    const auto ritz = quaternionic_jacobi(space.projection());
+    convergence.note_next_value(ritz.values[x.size()]);
+    space.advance(ritz.vectors.leftCols(x.size()));
     convergence.count_iteration();
   }
   return convergence.result();

@@ -5,6 +5,10 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
+#include <Eigen/Core>
+
+#include <algorithm>
+
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
@@ -23,10 +27,19 @@ Block<Quaternion<FT>> gram_matrix(const Block<Quaternion<FT>>& A, const Block<Qu
 
 /// \ingroup PkgLinearAlgebra
 /// \brief y += x q for columns x and y; y may be a column of the same block as x.
+/// \tparam Y, X vectors or columns, stored
 template <class Y, class X, class FT>
 void add_multiple(Y&& y, const X& x, const Quaternion<FT>& q)
 {
-  for (Eigen::Index i = 0; i < x.size(); ++i) y[i] += x[i] * q;
+  using Four = Eigen::Array<FT, 4, 1>;
+  // x q = x.w q + x.x (i q) + x.y (j q) + x.z (k q): products of a number and a vector.
+  const Four w(q.w, q.x, q.y, q.z), i(-q.x, q.w, -q.z, q.y), j(-q.y, q.z, q.w, -q.x),
+      k(-q.z, -q.y, q.x, q.w);
+  for (Eigen::Index n = 0; n < x.size(); ++n) {
+    const Quaternion<FT> a = x[n];
+    Eigen::Map<Four> sum(&y.coeffRef(n).w);
+    sum += a.w * w + a.x * i + a.y * j + a.z * k;
+  }
 }
 
 /// \ingroup PkgLinearAlgebra
@@ -47,6 +60,32 @@ Block<Quaternion<FT>> combination(const Block<Quaternion<FT>>& V, const Block<Qu
   Block<Quaternion<FT>> W = Block<Quaternion<FT>>::Constant(V.rows(), C.cols(), Quaternion<FT>{});
   add_combination(W, V, C);
   return W;
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief W = W C + V D, in the memory of W if its size stays.
+///
+/// Some rows at a time, so that no other copy of W is needed.
+template <class FT>
+void replace_by_combination(Block<Quaternion<FT>>& W, const Block<Quaternion<FT>>& C,
+                            const Block<Quaternion<FT>>& V, const Block<Quaternion<FT>>& D)
+{
+  const Eigen::Index rows = V.rows(), most = 256, old = W.cols();
+  if (old != D.cols()) W.conservativeResize(rows, std::max(old, D.cols()));
+  Block<Quaternion<FT>> part(std::min(rows, most), D.cols());
+  for (Eigen::Index first = 0; first < rows; first += most) {
+    const Eigen::Index count = std::min(most, rows - first);
+    part.setConstant(Quaternion<FT>{});
+    for (Eigen::Index j = 0; j < D.cols(); ++j) {
+      auto target = part.col(j).head(count);
+      for (Eigen::Index k = 0; k < old; ++k)
+        add_multiple(target, W.col(k).segment(first, count), C(k, j));
+      for (Eigen::Index k = 0; k < V.cols(); ++k)
+        add_multiple(target, V.col(k).segment(first, count), D(k, j));
+    }
+    W.block(first, 0, count, D.cols()) = part.topRows(count);
+  }
+  if (old > D.cols()) W.conservativeResize(rows, D.cols());
 }
 
 /// \ingroup PkgLinearAlgebra

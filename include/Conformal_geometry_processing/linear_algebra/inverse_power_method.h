@@ -30,18 +30,21 @@ Eigen_result inverse_power_method(const K& apply_k, const N& apply_n, const T& i
 {
   Eigen_convergence convergence("inverse_power_method", options, x0);
   Eigen_panel x = convergence.initial(make_panel(apply_k, apply_n, std::move(x0)));
+  Block<Quaternion<double>> r, Tr;
   while (true) {
-    const Block<Quaternion<double>> r = x.residual();
-    const Block<Quaternion<double>> Tr = invert(r);
+    x.residual(r);
+    apply_operator(invert, r, Tr);
     convergence.count_solve();
     if (convergence.is_last(x, r, Tr, go_further)) break;
-    Eigen_panel next = orthonormal_basis(make_panel(apply_k, apply_n, invert(x.nv)));
+    const Eigen::Index columns = x.size();
+    apply_operator(invert, x.nv, x.v);
     convergence.count_solve();
-    if (next.size() < x.size()) {
+    apply_operators(apply_k, apply_n, x);
+    orthonormalize(x);
+    if (x.size() < columns) {
       convergence.stop();
       break;
     }
-    x = std::move(next);
     convergence.count_iteration();
   }
   return convergence.result();

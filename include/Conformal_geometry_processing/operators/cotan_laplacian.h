@@ -35,6 +35,19 @@ inline Eigen::VectorXd cotan_weights(const Mesh_view& mesh)
 }
 
 /// \ingroup PkgOperators
+/// \brief writes the values of L = d0^T diag(w) d0 into a matrix on `vertex_graph(mesh)`.
+/// \param w one weight for each edge, as `cotan_weights(mesh)` gives them
+inline void assemble_cotan_laplacian(const Mesh_view& mesh, const Eigen::VectorXd& w,
+                                     Hermitian_sparse_matrix<double>& L)
+{
+  L.set_zero();
+  for (int k = 0; k < mesh.size_of_edges(); ++k) {
+    L.value(edge_position(mesh, k)) = -w[k];
+    for (int v : mesh.ends(k)) L.value(diagonal_position(L.pattern(), v)) += w[k];
+  }
+}
+
+/// \ingroup PkgOperators
 /// \brief L = d0^T diag(w) d0 on a given pattern [CGP 5.6].
 ///
 /// |V| x |V|, real symmetric, positive *semidefinite* also where weights are negative; the kernel
@@ -43,11 +56,7 @@ inline Hermitian_sparse_matrix<double> cotan_laplacian(
     const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern)
 {
   Hermitian_sparse_matrix<double> L(std::move(pattern));
-  const Eigen::VectorXd w = cotan_weights(mesh);
-  for (int k = 0; k < mesh.size_of_edges(); ++k) {
-    L.value(edge_position(mesh, k)) = -w[k];
-    for (int v : mesh.ends(k)) L.value(diagonal_position(L.pattern(), v)) += w[k];
-  }
+  assemble_cotan_laplacian(mesh, cotan_weights(mesh), L);
   return L;
 }
 

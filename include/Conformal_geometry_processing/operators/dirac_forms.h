@@ -54,6 +54,32 @@ inline Dirac_forms dirac_forms(const Mesh_view& mesh, const Curvature_potential&
 }
 
 /// \ingroup PkgOperators
+/// \brief H lambda, |V|, where H is the Hermitian part of B^H M_F (D - R): the form `dirac` of
+/// \ref Dirac_forms as an operator. O(|F|), without assembling a matrix.
+inline Quaternion_vector<double> apply_dirac_form(const Mesh_view& mesh,
+                                                  const Curvature_potential& rho,
+                                                  const Quaternion_vector<double>& lambda)
+{
+  Quaternion_vector<double> result = Quaternion_vector<double>::Constant(lambda.size(), {});
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const double A = mesh.double_area_vector(f).norm() / 2;
+    const Eigen::Vector3d r = rho.at_corners(mesh, f);
+    Quaternion<double> average, image;      // as above
+    std::array<Quaternion<double>, 3> row;  // of M_F (D - R)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int corner = static_cast<int>(c);
+      row[c] = imaginary(mesh.vector(3 * f + corner)) / -2.;
+      row[c].w -= A * r[corner] / 3;
+      average += lambda[mesh.corners(f)[c]] / 3.;
+      image += row[c] * lambda[mesh.corners(f)[c]];
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+      result[mesh.corners(f)[c]] += image / 6. + conjugate(row[c]) * average / 2.;
+  }
+  return result;
+}
+
+/// \ingroup PkgOperators
 /// \brief gamma = Re <B lambda, M_F (D - R) lambda> / <B lambda, M_F B lambda> for an eigenvector
 /// lambda of X; in 1/length.
 ///

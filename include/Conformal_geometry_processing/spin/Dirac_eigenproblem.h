@@ -7,7 +7,9 @@
 #include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/Lobpcg.h>
 #include <Conformal_geometry_processing/linear_algebra/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/release_factor.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
@@ -103,17 +105,43 @@ class Dirac_eigenproblem {
       b(i, 0) = {noise(), noise(), noise(), noise()};
       b(i, 0) *= m_areas[i];
     }
-    check("solution", m_solver.solve(b, x));
+    check("solution", apply_inverse(m_solver, b, x));
     Vectors both(guide.size(), 2);
     both << guide, x;
     return both;
   }
 
+  /// \brief [v, u] where u is what the inverse of D - rho makes of v, beyond a multiple of v.
+  ///
+  /// X^-1 times the signed form is that inverse on smooth vectors. Where v is no eigenvector of
+  /// D - rho but a mixture of two, u is the other mixture of them; otherwise it is the
+  /// discretisation error, or zero.
+  /// \pre `set_potential()` has been called
+  /// \returns |V| x 2
+  Vectors with_companion(const Quaternion_vector<double>& v, const Curvature_potential& rho) const
+  {
+    Vectors both(v.size(), 2), u;
+    const Vectors image = apply_dirac_form(m_mesh, rho, v);
+    check("solution", apply_inverse(m_solver, image, u));
+    const Quaternion<double> along = inner_product(v, m_areas, u.col(0)) / squared_norm(v);
+    add_multiple(u.col(0), v, -along);
+    both << v, u;
+    return both;
+  }
+
+  /// gives back the memory of the factor, for the stages that come after
+  void release() { release_factor(m_solver); }
+
   /// |<a, b>| / (|a| |b|) in [0, 1]: one if the vectors differ by a right factor only
   double overlap(const Quaternion_vector<double>& a, const Quaternion_vector<double>& b) const
   {
-    return norm(inner_product(a, m_areas, b)) /
-           std::sqrt(inner_product(a, m_areas, a).w * inner_product(b, m_areas, b).w);
+    return norm(inner_product(a, m_areas, b)) / std::sqrt(squared_norm(a) * squared_norm(b));
+  }
+
+  /// <a, M_V a>
+  double squared_norm(const Quaternion_vector<double>& a) const
+  {
+    return inner_product(a, m_areas, a).w;
   }
 
  private:

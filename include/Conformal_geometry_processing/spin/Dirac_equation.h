@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -46,14 +47,19 @@ class Dirac_equation {
 
   const Eigenproblem_& problem() const { return m_problem; }
 
+  /// gives back the memory of the factor, until the next `solve()`
+  void release() { m_problem.release(); }
+
   /// \param rho finite values, in 1/length
   /// \param go_further asked between iterations with an `Eigen_progress`; false cancels
+  /// \throw Precondition_error if the generalized problem is asked for with rho on vertices
   /// \throw Solver_error if a factorization fails. No convergence is not an error but a field of
   /// the result.
   template <class GoFurther = Always_go_further>
   Dirac_solution solve(const Curvature_potential& rho, const Dirac_options& options = {},
                        GoFurther go_further = {})
   {
+    if (options.problem == Eigenproblem::generalized) require_on_faces(rho);
     Dirac_solution s;
     const Quaternion_vector<double> one =
         Quaternion_vector<double>::Constant(m_problem.areas().size(), {1, 0, 0, 0});
@@ -75,7 +81,11 @@ class Dirac_equation {
     double sigma, tolerance;
     int separations = 0;
   };
+  struct Effort {
+    int wanted = 1, iterations = std::numeric_limits<int>::max();
+  };
   static constexpr int max_separations = 4;
+  static constexpr int most_if_clear = 12;  ///< iterations: one column alone takes 2 to 8
 
   static Curvature_potential scaled(const Curvature_potential& rho, double t, double sigma)
   {
@@ -91,15 +101,41 @@ class Dirac_equation {
     const Curvature_potential rho = scaled(step.rho, 1, step.sigma);
     m_problem.set_potential(rho, s.seconds);
     Stopwatch watch;
-    Eigen_result r =
-        smallest(m_problem.start(s.lambda, options.random_seed), 1, step, options, s, go_further);
-    if (nearest_column(r.vectors, s.lambda) > 0 && !r.cancelled)
-      r = smallest(r.vectors, 2, step, options, s, go_further);
+    Eigen_result r = smallest(s.lambda, {1, most_if_clear}, step, options, s, go_further);
+    const bool one_is_enough = r.cancelled || is_clear(r, rho, s);
+    if (!one_is_enough) r = smallest_two(step, options, s, go_further);
     s.seconds.eigenvectors += watch.lap();
+    if (one_is_enough || r.cancelled) return accept(r, step, s);
     const Dirac_forms forms = dirac_forms(m_problem.mesh(), rho, r.vectors);
-    if (has_mixed_signs(forms) && !r.cancelled && step.separations < max_separations)
+    if (has_mixed_signs(forms) && step.separations < max_separations)
       return separate(step, separate_signs(r.vectors, forms), options, s, go_further);
     return accept(r, step, s);
+  }
+
+  /// Whether one vector tells all: it is on the branch of s.lambda, and X has not mixed it with one
+  /// of opposite sign.
+  bool is_clear(const Eigen_result& r, const Curvature_potential& rho,
+                const Dirac_solution& s) const
+  {
+    if (!r.converged) return false;
+    const Quaternion_vector<double> v = r.vectors.col(0);
+    if (m_problem.overlap(v, s.lambda) < same_branch) return false;
+    const double gamma = dirac_quotient(m_problem.mesh(), rho, v);
+    if (is_surely_unmixed(gamma, r.values[0])) return true;
+    const auto both = m_problem.with_companion(v, rho);
+    const bool is_alone = m_problem.squared_norm(both.col(1)) == 0;
+    return is_alone || !has_mixed_signs(dirac_forms(m_problem.mesh(), rho, both));
+  }
+
+  template <class GoFurther>
+  Eigen_result smallest_two(const Step& step, const Dirac_options& options, Dirac_solution& s,
+                            GoFurther go_further)
+  {
+    Eigen_result r =
+        smallest(m_problem.start(s.lambda, options.random_seed), {}, step, options, s, go_further);
+    if (nearest_column(r.vectors, s.lambda) > 0 && !r.cancelled)
+      r = smallest(r.vectors, {2}, step, options, s, go_further);
+    return r;
   }
 
   /// Where X has mixed lambda with a vector of opposite sign: a shift by the signed eigenvalue of
@@ -125,16 +161,17 @@ class Dirac_equation {
     s.residual = r.estimates[nearest];
     s.converged = s.residual <= step.tolerance;
     s.spectral_shift = step.sigma;
-    s.gap = root(r.values[1]) - root(r.values[0]);
+    s.gap = r.gap ? root(r.values[0] + *r.gap) - root(r.values[0]) : 0;
     return true;
   }
 
   template <class GoFurther>
-  Eigen_result smallest(Block<Quaternion<double>> start, int wanted, const Step& step,
+  Eigen_result smallest(Block<Quaternion<double>> start, Effort effort, const Step& step,
                         const Dirac_options& options, Dirac_solution& s, GoFurther go_further)
   {
-    Eigen_result r = m_problem.smallest(std::move(start), wanted, step.tolerance,
-                                        options.max_iterations, go_further);
+    Eigen_result r =
+        m_problem.smallest(std::move(start), effort.wanted, step.tolerance,
+                           std::min(effort.iterations, options.max_iterations), go_further);
     s.iterations += r.iterations;
     s.cancelled = r.cancelled;
     return r;

@@ -32,7 +32,8 @@ struct Dirac_solution {
   double energy = 0;                 ///< mu = <lambda, X lambda> / <lambda, M_V lambda> >= 0
   double residual = 0;  ///< estimate of the error of lambda: the norm of X lambda - mu M_V lambda
                         ///< dual to the energy, divided by sqrt(4 pi / area) |lambda|
-  double gap = 0;      ///< distance from sqrt(mu) to that of the other vector computed, in 1/length
+  double gap = 0;      ///< distance from sqrt(mu) to that of the next vector known, in 1/length: an
+                       ///< upper bound of the true one, rough if that is wide
   double overlap = 0;  ///< |<lambda, 1>| / (|lambda| |1|), one for the identity
   int iterations = 0;  ///< of the eigensolver, all substeps together
   int substeps = 1;    ///< of the continuation from rho = 0; one if none was needed

@@ -24,8 +24,8 @@ namespace Conformal_geometry_processing {
 /// positions f, where w are the cotan weights of the mesh. The minimiser solves L f = d0^T w e with
 /// the positive semidefinite cotan Laplacian; where weights are negative the sum is still convex.
 ///
-/// L depends on the mesh alone and is factored once, in the constructor; every call costs two
-/// triangular solves with three right-hand sides.
+/// L depends on the mesh alone and is factored in the constructor, and by `update_geometry()` when
+/// the mesh has moved; every call costs two triangular solves with three right-hand sides.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits = Default_solver_traits>
@@ -36,9 +36,9 @@ class Poisson_reconstruction {
   /// \pre `require_surface(mesh)` holds
   /// \throw Solver_error if the Laplacian cannot be factored
   Poisson_reconstruction(const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern)
-      : m_mesh(mesh), m_weights(cotan_weights(mesh)), m_solver(pattern)
+      : m_mesh(mesh), m_L(pattern), m_solver(std::move(pattern))
   {
-    m_solver.factorize(cotan_laplacian(mesh, std::move(pattern)));
+    update_geometry();
   }
 
   /// shares the analysis of another solver on the same pattern
@@ -46,10 +46,22 @@ class Poisson_reconstruction {
   template <class OtherSolver>
   Poisson_reconstruction(const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern,
                          const OtherSolver& other)
-      : m_mesh(mesh), m_weights(cotan_weights(mesh)), m_solver(pattern, other)
+      : m_mesh(mesh), m_L(pattern), m_solver(std::move(pattern), other)
   {
-    m_solver.factorize(cotan_laplacian(mesh, std::move(pattern)));
+    update_geometry();
   }
+
+  /// \brief the mesh has new positions: assembles the Laplacian and factors it on the same
+  /// analysis. \throw Solver_error if the Laplacian cannot be factored
+  void update_geometry()
+  {
+    m_weights = cotan_weights(m_mesh);
+    assemble_cotan_laplacian(m_mesh, m_weights, m_L);
+    m_solver.factorize(m_L);
+  }
+
+  /// solves with the Laplacian
+  const Grounded_solver<SolverTraits>& solver() const { return m_solver; }
 
   /// returns f, 3 x |V|, the one minimiser whose vertices have mean zero
   /// \param edges |E| x 3, edge k runs from `mesh.ends(k)[0]` to `mesh.ends(k)[1]`
@@ -78,6 +90,7 @@ class Poisson_reconstruction {
  private:
   const Mesh_view& m_mesh;
   Eigen::VectorXd m_weights;  // |E|
+  Hermitian_sparse_matrix<double> m_L;
   Grounded_solver<SolverTraits> m_solver;
 };
 

@@ -16,10 +16,11 @@ struct [[nodiscard]] Spin_report {
   double eigenvalue =
       0;  ///< gamma with its sign, in 1/length: the curvature that came is rho + gamma
   double residual = 0;  ///< error estimate of lambda, see `Dirac_solution::residual`
-  double gap = 0;       ///< distance to the next singular value of D - rho, in 1/length
-  double overlap = 0;   ///< of lambda with the identity, in [0, 1]
-  int iterations = 0;   ///< of the eigensolver
-  int substeps = 1;     ///< in which rho was switched on; one if a single solve found the branch
+  double gap = 0;  ///< distance to the next singular value of D - rho, in 1/length; its upper bound
+                   ///< where one vector was computed, rough if the gap is wide
+  double overlap = 0;  ///< of lambda with the identity, in [0, 1]
+  int iterations = 0;  ///< of the eigensolver
+  int substeps = 1;    ///< in which rho was switched on; one if a single solve found the branch
   double spectral_shift = 0;    ///< zero unless the branch was not that of the smallest eigenvalue
   bool is_generalized = false;  ///< solved as [CGP (5.2)]
   double generalized_eigenvalue = 0;  ///< of [CGP (5.2)], if so
@@ -30,8 +31,10 @@ struct [[nodiscard]] Spin_report {
 
   /// wall clock seconds
   struct Seconds {
-    double setup = 0;  ///< pattern, ordering, symbolic analysis, Laplacian: once per mesh
-    double assembly = 0, factorization = 0, eigenvectors = 0, reconstruction = 0, certificate = 0;
+    double setup = 0;  ///< pattern, ordering, symbolic analysis: once per mesh
+    double assembly = 0, factorization = 0, eigenvectors = 0;
+    double reconstruction = 0;  ///< the Laplacian's factorization too, the first time
+    double certificate = 0;
   } seconds;
 
   /// whether the transformation was carried out: solved, and every number of it finite

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -33,10 +34,10 @@ struct Spin_result {
 /// and finds the conformally equivalent surface that has it [CGP (5.3)-(5.5)].
 ///
 /// H~ |lambda|^2 = H + rho + gamma, so positive rho bulges along the normals. The result has the
-/// area and the centroid of the mesh. All that depends on the mesh alone is done in the
-/// constructor: checks, orderings, symbolic analyses and the factorization of the Laplacian; every
-/// call of `transform()` costs one numeric factorization of the Dirac matrix, some ten solves with
-/// it and one with the Laplacian.
+/// area and the centroid of the mesh. All that depends on the mesh alone is done once: checks,
+/// ordering and symbolic analysis in the constructor, the factorization of the Laplacian when it is
+/// first needed. Every call of `transform()` costs one numeric factorization of the Dirac matrix,
+/// three to eight solves with it, and one with the Laplacian.
 ///
 /// Computes in a frame of unit size around the centre, so that neither scale nor position matter.
 ///
@@ -49,16 +50,14 @@ class Spin_transformation {
   /// \param mesh is copied
   /// \param function named in exceptions
   /// \throw Precondition_error if the mesh is not a closed, connected, oriented manifold with
-  /// finite coordinates and positive areas; the message names the first element in the way \throw
-  /// Solver_error if the Laplacian cannot be factored
+  /// finite coordinates and positive areas; the message names the first element in the way
+  /// \throw Solver_error if the analysis fails
   explicit Spin_transformation(const Mesh_view& mesh,
                                const std::string& function = "Spin_transformation")
       : m_function(function),
         m_frame(checked(mesh, function).positions()),
         m_mesh(mesh),
         m_dirac(in_frame(m_mesh, m_frame)),
-        m_reconstruction(m_mesh, m_dirac.problem().matrix().shared_pattern(),
-                         m_dirac.problem().solver()),
         m_setup_seconds(m_watch.lap())
   {}
 
@@ -71,15 +70,21 @@ class Spin_transformation {
   /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
   template <class GoFurther = Always_go_further>
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
-                        GoFurther go_further = {})
+                        GoFurther go_further = {}) &
   {
-    require_finite(rho);
-    const Curvature_potential rho_in_frame{rho.on, rho.values * m_frame.unit()};
-    Dirac_solution s = m_dirac.solve(rho_in_frame, options, go_further);
-    Spin_result result;
-    result.report = report_of(s);
-    result.lambda = std::move(s.lambda);
-    if (!s.cancelled) reconstruct(result);
+    Spin_result result = solve(rho, options, go_further);
+    if (!result.report.cancelled) reconstruct(result);
+    return result;
+  }
+
+  /// the same for the last time: needs less memory, for the two factors are not there together
+  template <class GoFurther = Always_go_further>
+  Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
+                        GoFurther go_further = {}) &&
+  {
+    Spin_result result = solve(rho, options, go_further);
+    m_dirac.release();
+    if (!result.report.cancelled) reconstruct(result);
     return result;
   }
 
@@ -112,6 +117,28 @@ class Spin_transformation {
         "#value of rho not finite", "finite values are needed");
   }
 
+  /// lambda, with the part of the report that tells of it
+  template <class GoFurther>
+  Spin_result solve(const Curvature_potential& rho, const Dirac_options& options,
+                    GoFurther go_further)
+  {
+    require_finite(rho);
+    const Curvature_potential rho_in_frame{rho.on, rho.values * m_frame.unit()};
+    Dirac_solution s = m_dirac.solve(rho_in_frame, options, go_further);
+    Spin_result result;
+    result.report = report_of(s);
+    result.lambda = std::move(s.lambda);
+    return result;
+  }
+
+  const Poisson_reconstruction<SolverTraits>& reconstruction()
+  {
+    const auto& dirac = m_dirac.problem();
+    if (!m_reconstruction)
+      m_reconstruction.emplace(m_mesh, dirac.matrix().shared_pattern(), dirac.solver());
+    return *m_reconstruction;
+  }
+
   Spin_report report_of(const Dirac_solution& s) const
   {
     Spin_report r;
@@ -134,13 +161,13 @@ class Spin_transformation {
   }
 
   /// Positions from lambda, with the area and the centroid of the mesh, and the certificate.
-  void reconstruct(Spin_result& result) const
+  void reconstruct(Spin_result& result)
   {
     Stopwatch watch;
     Spin_report& r = result.report;
     const Eigen::MatrixX3d edges = transformed_edges(m_mesh, result.lambda);
-    Points f = m_reconstruction.positions(edges);
-    r.closure_residual = m_reconstruction.residual(f, edges);
+    Points f = reconstruction().positions(edges);
+    r.closure_residual = reconstruction().residual(f, edges);
     r.seconds.reconstruction = watch.lap();
     restore_area(f, result.lambda);
     r.conformality = conformality(m_mesh, f, rotated_normals(result.lambda));
@@ -189,7 +216,7 @@ class Spin_transformation {
   Normalized_frame m_frame;
   Mesh_view m_mesh;  // in the frame
   Dirac_equation<SolverTraits, EigensolverTraits> m_dirac;
-  Poisson_reconstruction<SolverTraits> m_reconstruction;
+  std::optional<Poisson_reconstruction<SolverTraits>> m_reconstruction;
   double m_setup_seconds;
 };
 

@@ -16,6 +16,16 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
+/// \throw Precondition_error if rho is on vertices: the K of the generalized problem is not
+/// Hermitian then
+inline void require_on_faces(const Curvature_potential& rho)
+{
+  if (rho.on != Curvature_potential::On::faces)
+    throw Precondition_error("Dirac_equation",
+                             "the generalized eigenproblem (5.2) needs rho on faces");
+}
+
+/// \ingroup PkgSpin
 /// \brief replaces a solution of the standard problem by that of the generalized one,
 /// X lambda = g K lambda with K = B^H M_F (D - R) [CGP (5.2)], where that can be trusted.
 ///
@@ -28,14 +38,11 @@ namespace Conformal_geometry_processing {
 /// Solved as K lambda = (1/g) X lambda, whose right-hand side is positive definite.
 /// \param problem a `Dirac_eigenproblem` whose potential was rho in the last solve
 /// \param s a converged solution of the standard problem; unchanged if the other is not trusted
-/// \throw Precondition_error if rho is on vertices: K is not Hermitian then
+/// \pre `require_on_faces(rho)` holds
 template <class Problem, class GoFurther>
 void solve_generalized_dirac(const Problem& problem, const Curvature_potential& rho,
                              const Dirac_options& options, Dirac_solution& s, GoFurther go_further)
 {
-  if (rho.on != Curvature_potential::On::faces)
-    throw Precondition_error("Dirac_equation",
-                             "the generalized eigenproblem (5.2) needs rho on faces");
   const double gamma = dirac_quotient(problem.mesh(), rho, s.lambda);
   if (s.spectral_shift != 0 || gamma == 0 || s.energy <= 0) return;
   const double guess = gamma / s.energy;  // 1 / g

@@ -11,6 +11,24 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
+// Tangent of twice the angle of a mixture that matters: two degrees.
+inline constexpr double visible_mixture = 0.06;
+
+}  // namespace internal
+
+/// \ingroup PkgSpin
+/// \brief whether a vector alone proves that X has not mixed it.
+///
+/// A mixture of eigenvectors +-g of D - rho by the angle t has the signed quotient g cos 2t, and
+/// the energy g^2 plus the error of discretisation: a small difference leaves no room for t.
+/// \param gamma its signed quotient \param mu its eigenvalue of X
+inline bool is_surely_unmixed(double gamma, double mu)
+{
+  return mu - gamma * gamma <= internal::visible_mixture * internal::visible_mixture * mu;
+}
+
 /// \ingroup PkgSpin
 /// \brief whether X has mixed two eigenvectors of D - rho of opposite sign.
 ///
@@ -23,12 +41,11 @@ namespace Conformal_geometry_processing {
 /// \param forms those of two vectors
 inline bool has_mixed_signs(const Dirac_forms& forms)
 {
-  const double visible = 0.06;  // tan of twice the angle: two degrees
   const auto& S = forms.dirac;
   const double a = S(0, 0).w / forms.mass(0, 0).w, b = S(1, 1).w / forms.mass(1, 1).w;
   const double s = norm(S(0, 1)) / std::sqrt(forms.mass(0, 0).w * forms.mass(1, 1).w);
   const bool are_opposite = a * b < s * s;  // the determinant of the form
-  return are_opposite && 2 * s > visible * std::abs(a - b);
+  return are_opposite && 2 * s > internal::visible_mixture * std::abs(a - b);
 }
 
 /// \ingroup PkgSpin
