@@ -133,16 +133,16 @@ TEST(Poisson_reconstruction, follows_a_mesh_that_moves_without_another_analysis)
 }
 
 // f -> c + (f - c) / |f - c|^2, from a point off the surface: conformal, so L hardly changes.
-TEST(Poisson_reconstruction, needs_two_iterations_with_the_factor_of_a_conformal_image)
+TEST(Poisson_reconstruction, needs_few_iterations_with_the_factor_of_a_conformal_image)
 {
-  Mesh_view mesh = bumpy_sphere(4);
+  Mesh_view mesh = bumpy_sphere(5);
   CGP::Poisson_reconstruction<CGP::Lagged_solver_traits<>> lagged(mesh, CGP::vertex_graph(mesh));
-  const Eigen::Vector3d centre(0.3, 2, -1);
+  const Eigen::Vector3d centre(0.3, 4, -1);
   mesh = mapped(mesh, [&](const Eigen::Vector3d& p) {
     return Eigen::Vector3d((p - centre) / (p - centre).squaredNorm());
   });
   lagged.update_geometry();
-  const Eigen::MatrixX3d edges = differences(mesh, bumpy_sphere(4, 0.1).positions());
+  const Eigen::MatrixX3d edges = differences(mesh, bumpy_sphere(5, 0.1).positions());
   const Points expected = reconstruction_of(mesh).positions(edges);
   EXPECT_LT((lagged.positions(edges) - expected).norm(), 1e-8 * expected.norm());
   EXPECT_LE(lagged.solver().solver().iterations(), 3);

@@ -51,9 +51,15 @@ class Grounded_solver {
     check("analysis", m_solver.analyze_like(m_grounded.pattern(), other));
   }
 
+  using Solver = typename SolverTraits::template Solver<double>;
+
+  /// solves with the grounded matrix
+  const Solver& solver() const { return m_solver; }
+
   const Ordering& ordering() const { return m_solver.ordering(); }
   Solver_statistics statistics() const { return m_solver.statistics(); }
 
+  /// \brief done any number of times, for matrices on the pattern.
   /// \pre the pattern of L is the one given to the constructor; the rows of L sum to zero, and the
   /// graph of L is connected
   void factorize(const Hermitian_sparse_matrix<double>& L)
@@ -93,7 +99,7 @@ class Grounded_solver {
   }
 
   Hermitian_sparse_matrix<double> m_grounded;
-  typename SolverTraits::template Solver<double> m_solver;
+  Solver m_solver;
 };
 
 }  // namespace Conformal_geometry_processing

@@ -121,7 +121,6 @@ class Lagged_solver {
         const Solver_status status = renew_in_the_midst();
         if (status != Solver_status::success) return status;
       }
-      m_rule.add(passes(b));
       return m_solver.solve(b, x);
     });
   }
@@ -251,10 +250,10 @@ class Lagged_solver {
       return m_solver.solve(b, x);
   }
 
-  // Conjugate gradients, for as long as they are cheaper than a factorization.
+  // Conjugate gradients, for as long as they are cheaper than a factorization and a direct solve.
   bool iterate(const Block<Scalar>& b, Block<Scalar>& x) const
   {
-    const double work = work_per_pass * passes(b);
+    const double direct = passes(b), work = work_per_pass * direct;
     const auto precondition = [&](const Block<Scalar>& r) {
       Block<Scalar> z;
       if (apply(r, z) != Solver_status::success) z = r * std::numeric_limits<FT>::quiet_NaN();
@@ -262,12 +261,12 @@ class Lagged_solver {
     };
     Conjugate_gradients_options options;
     options.tolerance = static_cast<double>(m_tolerance);
-    options.max_iterations = work == 0 ? 0 : static_cast<int>(m_rule.budget() / work);
+    options.max_iterations = work == 0 ? 0 : static_cast<int>((m_rule.budget() + direct) / work);
     Block<Scalar> solution;
     const auto result =
         conjugate_gradients(block_operator(m_A), precondition, b, solution, options);
     m_iterations = result.iterations;
-    m_rule.add(work * result.iterations);
+    m_rule.add(work * result.iterations - direct);
     if (result.converged) x = std::move(solution);
     return result.converged;
   }
