@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "linear_algebra/graphs.h"
+#include "linear_algebra/threads.h"
 #include "support/spheres.h"
 
 using namespace cgp_test;
@@ -85,6 +86,18 @@ TEST(Sweep_nested_dissection, is_the_same_every_time)
   const CGP::Sparse_pattern pattern = pattern_of(mesh);
   EXPECT_EQ(CGP::sweep_nested_dissection(pattern, mesh.positions()),
             CGP::sweep_nested_dissection(pattern, mesh.positions()));
+}
+
+TEST(Sweep_nested_dissection, is_the_same_for_any_number_of_threads)
+{
+  const Mesh_view mesh = geodesic_sphere(21);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  ASSERT_GT(pattern.size(), 4000);  // enough for threads
+  const CGP::Ordering expected = CGP::sweep_nested_dissection(pattern, mesh.positions());
+  for (const int threads : {2, 3, 8}) {
+    const Threads setting(threads);
+    EXPECT_EQ(CGP::sweep_nested_dissection(pattern, mesh.positions()), expected);
+  }
 }
 
 TEST(Sweep_nested_dissection, is_as_good_for_any_numbering)

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/linear_algebra/Front_kernels.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace Conformal_geometry_processing {
@@ -118,7 +119,7 @@ class Extend_add {
       const Real* const f = from + rows.source[i];
       Real* const t = to + rows.target[i];
 #pragma GCC unroll 4
-      for (int q = 0; q < planes; ++q) t[q * lanes] += f[q * lanes];
+      for (std::ptrdiff_t q = 0; q < planes; ++q) t[q * lanes] += f[q * lanes];
     }
   }
 

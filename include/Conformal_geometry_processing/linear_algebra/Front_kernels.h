@@ -33,6 +33,8 @@ class Front_kernels {
   static constexpr int lanes = Simd::size;
   static constexpr int planes = Planes::size;
   static constexpr int cell = planes * lanes;  ///< numbers per row block and column
+  static constexpr std::int64_t tile_size =
+      std::int64_t(lanes) * cell;  ///< numbers of an update's tile
 
   static int blocks(int rows) { return (rows + lanes - 1) / lanes; }
 
@@ -54,7 +56,7 @@ class Front_kernels {
   {
     return (static_cast<std::int64_t>(jb) * nb - static_cast<std::int64_t>(jb) * (jb - 1) / 2 + ib -
             jb) *
-           (lanes * cell);
+           tile_size;
   }
 
   /// \brief replaces the panel A = (A11; A21) by L11 with A11 = L11 L11^H and L21 = A21 L11^-H.

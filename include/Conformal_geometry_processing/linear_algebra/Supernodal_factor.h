@@ -93,6 +93,10 @@ class Supernodal_factor {
   /// the panel of supernode s
   const Real* panel(int s) const { return m_panels.data() + m_panel_offsets[at(s)]; }
 
+  /// what the last factorization has left to the kept vertices below supernode s
+  /// \pre s has no parent
+  const Real* update(int s) const { return m_updates.data() + m_places[s]; }
+
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   static constexpr int lanes = Kernels::lanes, planes = Kernels::planes;
@@ -230,7 +234,7 @@ class Supernodal_factor {
       Scalar_planes<Scalar>::get(
           e->source >= 0 ? input.A.value(e->source) : conjugate(input.A.value(~e->source)), c);
       Real* const target = f.panel + f.extend_add.in_panel(e->row, e->column);
-      for (int q = 0; q < planes; ++q) target[q * lanes] += static_cast<Real>(c[q]);
+      for (std::ptrdiff_t q = 0; q < planes; ++q) target[q * lanes] += static_cast<Real>(c[q]);
     }
     if (input.shift.size() == 0) return;
     for (int j = 0; j < f.columns; ++j)

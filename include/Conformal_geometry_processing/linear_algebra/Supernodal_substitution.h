@@ -60,6 +60,34 @@ class Supernodal_substitution {
     for (int s = S.size() - 1; s >= 0; --s) backward(s, x);
   }
 
+  /// \brief the first half: b becomes the right-hand side of the kept rows, and L^-1 b above.
+  void forward(Real* x)
+  {
+    const auto up = [&](const Elimination_tasks::Task& task, Task_pool&) {
+      for (int s = task.begin; s < task.end; ++s) forward(s, x);
+    };
+    if (m_threads > 1)
+      m_factor.tasks().run(m_threads, up);
+    else
+      for (int s = 0; s < S.size(); ++s) forward(s, x);
+    for (int s = 0; s < S.size(); ++s)
+      if (S.parent(s) < 0)
+        for (int i = 0; i < S.height(s); ++i)
+          add_row(x + std::int64_t(S.rows(s)[i]) * numbers,
+                  m_updates.data() + m_places[s] + std::int64_t(i) * numbers);
+  }
+
+  /// \brief the second half, where the kept rows are solutions already.
+  void backward(Real* x) const
+  {
+    const auto nothing = [](const Elimination_tasks::Task&, Task_pool&) {};
+    const auto down = [&](const Elimination_tasks::Task& task, Task_pool&) {
+      for (int s = task.end - 1; s >= task.begin; --s) backward(s, x);
+    };
+    if (m_threads > 1) return m_factor.tasks().run(m_threads, nothing, down);
+    for (int s = S.size() - 1; s >= 0; --s) backward(s, x);
+  }
+
  private:
   static constexpr int wide = numbers * lanes;  // a row block of the vector, [number][lane]
   static constexpr int most_blocks = (max_supernode_width + lanes - 1) / lanes;
@@ -126,7 +154,7 @@ class Supernodal_substitution {
     const Real* const L = m_factor.panel(s);
     Real* const y = x + static_cast<std::int64_t>(S.first(s)) * numbers;
     Real* const own = m_updates.data() + m_places[s];
-    std::fill_n(own, u * numbers, Real(0));
+    std::fill_n(own, std::int64_t(u) * numbers, Real(0));
     add_children(s, y, own);
     alignas(64) Real block[most_blocks * wide] = {};
     for (int j = 0; j < k; ++j)
@@ -172,7 +200,7 @@ class Supernodal_substitution {
   void prefetch_panel(int s) const
   {
     const std::int64_t size = m_factor.panel(s + 1) - m_factor.panel(s);
-    for (std::int64_t i = 0; i < std::min<std::int64_t>(size, 64 * line); i += line)
+    for (std::int64_t i = 0; i < std::min(size, std::int64_t(64) * line); i += line)
       __builtin_prefetch(m_factor.panel(s) + i);
     __builtin_prefetch(S.rows(s));
   }
