@@ -17,6 +17,7 @@
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Supernodal_cholesky`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Embedded_hermitian_solver`,}
+/// \cgalHasModels{`Conformal_geometry_processing::Multigrid_solver`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Lagged_solver`.}
 /// \cgalHasModelsEnd
 class SparseHermitianSolver {
