@@ -167,6 +167,35 @@ TYPED_TEST(Supernodal_factor, takes_one_thread_where_more_do_not_pay)
   EXPECT_EQ(TestFixture::Factor::threads(1), 4);
 }
 
+TYPED_TEST(Supernodal_factor, leaves_the_schur_complement_to_kept_vertices)
+{
+  using Number = typename TypeParam::Scalar;
+  for (const auto& [name, pattern, order] : ordered_graphs()) {
+    SCOPED_TRACE(name);
+    const int n = pattern->size(), kept = (n + 2) / 3;
+    const auto A = random_definite<Number>(pattern, 16);
+    typename TestFixture::Factor factor(
+        std::make_shared<CGP::Supernodal_structure>(*pattern, order, kept));
+    ASSERT_EQ(factor.factorize(A, {}), -1);
+    const CGP::Supernodal_structure& S = factor.structure();
+    const CGP::Block<Number> P = this->permuted(A, S.order());
+    CGP::Block<Number> complement = P.bottomRightCorner(kept, kept);
+    for (int s = 0; s < S.size(); ++s)
+      for (int j = 0; S.parent(s) < 0 && j < S.height(s); ++j)
+        for (int i = j; i < S.height(s); ++i) {
+          const Number c =
+              get<TypeParam>(factor.update(s) + in_update<TypeParam>(S.height(s), i, j));
+          const int row = S.rows(s)[i] - (n - kept), column = S.rows(s)[j] - (n - kept);
+          complement(row, column) += c;
+          if (i != j) complement(column, row) += CGP::conjugate(c);
+        }
+    const Eigen::MatrixXd all = dense(P), inverse = all.inverse();
+    const Eigen::Index size = dense(complement).rows();
+    const Eigen::MatrixXd expected = inverse.bottomRightCorner(size, size).inverse();
+    EXPECT_LE((dense(complement) - expected).norm(), TypeParam::precision * all.norm());
+  }
+}
+
 TYPED_TEST(Supernodal_factor, knows_its_memory_before_it_is_allocated)
 {
   const Pattern pattern = grid_pattern(12, 12);

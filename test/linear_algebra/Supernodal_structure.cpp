@@ -102,5 +102,49 @@ TEST(Supernodal_structure, stores_a_dense_matrix_in_a_chain_of_supernodes_withou
   for (int s = 0; s < S.size(); ++s) EXPECT_EQ(S.parent(s), s + 1 < S.size() ? s + 1 : -1);
 }
 
+TEST(Supernodal_structure, keeps_vertices_at_the_end_in_their_order_and_eliminates_all_others)
+{
+  for (const auto& [name, pattern, order] : ordered_graphs())
+    for (const int share : {1, 2, 4}) {
+      SCOPED_TRACE(name);
+      const int n = pattern->size(), kept = (n + share - 1) / share, eliminated_ones = n - kept;
+      const Supernodal_structure S(*pattern, order, kept);
+      EXPECT_EQ(S.size_of_kept(), kept);
+      EXPECT_EQ(S.size_of_columns(), n);
+      EXPECT_TRUE(std::equal(order.end() - kept, order.end(), S.order().end() - kept));
+      const Factor_rows rows = eliminated(*pattern, S.order());
+      double operations = 0;
+      for (int j = 0; j < eliminated_ones; ++j)
+        operations += double(rows[at(j)].size() + 1) * double(rows[at(j)].size() + 1);
+      EXPECT_EQ(S.operations(), operations);
+      int next = 0;
+      for (int s = 0; s < S.size(); ++s) {
+        EXPECT_EQ(S.first(s), next);
+        next += S.width(s);
+        const std::set<int> below(S.rows(s), S.rows(s) + S.height(s));
+        EXPECT_EQ(below, rows[at(next - 1)]);
+        EXPECT_EQ(S.parent(s) < 0, below.empty() || *below.begin() >= eliminated_ones);
+      }
+      EXPECT_EQ(next, eliminated_ones);
+    }
+}
+
+TEST(Supernodal_structure, has_no_entries_between_kept_vertices)
+{
+  for (const auto& [name, pattern, order] : ordered_graphs()) {
+    SCOPED_TRACE(name);
+    const int n = pattern->size(), kept = n / 3;
+    const std::vector<int> place = CGP::inverse_permutation(order);
+    int expected = 0, entries = 0;
+    for (int j = 0; j < n; ++j)
+      for (int k = pattern->offsets[at(j)]; k < pattern->offsets[at(j + 1)]; ++k)
+        expected += std::min(place[at(j)], place[at(pattern->indices[at(k)])]) < n - kept;
+    const Supernodal_structure S(*pattern, order, kept);
+    for (int s = 0; s < S.size(); ++s)
+      entries += static_cast<int>(S.entries_end(s) - S.entries_begin(s));
+    EXPECT_EQ(entries, expected);
+  }
+}
+
 }  // namespace
 }  // namespace cgp_test

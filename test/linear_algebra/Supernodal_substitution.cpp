@@ -95,6 +95,49 @@ TYPED_TEST(Supernodal_substitution, gives_the_same_bits_for_any_number_of_thread
   }
 }
 
+TYPED_TEST(Supernodal_substitution, goes_through_kept_rows_in_two_halves)
+{
+  using Number = typename TypeParam::Scalar;
+  using Stored = typename TypeParam::Real;
+  const int n = 48, kept = 17, columns = TestFixture::Substitution::columns;
+  const Pattern pattern = random_pattern(n, 9);
+  const auto A = random_definite<Number>(pattern, 10);
+  typename TestFixture::Factor factor(
+      std::make_shared<CGP::Supernodal_structure>(*pattern, random_permutation(n, 11), kept));
+  ASSERT_EQ(factor.factorize(A, {}), -1);
+  const CGP::Ordering& order = factor.structure().order();
+
+  const auto x = random_block<Number>(n, columns, 12);  // in the order of elimination
+  CGP::Block<Number> P(n, n);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) P(i, j) = A.coefficient(order[at(i)], order[at(j)]);
+  const Eigen::MatrixXd all = dense(P), b = all * real_columns(x);
+  const Eigen::Index size = 4 / columns * kept;
+  const Eigen::MatrixXd complement = all.inverse().bottomRightCorner(size, size).inverse();
+
+  const auto numbers = [&](const Eigen::MatrixXd& block) {  // [row][column][component]
+    std::vector<Stored> result;
+    for (int i = 0; i < n; ++i)
+      for (int c = 0; c < columns; ++c)
+        for (int q = 0; q < 4 / columns; ++q)
+          result.push_back(static_cast<Stored>(block(4 / columns * i + q, c)));
+    return result;
+  };
+  const auto expect_near = [&](const Stored* from, const Stored* expected, int count) {
+    for (int i = 0; i < count; ++i) ASSERT_NEAR(from[i], expected[i], 30 * TypeParam::precision);
+  };
+  Eigen::MatrixXd left = real_columns(x);
+  left.bottomRows(size) = complement * left.bottomRows(size);
+  std::vector<Stored> y = numbers(b);
+  const std::vector<Stored> solution = numbers(real_columns(x)), expected = numbers(left);
+  typename TestFixture::Substitution substitution(factor);
+  substitution.forward(y.data());
+  expect_near(&y[at(4 * (n - kept))], &expected[at(4 * (n - kept))], 4 * kept);
+  std::copy(solution.end() - 4 * kept, solution.end(), y.end() - 4 * kept);
+  substitution.backward(y.data());
+  expect_near(y.data(), solution.data(), 4 * n);
+}
+
 TYPED_TEST(Supernodal_substitution, takes_four_numbers_per_row)
 {
   EXPECT_EQ(TestFixture::Substitution::columns * TypeParam::Kernels::planes, 4);

@@ -22,6 +22,10 @@ namespace Conformal_geometry_processing {
 /// A supernode is a range of columns with a common list of rows below it. Its front is the dense
 /// lower triangle of its columns followed by these rows. Columns are numbered in a postorder of the
 /// elimination tree. O(entries + rows of the supernodes).
+///
+/// Vertices at the end of the order may be *kept*: they belong to no supernode and have no entries
+/// between them, they are rows below only. Supernodes without a parent then leave an update to
+/// them, whose sum over all is what elimination adds to the matrix of the kept vertices.
 class Supernodal_structure {
  public:
   /// where an entry of the matrix goes: the row of the front, the column of the panel
@@ -31,13 +35,18 @@ class Supernodal_structure {
   };
 
   /// \param order a fill-reducing ordering of the vertices
-  Supernodal_structure(const Sparse_pattern& pattern, const Ordering& order) : m_order(order)
+  /// \param kept so many vertices at its end are not eliminated, and keep their order
+  Supernodal_structure(const Sparse_pattern& pattern, const Ordering& order, int kept = 0)
+      : m_order(order), m_kept(kept)
   {
     Permuted_graph graph(pattern, inverse_permutation(order));
     std::vector<int> parent = elimination_tree(Graph_rows(graph));
+    chain_kept(parent);
     renumber(graph, parent, std::vector<int>(order.size(), 0));
     std::vector<int> count = column_counts(graph, parent);
+    std::fill(count.end() - kept, count.end(), 0);  // true only of eliminated columns
     count = gathered(count, renumber(graph, parent, count));
+    cut_kept(parent, count);
     count_operations(count);
     m_first = relaxed_supernodes(parent, count);
     find_tree(parent, count);
@@ -46,6 +55,7 @@ class Supernodal_structure {
   }
 
   int size_of_columns() const { return static_cast<int>(m_order.size()); }
+  int size_of_kept() const { return m_kept; }
   int size() const { return static_cast<int>(m_first.size()) - 1; }  ///< number of supernodes
 
   /// the ordering refined to a postorder: `order()[k]` is the vertex eliminated as the k-th
@@ -111,6 +121,26 @@ class Supernodal_structure {
     return post;
   }
 
+  // The kept columns become a path above all others, as if they were a clique: any postorder leaves
+  // them last and in their order. The counts of other columns do not depend on what is above them.
+  void chain_kept(std::vector<int>& parent) const
+  {
+    const int n = size_of_columns(), first_kept = n - m_kept;
+    for (int& p : parent)
+      if (p >= first_kept) p = first_kept;
+    for (int j = first_kept; j < n; ++j) parent[at(j)] = j + 1 < n ? j + 1 : -1;
+  }
+
+  // Only the other columns form supernodes.
+  void cut_kept(std::vector<int>& parent, std::vector<int>& count) const
+  {
+    const int eliminated = size_of_columns() - m_kept;
+    parent.resize(at(eliminated));
+    count.resize(at(eliminated));
+    for (int& p : parent)
+      if (p >= eliminated) p = -1;
+  }
+
   void count_operations(const std::vector<int>& count)
   {
     for (int c : count) {
@@ -122,7 +152,7 @@ class Supernodal_structure {
   // The rows below a supernode are those below its last column, and so is its parent.
   void find_tree(const std::vector<int>& parent, const std::vector<int>& count)
   {
-    m_supernode.resize(m_order.size());
+    m_supernode.assign(m_order.size(), -1);
     m_row_offsets.assign(1, 0);
     for (int s = 0; s < size(); ++s) {
       std::fill_n(m_supernode.begin() + first(s), width(s), s);
@@ -142,9 +172,9 @@ class Supernodal_structure {
     std::vector<std::int64_t> next(m_row_offsets.begin(), m_row_offsets.end() - 1);
     std::vector<int> mark(at(size()), -1);
     for (int i = 0; i < size_of_columns(); ++i) {
-      mark[at(m_supernode[at(i)])] = i;
+      if (m_supernode[at(i)] >= 0) mark[at(m_supernode[at(i)])] = i;
       for (const int* j = graph.begin(i); j != graph.end(i); ++j)
-        for (int s = m_supernode[at(*j)]; mark[at(s)] != i; s = parent(s)) {
+        for (int s = m_supernode[at(*j)]; s >= 0 && mark[at(s)] != i; s = parent(s)) {
           mark[at(s)] = i;
           m_rows[static_cast<std::size_t>(next[at(s)]++)] = i;
         }
@@ -189,8 +219,9 @@ class Supernodal_structure {
   }
 
   Ordering m_order;
+  int m_kept;
   std::vector<int> m_first;      // size() + 1
-  std::vector<int> m_supernode;  // of each column
+  std::vector<int> m_supernode;  // of each column, -1 if it is kept
   std::vector<int> m_parent, m_depth, m_child_offsets, m_children;
   std::vector<std::int64_t> m_row_offsets;
   std::vector<int> m_rows, m_relative;
