@@ -12,28 +12,15 @@
 #include <Conformal_geometry_processing/linear_algebra/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/conjugate_gradients.h>
 #include <Conformal_geometry_processing/linear_algebra/guarded.h>
+#include <Conformal_geometry_processing/linear_algebra/release_factor.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
-namespace internal {
-
-template <class Solver, class = void>
-constexpr bool has_precondition = false;
-
-template <class Solver>
-constexpr bool
-    has_precondition<Solver, std::void_t<decltype(std::declval<const Solver&>().precondition(
-                                 std::declval<const Block<typename Solver::Scalar>&>(),
-                                 std::declval<Block<typename Solver::Scalar>&>()))>> = true;
-
-}  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
 /// \brief solves systems with a matrix that changes little from one `factorize()` to the next, as
@@ -137,8 +124,15 @@ class Lagged_solver {
         if (status != Solver_status::success) return status;
       }
       m_rule.add(work_per_pass * passes(b));
-      return apply(b, x);
+      return apply_inverse(m_solver, b, x);
     });
+  }
+
+  /// gives back the memory of the factor, if `Solver_` can; the next `factorize()` makes a new one
+  void release()
+  {
+    release_factor(m_solver);
+    m_has_factor = m_is_ready = m_is_current = false;
   }
 
   /// the cost of a factorization; the memory includes that of the values
@@ -241,23 +235,13 @@ class Lagged_solver {
     return renew(9 * m_shift);
   }
 
-  // The factor at hand, by the cheapest of its functions.
-  Solver_status apply(const Block<Scalar>& b, Block<Scalar>& x) const
-  {
-    if constexpr (internal::has_precondition<Solver_>)
-      return m_solver.precondition(b, x);
-    else
-      return m_solver.solve(b, x);
-  }
-
   // Conjugate gradients, for as long as they are cheaper than a factorization and a direct solve.
   bool iterate(const Block<Scalar>& b, Block<Scalar>& x) const
   {
     const double direct = passes(b), work = work_per_pass * direct;
-    const auto precondition = [&](const Block<Scalar>& r) {
-      Block<Scalar> z;
-      if (apply(r, z) != Solver_status::success) z = r * std::numeric_limits<FT>::quiet_NaN();
-      return z;
+    const auto precondition = [&](const Block<Scalar>& r, Block<Scalar>& z) {
+      if (apply_inverse(m_solver, r, z) != Solver_status::success)
+        z = r * std::numeric_limits<FT>::quiet_NaN();
     };
     Conjugate_gradients_options options;
     options.tolerance = static_cast<double>(m_tolerance);
@@ -283,8 +267,8 @@ class Lagged_solver {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief lagged solvers for all scalars: for flows, whose matrices change little from step to
-/// step. \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+/// \brief lagged solvers for all scalars, for flows.
+/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \cgalModels{SparseHermitianSolverTraits}
 template <class SolverTraits = Default_solver_traits>
 struct Lagged_solver_traits {

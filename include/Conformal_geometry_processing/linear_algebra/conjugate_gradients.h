@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/algebra/scalar.h>
+#include <Conformal_geometry_processing/linear_algebra/block_operators.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,12 +43,10 @@ class Conjugate_gradients {
         m_tolerance(tolerance),
         m_x(Vectors::Constant(b.rows(), b.cols(), Scalar{})),
         m_r(b),
-        m_p(precondition(m_r)),
-        m_sizes(products(m_r, m_r)),
-        m_first(products(m_r, m_p)),
-        m_now(m_first),
-        m_before(m_first)
+        m_sizes(products(m_r, m_r))
   {
+    apply_operator(precondition, m_r, m_p);
+    m_first = m_now = m_before = products(m_r, m_p);
     m_result.estimates = Vector<FT>::Ones(b.cols());
     for (Eigen::Index c = 0; c < b.cols(); ++c)
       if (m_sizes[c] == 0)
@@ -60,7 +59,8 @@ class Conjugate_gradients {
   bool step()
   {
     if (is_over()) return false;
-    const Vectors kp = m_apply_k(m_p);
+    Vectors& kp = m_image;
+    apply_operator(m_apply_k, m_p, kp);
     const Vector<FT> curvatures = products(m_p, kp);
     for (Eigen::Index c = 0; c < m_x.cols(); ++c)
       if (is_open(c) && require_positive(curvatures[c])) move(c, m_now[c] / curvatures[c], kp);
@@ -71,7 +71,8 @@ class Conjugate_gradients {
   // The next direction, from a preconditioned residual.
   void turn()
   {
-    const Vectors z = m_precondition(m_r);
+    Vectors& z = m_image;
+    apply_operator(m_precondition, m_r, z);
     const Vector<FT> energies = products(m_r, z);
     for (Eigen::Index c = 0; c < m_x.cols(); ++c) {
       if (!is_open(c) || !require_positive(energies[c])) continue;
@@ -127,6 +128,7 @@ class Conjugate_gradients {
   const T& m_precondition;
   FT m_tolerance;
   Vectors m_x, m_r, m_p;
+  Vectors m_image;                      // K p, then T r
   Vector<FT> m_sizes;                   // r^H r
   Vector<FT> m_first, m_now, m_before;  // r^H T r at the start, now, and one step before
   bool m_failed = false;
@@ -144,8 +146,9 @@ class Conjugate_gradients {
 /// inverse of K: an estimate that is wrong by no more than the root of the condition number of T K.
 /// Where T is the exact inverse of a nearby matrix, i iterations cost i K and i T.
 ///
-/// \param apply_k, precondition callables that map a `Block<Scalar>` to one of the same shape: K
-///   Hermitian positive definite, T an approximation of its inverse, Hermitian positive definite
+/// \param apply_k, precondition callables that map a `Block<Scalar>` to one of the same shape, see
+///   `apply_operator()`: K Hermitian positive definite, T an approximation of its inverse,
+///   Hermitian positive definite
 /// \param x gets the last iterate, converged or not. Where K or T turns out not to be definite, or
 ///   a value not finite, the run ends there.
 template <class K, class T, class Scalar>

@@ -27,7 +27,7 @@ namespace Conformal_geometry_processing {
 /// [CGP (5.3)].
 ///
 /// The pattern, the ordering of the vertices and the symbolic factorization are made once;
-/// `set_potential()` repeats the numbers only.
+/// `set_potential()` repeats the numbers only, for another rho or other positions.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
@@ -47,6 +47,9 @@ class Dirac_eigenproblem {
   {
     check("analysis", m_solver.analyze_with_positions(m_X.pattern(), mesh.positions()));
   }
+
+  /// the mesh has new positions; the next call must be `set_potential()`
+  void update_geometry() { m_areas = vertex_areas(m_mesh); }
 
   const Mesh_view& mesh() const { return m_mesh; }
   const Eigen::VectorXd& areas() const { return m_areas; }

@@ -47,6 +47,9 @@ class Dirac_equation {
 
   const Eigenproblem_& problem() const { return m_problem; }
 
+  /// the mesh has new positions
+  void update_geometry() { m_problem.update_geometry(); }
+
   /// gives back the memory of the factor, until the next `solve()`
   void release() { m_problem.release(); }
 

@@ -64,6 +64,47 @@ class Spin_transformation {
   Spin_transformation(const Spin_transformation&) = delete;
   Spin_transformation& operator=(const Spin_transformation&) = delete;
 
+  /// \brief the mesh has moved, as in the steps of a flow: `transform()` starts from there.
+  ///
+  /// Nothing is ordered or analyzed again. With `Lagged_solver_traits`, the factors are kept for as
+  /// long as that pays.
+  /// \param positions 3 x |V|
+  /// \throw Precondition_error if their number is another, one is not finite or a face has area
+  /// zero; everything is as before then
+  void set_positions(const Points& positions)
+  {
+    require_same_size(positions);
+    const Points before = m_mesh.positions();
+    m_mesh.set_positions(positions);
+    try {
+      require_finite_positions(m_mesh, m_function);
+      require_positive_areas(m_mesh, m_function);
+    } catch (...) {
+      m_mesh.set_positions(before);
+      throw;
+    }
+    m_frame = Normalized_frame(positions);
+    in_frame(m_mesh, m_frame);
+    m_dirac.update_geometry();
+    m_has_moved = true;
+  }
+
+  /// the Dirac equation of the mesh, in the frame of the computation
+  const Dirac_equation<SolverTraits, EigensolverTraits>& dirac_equation() const { return m_dirac; }
+
+  /// \brief finds positions from edge vectors, in the frame of the computation.
+  /// \throw Solver_error if the Laplacian cannot be factored
+  const Poisson_reconstruction<SolverTraits>& reconstruction()
+  {
+    const auto& dirac = m_dirac.problem();
+    if (!m_reconstruction)
+      m_reconstruction.emplace(m_mesh, dirac.matrix().shared_pattern(), dirac.solver());
+    else if (m_has_moved)
+      m_reconstruction->update_geometry();
+    m_has_moved = false;
+    return *m_reconstruction;
+  }
+
   /// \param rho in 1/length of the mesh, one number per vertex or per face
   /// \param go_further asked between iterations with an `Eigen_progress`; false cancels
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
@@ -102,6 +143,14 @@ class Spin_transformation {
     return mesh;
   }
 
+  void require_same_size(const Points& positions) const
+  {
+    if (positions.cols() != m_mesh.size_of_vertices())
+      throw Precondition_error(m_function, std::to_string(positions.cols()) +
+                                               " positions, one per vertex is needed: " +
+                                               std::to_string(m_mesh.size_of_vertices()));
+  }
+
   void require_finite(const Curvature_potential& rho) const
   {
     const bool on_faces = rho.on == Curvature_potential::On::faces;
@@ -129,14 +178,6 @@ class Spin_transformation {
     result.report = report_of(s);
     result.lambda = std::move(s.lambda);
     return result;
-  }
-
-  const Poisson_reconstruction<SolverTraits>& reconstruction()
-  {
-    const auto& dirac = m_dirac.problem();
-    if (!m_reconstruction)
-      m_reconstruction.emplace(m_mesh, dirac.matrix().shared_pattern(), dirac.solver());
-    return *m_reconstruction;
   }
 
   Spin_report report_of(const Dirac_solution& s) const
@@ -217,6 +258,7 @@ class Spin_transformation {
   Mesh_view m_mesh;  // in the frame
   Dirac_equation<SolverTraits, EigensolverTraits> m_dirac;
   std::optional<Poisson_reconstruction<SolverTraits>> m_reconstruction;
+  bool m_has_moved = false;  // since the Laplacian was assembled
   double m_setup_seconds;
 };
 

@@ -1,0 +1,169 @@
+// Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/linear_algebra/Lagged_solver.h>
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "support/meshes.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+
+template <class Solver>
+const Solver& factor_of(const Solver& solver)
+{
+  return solver;
+}
+template <class Solver>
+const Solver& factor_of(const CGP::Lagged_solver<Solver>& solver)
+{
+  return solver.factor();
+}
+
+double greatest_displacement(const Points& a, const Points& b)
+{
+  return (a - b).colwise().norm().maxCoeff();
+}
+
+/// Willmore flow, rho = -tau H, by one object.
+template <class SolverTraits>
+class Flow {
+ public:
+  explicit Flow(const Mesh_view& mesh) : m_mesh(mesh), transformation(mesh) {}
+
+  void step(double tau)
+  {
+    CGP::Dirac_options options;
+    options.tolerance = 1e-8;
+    const CGP::Spin_result result = transformation.transform(
+        CGP::Curvature_potential::on_vertices(-tau * CGP::mean_curvature(m_mesh)), options);
+    EXPECT_TRUE(result.report.converged);
+    m_mesh.set_positions(result.positions);
+  }
+  void move() { transformation.set_positions(m_mesh.positions()); }
+
+  const auto& eigensolver() const { return transformation.dirac_equation().problem().solver(); }
+  const auto& poisson_solver() { return transformation.reconstruction().solver().solver(); }
+  double energy() const { return CGP::willmore_energy(m_mesh); }
+  const Points& positions() const { return m_mesh.positions(); }
+
+ private:
+  Mesh_view m_mesh;
+
+ public:
+  CGP::Spin_transformation<SolverTraits> transformation;
+};
+
+/// the message, and proof that the object has remained as it was
+std::string refusal(const Mesh_view& mesh, const Points& positions)
+{
+  const auto rho = CGP::Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh));
+  CGP::Spin_transformation<> transformation(mesh, "f");
+  const Points before = transformation.transform(rho).positions;
+  try {
+    transformation.set_positions(positions);
+  } catch (const CGP::Precondition_error& error) {
+    EXPECT_TRUE(transformation.transform(rho).positions == before);
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST(Spin_transformation_flow, gives_the_same_surfaces_with_lagged_factors)
+{
+  for (const double tau : {0.1, 1.}) {
+    Flow<CGP::Default_solver_traits> plain(bumpy_sphere(4));
+    Flow<CGP::Lagged_solver_traits<>> lagged(bumpy_sphere(4));
+    double energy = plain.energy();
+    for (int step = 0; step < 5; ++step) {
+      plain.step(tau);
+      lagged.step(tau);
+      EXPECT_LT(plain.energy(), energy);
+      EXPECT_LT(greatest_displacement(plain.positions(), lagged.positions()), 1e-6);
+      energy = plain.energy();
+      plain.move();
+      lagged.move();
+    }
+    EXPECT_LE(lagged.eigensolver().factorizations(), 2);
+  }
+}
+
+TEST(Spin_transformation_flow, solves_every_poisson_problem_with_the_factor_of_the_first)
+{
+  Flow<CGP::Lagged_solver_traits<>> flow(bumpy_sphere(5));
+  for (int step = 0; step < 5; ++step, flow.move()) {
+    flow.step(1);
+    EXPECT_LE(flow.poisson_solver().iterations(), 3);
+    EXPECT_EQ(flow.poisson_solver().iterations() == 0, step == 0);
+    EXPECT_EQ(flow.poisson_solver().factorizations(), 1);
+  }
+}
+
+TEST(Spin_transformation_flow, analyzes_once_for_both_matrices_and_all_steps)
+{
+  const auto expect_one_structure = [](auto flow) {
+    flow.step(0.1);
+    const auto structure = factor_of(flow.eigensolver()).structure();
+    for (int step = 0; step < 3; ++step, flow.step(0.1)) {
+      EXPECT_EQ(factor_of(flow.eigensolver()).structure(), structure);
+      EXPECT_EQ(factor_of(flow.poisson_solver()).structure(), structure);
+      flow.move();
+    }
+  };
+  expect_one_structure(Flow<CGP::Default_solver_traits>(bumpy_sphere(3)));
+  expect_one_structure(Flow<CGP::Lagged_solver_traits<>>(bumpy_sphere(3)));
+  expect_one_structure(Flow<CGP::Mixed_supernodal_solver_traits>(bumpy_sphere(3)));
+}
+
+TEST(Spin_transformation_flow, reaches_the_round_sphere)
+{
+  Flow<CGP::Lagged_solver_traits<CGP::Mixed_supernodal_solver_traits>> flow(bumpy_sphere(3));
+  for (int step = 0; step < 6; ++step, flow.move()) flow.step(1);
+  Eigen::VectorXd radii = flow.positions().colwise().norm();
+  EXPECT_LT((radii.array() / radii.mean() - 1).abs().maxCoeff(), 0.01);
+}
+
+TEST(Spin_transformation_flow, starts_from_positions_as_a_new_object_would)
+{
+  const Mesh_view first = bumpy_sphere(3), second = perturbed(bumpy_sphere(3, -0.2), 0.01);
+  for (const double unit : {1., 1e6}) {
+    const Mesh_view mesh =
+        mapped(second, [unit](const Eigen::Vector3d& p) { return Eigen::Vector3d(unit * p); });
+    const auto rho =
+        CGP::Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh) / unit);
+    CGP::Dirac_options options;
+    options.tolerance = 1e-10;
+    CGP::Spin_transformation<> transformation(first), other(mesh);
+    (void)transformation.transform(rho);
+    transformation.set_positions(mesh.positions());
+    const CGP::Spin_result moved = transformation.transform(rho, options);
+    const CGP::Spin_result expected = other.transform(rho, options);
+    EXPECT_LT(greatest_displacement(moved.positions, expected.positions), 1e-8 * unit);
+    EXPECT_NEAR(moved.report.eigenvalue, expected.report.eigenvalue, 1e-9 / unit);
+    EXPECT_NEAR(moved.report.closure_residual, expected.report.closure_residual, 1e-9);
+  }
+}
+
+TEST(Spin_transformation_flow, refuses_positions_that_are_no_surface_and_stays_as_it_was)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  EXPECT_NE(refusal(mesh, Points::Zero(3, 5)).find("f: 5 positions, one per vertex is needed: 162"),
+            std::string::npos);
+  Points p = mesh.positions();
+  p(1, 7) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(refusal(mesh, p).find("vertex 7"), std::string::npos);
+  p = mesh.positions();
+  p.col(mesh.corners(3)[0]) = p.col(mesh.corners(3)[1]);
+  EXPECT_NE(refusal(mesh, p).find("of area zero"), std::string::npos);
+}
