@@ -39,7 +39,9 @@ std::vector<Row> all_rows()
   add_other_factors(rows);
   add_native_factors(rows);
   add_native_transforms(rows);
+  add_multigrid(rows);
   add_other_transforms(rows);
+  add_threads(rows);
   return rows;
 }
 
