@@ -1,7 +1,8 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# The targets users link: Conformal_geometry_processing::core, every header except those over CHOLMOD
-# and METIS, and Conformal_geometry_processing::cholmod and ::metis, which add them and the library.
+# The targets users link: Conformal_geometry_processing::core, every header except those over
+# CHOLMOD, METIS and SLEPc, and Conformal_geometry_processing::cholmod, ::metis and ::slepc, which
+# add them and the library.
 
 cgp_find(CGP_HAS_CGAL libcgal-dev CGAL 5.5 QUIET)
 # NO_MODULE: CGAL puts a FindEigen3.cmake of its own on the module path.
@@ -9,6 +10,7 @@ cgp_find(CGP_HAS_EIGEN libeigen3-dev Eigen3 3.4 QUIET NO_MODULE)
 find_package(Threads REQUIRED)
 cgp_find(CGP_HAS_CHOLMOD libsuitesparse-dev CHOLMOD QUIET MODULE)
 cgp_find(CGP_HAS_METIS libmetis-dev METIS QUIET MODULE)
+cgp_find(CGP_HAS_SLEPC libslepc-complex-dev SLEPc QUIET MODULE)
 if(NOT CGP_HAS_CGAL OR NOT CGP_HAS_EIGEN)
   message(FATAL_ERROR "Conformal Geometry Processing needs CGAL 5.5 or later and Eigen 3.4; "
                       "on Debian: apt-get install libcgal-dev libeigen3-dev")
@@ -27,9 +29,11 @@ endfunction()
 file(GLOB_RECURSE CGP_CORE_HEADERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.h)
 set(CGP_CHOLMOD_HEADERS ${CGP_CORE_HEADERS})
 set(CGP_METIS_HEADERS ${CGP_CORE_HEADERS})
-list(FILTER CGP_CORE_HEADERS EXCLUDE REGEX "/(Cholmod|Metis)_")
+set(CGP_SLEPC_HEADERS ${CGP_CORE_HEADERS})
+list(FILTER CGP_CORE_HEADERS EXCLUDE REGEX "/(Cholmod|Metis|Petsc|Slepc)_")
 list(FILTER CGP_CHOLMOD_HEADERS INCLUDE REGEX "/Cholmod_")
 list(FILTER CGP_METIS_HEADERS INCLUDE REGEX "/Metis_")
+list(FILTER CGP_SLEPC_HEADERS INCLUDE REGEX "/(Petsc|Slepc)_")
 
 cgp_add_library(core ${CGP_CORE_HEADERS})
 target_link_libraries(cgp_core INTERFACE CGAL::CGAL Eigen3::Eigen Threads::Threads)
@@ -46,4 +50,10 @@ if(CGP_HAS_METIS)
   cgp_add_library(metis ${CGP_METIS_HEADERS})
   target_link_libraries(cgp_metis INTERFACE cgp_core METIS::METIS)
   list(APPEND CGP_TARGETS cgp_metis)
+endif()
+
+if(CGP_HAS_SLEPC)
+  cgp_add_library(slepc ${CGP_SLEPC_HEADERS})
+  target_link_libraries(cgp_slepc INTERFACE cgp_core SLEPc::SLEPc)
+  list(APPEND CGP_TARGETS cgp_slepc)
 endif()

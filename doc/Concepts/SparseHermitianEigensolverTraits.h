@@ -13,6 +13,7 @@
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Lobpcg_eigensolver_traits`, the default;}
 /// \cgalHasModels{`Conformal_geometry_processing::Inverse_power_eigensolver_traits`}
+/// \cgalHasModels{`Conformal_geometry_processing::Slepc_eigensolver_traits`}
 /// \cgalHasModelsEnd
 class SparseHermitianEigensolverTraits {
  public:

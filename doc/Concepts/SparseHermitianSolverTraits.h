@@ -13,6 +13,7 @@
 /// \cgalHasModels{`Conformal_geometry_processing::Multigrid_solver_traits`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Cholmod_hermitian_solver_traits`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Cholmod_real_hermitian_solver_traits`,}
+/// \cgalHasModels{`Conformal_geometry_processing::Petsc_hermitian_solver_traits`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Eigen_hermitian_solver_traits`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Eigen_real_hermitian_solver_traits`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Lagged_solver_traits`.}

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/dense.h"
+#include "spin/gauge_tools.h"
 #include "support/meshes.h"
 
 /// What every model of SparseHermitianSolverTraits leaves as it is: the result of a spin
@@ -29,18 +29,6 @@ CGP::Spin_result transformed(const Mesh_view& mesh, const CGP::Dirac_options& op
   CGP::Spin_transformation<Solver_traits, Eigensolver_traits> transformation(mesh);
   return transformation.transform(
       Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh)), options);
-}
-
-/// the greatest difference of the components of a and b q, for the best unit quaternion q
-inline double difference_up_to_right_quaternion(const Quaternion_vector<double>& a,
-                                                const Quaternion_vector<double>& b)
-{
-  Quaternion<double> q{};
-  for (Eigen::Index i = 0; i < a.size(); ++i) q += conjugate(b[i]) * a[i];
-  q *= 1 / norm(q);
-  Quaternion_vector<double> turned = b;
-  for (Eigen::Index i = 0; i < b.size(); ++i) turned[i] = b[i] * q;
-  return greatest_difference(a, turned);
 }
 
 /// of two results on a mesh of size about one
