@@ -18,6 +18,7 @@
 /// \cgalHasModels{`Conformal_geometry_processing::Supernodal_cholesky`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Embedded_hermitian_solver`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Multigrid_solver`,}
+/// \cgalHasModels{`Conformal_geometry_processing::Petsc_hermitian_solver`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Lagged_solver`.}
 /// \cgalHasModelsEnd
 class SparseHermitianSolver {
