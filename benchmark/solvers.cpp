@@ -41,6 +41,7 @@ std::vector<Row> all_rows()
   add_native_transforms(rows);
   add_multigrid(rows);
   add_other_transforms(rows);
+  add_flows(rows);
   add_threads(rows);
   return rows;
 }

@@ -65,6 +65,12 @@ library with one part replaced.
 
 ## Later steps of a flow
 
+Willmore flow with rho = -0.3 H on the vertices: the mean of the steps 2 to 5, from curvature to
+certificate, on one `Spin_transformation` that is given new positions. *Native* factors both
+matrices in every step; *lagged* (`Lagged_solver_traits`) keeps a factor and iterates for as long
+as that is cheaper: that of the Laplacian serves all steps. *Factorizations* are those of X per
+step.
+
 {flows}
 
 ## Two threads

@@ -101,7 +101,7 @@ def original_table(m):
 
 def flow_table(m):
     rows = [[row["mesh"], row["model"], seconds(row["seconds"]), f"{poisson_ratio(row):.2f}",
-             number(row, "analyses", "{}"), number(row, "factorizations", "{}"),
+             number(row, "analyses", "{}"), number(row, "factorizations"),
              number(row, "iterations", "{:.1f}"), number(row, "poisson_iterations", "{}")]
             for row in m.measured("flow")]
     return table(["mesh", "model", "seconds", "/ P", "analyses", "factorizations", "iterations",
