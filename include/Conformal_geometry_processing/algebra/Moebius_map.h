@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_MOEBIUS_MAP_H
+#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_MOEBIUS_MAP_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/exceptions.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgAlgebra
+/// \brief a Moebius transformation of R^3 that keeps orientation: f -> (a f + b) (c f + d)^-1 with
+/// quaternions a, b, c, d and points f as imaginary quaternions [CGP 4.5.3].
+///
+/// All orientation preserving conformal maps of R^3 with infinity are of this form. The image of
+/// an imaginary f is imaginary exactly if M = (a b; c d) has M^H (0 1; 1 0) M = s (0 1; 1 0) with a
+/// real number s, which is positive if orientation is kept; here s = 1. Then the map is the spin
+/// transformation with lambda = (c f + d)^-1, df~ = conjugate(lambda) df lambda, and even
+/// f~_j - f~_i = conjugate(lambda_i) (f_j - f_i) lambda_j for any two points, however far.
+///
+/// In a composition that moves points far away and back, digits are lost as in any product of
+/// matrices: move the points instead.
+class Moebius_map {
+ public:
+  using Quaternion = Conformal_geometry_processing::Quaternion<double>;
+
+  /// the identity
+  Moebius_map() = default;
+
+  /// \brief from its matrix, up to a positive factor
+  /// \throw Precondition_error if the matrix does not map R^3 to itself, keeping orientation
+  Moebius_map(const Quaternion& a, const Quaternion& b, const Quaternion& c, const Quaternion& d)
+      : m_a(a), m_b(b), m_c(c), m_d(d)
+  {
+    const Quaternion s = conjugate(a) * d + conjugate(c) * b;
+    const double size = norm(a) * norm(d) + norm(b) * norm(c), zero = 1e-10;
+    const bool is_moebius = s.w > zero * size &&
+                            norm(imaginary(imaginary_part(s))) <= zero * size &&
+                            std::abs(dot(a, c)) <= zero * norm(a) * norm(c) &&
+                            std::abs(dot(b, d)) <= zero * norm(b) * norm(d);
+    if (!is_moebius)
+      throw Precondition_error("Moebius_map",
+                               "the matrix does not map R^3 to itself with its orientation");
+    for (Quaternion* q : {&m_a, &m_b, &m_c, &m_d}) *q *= 1 / std::sqrt(s.w);
+  }
+
+  /// f -> f + t
+  static Moebius_map translation(const Eigen::Vector3d& t)
+  {
+    return {one, imaginary(t), {}, one, Unchecked()};
+  }
+
+  /// f -> conjugate(q) f q: turns as `spin()` does, and scales by |q|^2
+  /// \pre q is not zero
+  static Moebius_map rotation(const Quaternion& q)
+  {
+    return {conjugate(q), {}, {}, Conformal_geometry_processing::inverse(q), Unchecked()};
+  }
+
+  /// f -> factor f
+  /// \pre factor > 0
+  static Moebius_map scaling(double factor) { return rotation({std::sqrt(factor), 0, 0, 0}); }
+
+  /// f -> f^-1 = -f / |f|^2: the inversion in the unit sphere, after the reflection in the origin,
+  /// which makes it keep orientation. The inside of the unit sphere comes out.
+  static Moebius_map inversion() { return {{}, one, one, {}, Unchecked()}; }
+
+  /// \brief f -> (f^-1 - c)^-1, which fixes the origin and sends c^-1 = -c / |c|^2 to infinity; has
+  /// lambda = (1 - c f)^-1 [CGP 4.5.3]. Near the identity for small c: f + f c f + ...
+  static Moebius_map sphere_inversion(const Eigen::Vector3d& c)
+  {
+    return {one, {}, -imaginary(c), one, Unchecked()};
+  }
+
+  /// A * B is A after B
+  friend Moebius_map operator*(const Moebius_map& A, const Moebius_map& B)
+  {
+    return {A.m_a * B.m_a + A.m_b * B.m_c, A.m_a * B.m_b + A.m_b * B.m_d,
+            A.m_c * B.m_a + A.m_d * B.m_c, A.m_c * B.m_b + A.m_d * B.m_d, Unchecked()};
+  }
+
+  Moebius_map inverse() const
+  {
+    return {conjugate(m_d), conjugate(m_b), conjugate(m_c), conjugate(m_a), Unchecked()};
+  }
+
+  /// the image of a point
+  /// \throw Precondition_error if it is infinite, or the point is not finite
+  Eigen::Vector3d operator()(const Eigen::Vector3d& point) const
+  {
+    return image(point, spin(point));
+  }
+
+  /// lambda at a point
+  /// \throw Precondition_error if the point goes to infinity or is not finite
+  Quaternion spin(const Eigen::Vector3d& point) const
+  {
+    const Quaternion q = m_c * imaginary(point) + m_d;
+    if (is_zero(q, point))
+      throw Precondition_error("Moebius_map", "the point goes to infinity or is not finite");
+    return Conformal_geometry_processing::inverse(q);
+  }
+
+  /// \brief the images of several points, 3 x n
+  /// \param function named in the exception
+  /// \throw Precondition_error if one is infinite, up to rounding, or a point is not finite; the
+  /// message names the first
+  Eigen::Matrix3Xd transform(Eigen::Matrix3Xd points,
+                             const std::string& function = "Moebius_map::transform") const
+  {
+    const Quaternion_vector<double> lambda = spins(points, function);
+    for (Eigen::Index i = 0; i < points.cols(); ++i)
+      points.col(i) = image(points.col(i), lambda[i]);
+    return points;
+  }
+
+  /// \brief lambda at several points, n quaternions
+  /// \throw Precondition_error as `transform()`
+  Quaternion_vector<double> spins(const Eigen::Matrix3Xd& points,
+                                  const std::string& function = "Moebius_map::spins") const
+  {
+    Quaternion_vector<double> lambda(points.cols());
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      const Quaternion q = m_c * imaginary(points.col(i)) + m_d;
+      if (is_zero(q, points.col(i)))
+        throw Precondition_error(function, "point " + std::to_string(i) +
+                                               " goes to infinity or is not finite; the map must "
+                                               "send no point there");
+      lambda[i] = Conformal_geometry_processing::inverse(q);
+    }
+    return lambda;
+  }
+
+ private:
+  struct Unchecked {};
+  static constexpr Quaternion one = {1, 0, 0, 0};
+
+  Moebius_map(const Quaternion& a, const Quaternion& b, const Quaternion& c, const Quaternion& d,
+              Unchecked)
+      : m_a(a), m_b(b), m_c(c), m_d(d)
+  {}
+
+  Eigen::Vector3d image(const Eigen::Vector3d& point, const Quaternion& lambda) const
+  {
+    return imaginary_part((m_a * imaginary(point) + m_b) * lambda);
+  }
+
+  // Whether c f + d is zero but for a few digits of its terms: a number that is not finite is, too.
+  bool is_zero(const Quaternion& q, const Eigen::Vector3d& point) const
+  {
+    const double terms = norm(m_c) * point.norm() + norm(m_d);
+    return !(norm(q) > 1e-10 * terms);
+  }
+
+  Quaternion m_a = one, m_b, m_c, m_d = one;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif
