@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_HARMONIC_BASIS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_HARMONIC_BASIS_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/forms/tangent_field.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgForms
+/// \brief the harmonic 1-forms of a closed surface, 2G of them for genus G, orthonormal with
+/// respect to sum_e w_e omega_e omega'_e.
+///
+/// They are closed, d1 omega = 0, and co-closed, d0^T w omega = 0. Which basis of their space it
+/// is, depends on the numbering of the mesh.
+struct Harmonic_basis {
+  Eigen::MatrixXd one_forms;   ///< |E| x 2G, along each edge i -> j, i < j; dimensionless
+  std::vector<Points> fields;  ///< 2G times 3 x |F|: `tangent_field()` of each, in 1/length
+
+  int size() const { return static_cast<int>(one_forms.cols()); }
+  int genus() const { return size() / 2; }
+
+  /// \brief <omega_i, alpha> for the forms of the basis and those given: 2G x k.
+  ///
+  /// The harmonic part of alpha is `one_forms * coefficients(w, alpha)`, and what the coefficients
+  /// square and sum up to is its squared norm.
+  /// \param w `cotan_weights(mesh)` \param alpha |E| x k
+  Eigen::MatrixXd coefficients(const Eigen::VectorXd& w, const Eigen::MatrixXd& alpha) const
+  {
+    return one_forms.transpose() * (w.asDiagonal() * alpha);
+  }
+};
+
+namespace internal {
+
+/// The fields of closed forms, each vector times the root of its face's area, one form per column:
+/// ordinary inner products of the columns are those of the forms.
+inline Eigen::MatrixXd weighted_fields(const Mesh_view& mesh, const Eigen::MatrixXd& forms)
+{
+  const Eigen::ArrayXd roots = face_areas(mesh).array().sqrt();
+  Eigen::MatrixXd columns(3 * mesh.size_of_faces(), forms.cols());
+  for (Eigen::Index i = 0; i < forms.cols(); ++i) {
+    const Points scaled = tangent_field(mesh, forms.col(i)) * roots.matrix().asDiagonal();
+    columns.col(i) = scaled.reshaped();
+  }
+  return columns;
+}
+
+/// Replaces closed forms by orthonormal ones that span the same. By fields, whose inner products
+/// are positive definite also to rounding, which sums with negative cotan weights are not.
+inline void orthonormalize(const Mesh_view& mesh, Eigen::MatrixXd& forms)
+{
+  const double least_pivot = 1e-7;  // relative: half the digits
+  if (forms.cols() == 0) return;
+  for (int pass = 0; pass < 2; ++pass) {  // the second takes out the rounding of the first
+    const Eigen::MatrixXd V = weighted_fields(mesh, forms);
+    const Eigen::LLT<Eigen::MatrixXd> gram(V.transpose() * V);
+    const Eigen::VectorXd pivots = gram.matrixLLT().diagonal();
+    if (gram.info() != Eigen::Success || !(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
+      throw Precondition_error("orthonormalize", "the 1-forms are not linearly independent");
+    gram.matrixU().solveInPlace<Eigen::OnTheRight>(forms);
+  }
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_HODGE_DECOMPOSITION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_HODGE_DECOMPOSITION_H
+
+#include <Conformal_geometry_processing/forms/Harmonic_basis.h>
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
+#include <Conformal_geometry_processing/linear_algebra/Grounded_solver.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/divergence.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgForms
+/// the parts of k 1-forms: their sum is the form, and any two are orthogonal
+struct Hodge_parts {
+  Eigen::MatrixXd potential;  ///< |V| x k: u with exact = d0 u, of mean zero
+  Eigen::MatrixXd exact;      ///< |E| x k
+  Eigen::MatrixXd coexact;    ///< |E| x k
+  Eigen::MatrixXd harmonic;   ///< |E| x k
+};
+
+/// \ingroup PkgForms
+/// \brief splits 1-forms of a closed surface into exact, co-exact and harmonic parts, and finds a
+/// basis of the harmonic ones [CGP 6.4.5].
+///
+/// Orthogonal means sum_e w_e a_e b_e = 0 with cotan weights w, which may be negative. No weight is
+/// divided by, so right angles do no harm: the exact part is d0 u with L u = d0^T w omega, the
+/// harmonic part is found by the basis, and the rest is co-exact. The basis comes from closed
+/// generators in the same way: omega = eta - d0 u.
+///
+/// Factors the Laplacian once, unless it is given; the basis takes 4G solves with it.
+///
+/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+template <class SolverTraits = Default_solver_traits>
+class Hodge_decomposition {
+ public:
+  /// \param mesh must outlive the object
+  /// \param function named in exceptions
+  /// \throw Precondition_error if the mesh is not a closed, connected, oriented manifold with
+  /// finite coordinates and positive areas; the message names the first element in the way
+  /// \throw Solver_error if the Laplacian cannot be factored
+  explicit Hodge_decomposition(const Mesh_view& mesh,
+                               const std::string& function = "Hodge_decomposition")
+      : Hodge_decomposition(Checked_mesh(mesh, function))
+  {}
+
+  /// \brief from given generators, with a given factor.
+  /// \param generators |E| x 2G closed forms, with no exact one among their combinations
+  /// \param laplacian solves with the Laplacian of the mesh, as `Poisson_reconstruction::solver()`
+  /// does; must outlive the object
+  /// \pre `require_surface(mesh)` and `require_closed(mesh)` hold
+  /// \throw Precondition_error if the generators are not independent
+  Hodge_decomposition(const Mesh_view& mesh, const Eigen::MatrixXd& generators,
+                      const Grounded_solver<SolverTraits>& laplacian)
+      : Hodge_decomposition(mesh, generators, not_owned(laplacian))
+  {}
+
+  const Harmonic_basis& harmonic_basis() const { return m_basis; }
+
+  /// `cotan_weights(mesh)`: the inner product of 1-forms, |E|
+  const Eigen::VectorXd& weights() const { return m_weights; }
+
+  /// \param omega |E| x k, along each edge i -> j, i < j
+  /// \throw Solver_error if the solver fails
+  Hodge_parts decompose(const Eigen::MatrixXd& omega) const
+  {
+    Hodge_parts parts;
+    parts.potential = potential(omega);
+    parts.exact = derivative(parts.potential);
+    const Eigen::MatrixXd rest = omega - parts.exact;
+    parts.harmonic = m_basis.one_forms * m_basis.coefficients(m_weights, rest);
+    parts.coexact = rest - parts.harmonic;
+    return parts;
+  }
+
+ private:
+  using Laplacian = std::shared_ptr<const Grounded_solver<SolverTraits>>;
+  static constexpr Eigen::Index at_once = 16;  // columns: what bounds the memory for solutions
+
+  // A mesh that has passed the checks, which must come before all else.
+  struct Checked_mesh {
+    Checked_mesh(const Mesh_view& mesh_, const std::string& function) : mesh(mesh_)
+    {
+      require_surface(mesh, function);
+      require_closed(mesh, function);
+    }
+    const Mesh_view& mesh;
+  };
+
+  explicit Hodge_decomposition(const Checked_mesh& c)
+      : Hodge_decomposition(c.mesh, closed_generators(c.mesh), factored(c.mesh))
+  {}
+
+  Hodge_decomposition(const Mesh_view& mesh, Eigen::MatrixXd generators, Laplacian laplacian)
+      : m_mesh(mesh), m_weights(cotan_weights(mesh)), m_laplacian(std::move(laplacian))
+  {
+    Eigen::MatrixXd& forms = m_basis.one_forms = std::move(generators);
+    remove_exact_part(forms);
+    internal::orthonormalize(mesh, forms);
+    remove_exact_part(forms);  // what the solver has left of the large part of generators
+    for (Eigen::Index i = 0; i < forms.cols(); ++i)
+      m_basis.fields.push_back(tangent_field(mesh, forms.col(i)));
+  }
+
+  static Laplacian factored(const Mesh_view& mesh)
+  {
+    const auto pattern = vertex_graph(mesh);
+    const auto solver = std::make_shared<Grounded_solver<SolverTraits>>(pattern);
+    solver->factorize(cotan_laplacian(mesh, pattern));
+    return solver;
+  }
+
+  static Laplacian not_owned(const Grounded_solver<SolverTraits>& laplacian)
+  {
+    return {std::shared_ptr<const void>(), &laplacian};
+  }
+
+  void remove_exact_part(Eigen::MatrixXd& forms) const
+  {
+    for (Eigen::Index first = 0; first < forms.cols(); first += at_once) {
+      auto some = forms.middleCols(first, std::min(at_once, forms.cols() - first));
+      some -= derivative(potential(some));
+    }
+  }
+
+  /// u with L u = d0^T w omega
+  Eigen::MatrixXd potential(const Eigen::MatrixXd& omega) const
+  {
+    return m_laplacian->solve(codifferential(m_mesh, m_weights, omega));
+  }
+
+  /// d0 u
+  Eigen::MatrixXd derivative(const Eigen::MatrixXd& u) const
+  {
+    Eigen::MatrixXd du(m_mesh.size_of_edges(), u.cols());
+    for (int k = 0; k < m_mesh.size_of_edges(); ++k)
+      du.row(k) = u.row(m_mesh.ends(k)[1]) - u.row(m_mesh.ends(k)[0]);
+    return du;
+  }
+
+  const Mesh_view& m_mesh;
+  Eigen::VectorXd m_weights;  // |E|
+  Laplacian m_laplacian;
+  Harmonic_basis m_basis;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

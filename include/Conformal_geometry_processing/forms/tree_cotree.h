@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_TREE_COTREE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_TREE_COTREE_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// A spanning tree of the faces by breadth-first search, which keeps the loops short, and the edges
+/// that neither it crosses nor a spanning tree of the vertices takes: 2G of them.
+class Tree_cotree {
+ public:
+  explicit Tree_cotree(const Mesh_view& mesh) : m_mesh(mesh)
+  {
+    grow_cotree();
+    grow_tree();
+  }
+
+  /// the edges that are left over, ascending
+  const std::vector<int>& leftover_edges() const { return m_leftover; }
+
+  /// the halfedges of the loop of faces that crosses the leftover edge k: calls visit(h, sign)
+  /// where it leaves face(h) through h, sign = 1, or enters it there, sign = -1. What it goes to
+  /// and fro is visited both ways.
+  template <class Visitor>
+  void for_each_crossing(int k, Visitor visit) const
+  {
+    const int h = *m_mesh.halfedges_begin(k);
+    visit(h, 1);
+    walk_to_root(Mesh_view::face(m_mesh.twin(h)), 1, visit);
+    walk_to_root(Mesh_view::face(h), -1, visit);
+  }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  template <class Visitor>
+  void walk_to_root(int f, int sign, Visitor visit) const
+  {
+    for (int h = m_exit[at(f)]; h >= 0; h = m_exit[at(f)]) {
+      visit(h, sign);
+      f = Mesh_view::face(m_mesh.twin(h));
+    }
+  }
+
+  void grow_cotree()
+  {
+    m_exit.assign(at(m_mesh.size_of_faces()), -1);
+    m_is_crossed.assign(at(m_mesh.size_of_edges()), 0);
+    std::vector<char> is_met(m_exit.size(), 0);
+    std::vector<int> queue = {0};
+    is_met[0] = 1;
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (int h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
+        const int g = m_mesh.twin(h), f = Mesh_view::face(g);
+        if (is_met[at(f)]) continue;
+        is_met[at(f)] = 1;
+        m_exit[at(f)] = g;
+        m_is_crossed[at(m_mesh.edge(g))] = 1;
+        queue.push_back(f);
+      }
+  }
+
+  void grow_tree()
+  {
+    std::vector<int> root(at(m_mesh.size_of_vertices()));
+    std::iota(root.begin(), root.end(), 0);
+    const auto find = [&](int v) {
+      while (root[at(v)] != v) v = root[at(v)] = root[at(root[at(v)])];
+      return v;
+    };
+    for (int k = 0; k < m_mesh.size_of_edges(); ++k) {
+      if (m_is_crossed[at(k)]) continue;
+      const int a = find(m_mesh.ends(k)[0]), b = find(m_mesh.ends(k)[1]);
+      if (a == b)
+        m_leftover.push_back(k);
+      else
+        root[at(b)] = a;
+    }
+  }
+
+  const Mesh_view& m_mesh;
+  std::vector<int> m_exit;         // |F|: the halfedge towards the root, -1 at the root
+  std::vector<char> m_is_crossed;  // |E|: by the tree of the faces
+  std::vector<int> m_leftover;
+};
+
+}  // namespace internal
+
+/// \ingroup PkgForms
+/// \brief 2G closed 1-forms whose classes are a basis of the cohomology with integer coefficients:
+/// |E| x 2G whole numbers, mostly 0.
+///
+/// Tree-cotree decomposition: what is left of the edges when a spanning tree of the faces crosses
+/// some and a spanning tree of the vertices takes others are 2G edges. Across each, a loop closes
+/// in the tree of faces, and its form is 1 on the edges that it crosses from left to right (seen
+/// along the edge i -> j, i < j), -1 where from right to left. The sum around a face is zero
+/// exactly, for the loop leaves it as often as it enters; the integral along a curve is the number
+/// of times that it meets the loop. Depends on the connectivity alone.
+///
+/// O(|V| + |F|) and the lengths of the loops.
+/// \pre `require_surface(mesh)` and `require_closed(mesh)` hold
+inline Eigen::MatrixXd closed_generators(const Mesh_view& mesh)
+{
+  const internal::Tree_cotree trees(mesh);
+  const auto count = static_cast<Eigen::Index>(trees.leftover_edges().size());
+  Eigen::MatrixXd forms = Eigen::MatrixXd::Zero(mesh.size_of_edges(), count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    trees.for_each_crossing(trees.leftover_edges()[static_cast<std::size_t>(i)],
+                            [&](int h, int sign) {
+                              forms(mesh.edge(h), i) += mesh.from(h) < mesh.to(h) ? sign : -sign;
+                            });
+  return forms;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/forms/tree_cotree.h
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "support/handlebodies.h"
+#include "support/meshes.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+
+/// the values of a form along the three halfedges of face f
+Eigen::Vector3d around(const Mesh_view& mesh, const Eigen::VectorXd& form, int f)
+{
+  Eigen::Vector3d values;
+  for (int c = 0; c < 3; ++c) {
+    const int h = 3 * f + c;
+    values[c] = (mesh.from(h) < mesh.to(h) ? 1 : -1) * form[mesh.edge(h)];
+  }
+  return values;
+}
+
+/// the integrals of the products eta_i ^ eta_j over the surface: how often their loops intersect
+Eigen::MatrixXd intersections(const Mesh_view& mesh, const Eigen::MatrixXd& forms)
+{
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(forms.cols(), forms.cols());
+  Eigen::MatrixX3d a(forms.cols(), 3);
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    for (Eigen::Index i = 0; i < forms.cols(); ++i)
+      a.row(i) = around(mesh, forms.col(i), f).transpose();
+    sum += (a.col(0) * a.col(1).transpose() - a.col(1) * a.col(0).transpose()) / 2;
+  }
+  return sum;
+}
+
+void expect_basis_of_integer_cohomology(const Mesh_view& mesh, int genus)
+{
+  const Eigen::MatrixXd forms = CGP::closed_generators(mesh);
+  ASSERT_EQ(forms.rows(), mesh.size_of_edges());
+  ASSERT_EQ(forms.cols(), 2 * genus);
+  EXPECT_TRUE((forms.array() == forms.array().round()).all());
+  for (Eigen::Index i = 0; i < forms.cols(); ++i)
+    for (int f = 0; f < mesh.size_of_faces(); ++f)
+      ASSERT_EQ(around(mesh, forms.col(i), f).sum(), 0) << "form " << i << ", face " << f;
+  // The intersection form of a surface is unimodular, so its determinant on classes with integer
+  // coefficients is the squared index of the lattice that they span.
+  EXPECT_NEAR(intersections(mesh, forms).determinant(), 1, 1e-9);
+}
+
+}  // namespace
+
+TEST(Closed_generators, of_a_sphere_are_none)
+{
+  expect_basis_of_integer_cohomology(tetrahedron(), 0);
+  expect_basis_of_integer_cohomology(icosphere(2), 0);
+}
+
+TEST(Closed_generators, are_a_basis_of_the_integer_cohomology)
+{
+  expect_basis_of_integer_cohomology(torus(2, 1, 3, 3), 1);
+  expect_basis_of_integer_cohomology(btorus(16), 1);
+  for (const int genus : {1, 2, 3, 31})
+    expect_basis_of_integer_cohomology(holed_block(genus), genus);
+}
+
+TEST(Closed_generators, are_a_basis_in_any_numbering)
+{
+  const Mesh_view mesh = holed_block(3);
+  for (std::uint64_t seed = 0; seed < 5; ++seed)
+    expect_basis_of_integer_cohomology(
+        renumbered(mesh, random_permutation(mesh.size_of_vertices(), seed)), 3);
+}
+
+TEST(Closed_generators, of_a_grid_run_along_short_loops)
+{
+  const Eigen::MatrixXd forms = CGP::closed_generators(torus(2, 1, 30, 20));
+  EXPECT_LE(forms.cwiseAbs().maxCoeff(), 1);
+  EXPECT_LE(forms.cwiseAbs().colwise().sum().maxCoeff(), 2 * (30 + 20));
+}
+
+TEST(Closed_generators, depend_on_the_connectivity_alone)
+{
+  const Mesh_view mesh = torus(2, 1, 9, 7);
+  EXPECT_EQ(CGP::closed_generators(mesh), CGP::closed_generators(perturbed(mesh, 5)));
+}
