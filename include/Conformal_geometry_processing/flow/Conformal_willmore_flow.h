@@ -1,0 +1,294 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONFORMAL_WILLMORE_FLOW_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONFORMAL_WILLMORE_FLOW_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/flow/Constraint_basis.h>
+#include <Conformal_geometry_processing/flow/Flow_options.h>
+#include <Conformal_geometry_processing/flow/Flow_report.h>
+#include <Conformal_geometry_processing/flow/Flow_visitor.h>
+#include <Conformal_geometry_processing/flow/Time_step.h>
+#include <Conformal_geometry_processing/flow/Willmore_direction.h>
+#include <Conformal_geometry_processing/linear_algebra/Stopwatch.h>
+#include <Conformal_geometry_processing/measure/Conformality.h>
+#include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgFlow
+/// \brief the conformal Willmore flow of a closed surface: a sequence of spin transformations that
+/// makes it as smooth as its conformal class allows [CGP 6.4].
+///
+/// Each step takes the direction v (-H for the Willmore flow), removes from it what the constraints
+/// forbid, and transforms by rho = tau v. The constants are forbidden, for they change nothing, and
+/// the components of the normals, which belong to sphere inversions. Area and centroid stay.
+///
+/// A step is accepted if its equation is solved, the energy falls, and it is conformal enough;
+/// otherwise it is tried again with half of tau. So the surface in this object is always that of
+/// the last complete step, and the energies of the steps decrease.
+///
+/// The order of elimination and the symbolic factorization are found once, in the constructor. A
+/// trial costs one numeric factorization of the Dirac matrix and some ten solves with it.
+///
+/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
+/// \tparam Direction a model of `CurvatureDirection`
+template <class SolverTraits = Default_solver_traits,
+          class EigensolverTraits = Lobpcg_eigensolver_traits, class Direction = Willmore_direction>
+class Conformal_willmore_flow {
+ public:
+  /// \param mesh is copied
+  /// \param function named in exceptions
+  /// \throw Precondition_error if the mesh is not a closed, connected, oriented manifold with
+  /// finite coordinates and positive areas, or an option is out of its range
+  /// \throw Solver_error if the analysis fails
+  explicit Conformal_willmore_flow(const Mesh_view& mesh, const Flow_options& options = {},
+                                   Direction direction = {},
+                                   std::string function = "Conformal_willmore_flow")
+      : m_function(std::move(function)),
+        m_options(checked(options, m_function)),
+        m_direction(std::move(direction)),
+        m_transformation(mesh, m_function),
+        m_initial(mesh),
+        m_mesh(mesh),
+        m_next(mesh),
+        m_energy(energy_of(mesh)),
+        m_time_step(options.time_step, std::min(options.min_time_step, options.time_step))
+  {}
+
+  /// the surface after the last complete step
+  const Mesh_view& mesh() const { return m_mesh; }
+
+  /// the surface the flow has started from
+  const Mesh_view& initial_mesh() const { return m_initial; }
+
+  /// that of the direction, or else Willmore's
+  double energy() const { return m_energy; }
+
+  /// how many steps have been accepted
+  int size_of_steps() const { return m_steps; }
+
+  /// \brief makes one step, as large as the energy allows, or reports why there is none.
+  ///
+  /// The surface is as it was if the step is not accepted, or something is thrown.
+  /// \throw Precondition_error if the direction is not one finite number per vertex
+  template <class Visitor = Flow_visitor>
+  Flow_step_report step(Visitor&& visitor = Visitor())
+  {
+    Stopwatch watch;
+    Flow_step_report report;
+    report.step = m_steps + 1;
+    report.energy_before = report.energy = m_energy;
+    const Eigen::VectorXd v = direction(report);
+    if (report.remaining_share <= m_options.direction_tolerance)
+      report.stop = Flow_stop::direction_vanished;
+    else
+      find_time_step(v, report, visitor);
+    report.seconds = watch.lap();
+    return report;
+  }
+
+  /// \brief makes steps until there is a reason to stop; may be called again, to go on.
+  template <class Visitor = Flow_visitor>
+  Flow_report run(Visitor&& visitor = Visitor())
+  {
+    Stopwatch watch;
+    Flow_report report;
+    report.initial_energy = m_energy;
+    visitor.on_flow_begin(m_mesh, m_energy);
+    while (report.stop == Flow_stop::none) {
+      if (static_cast<int>(report.steps.size()) >= m_options.max_steps)
+        report.stop = Flow_stop::steps_done;
+      else if (!visitor.go_further())
+        report.stop = Flow_stop::cancelled;
+      else
+        append(step(visitor), report, visitor);
+    }
+    report.energy = m_energy;
+    report.conformality =
+        conformality(m_initial, m_mesh.positions(), neighbourhood_normals(m_mesh));
+    report.seconds = watch.lap();
+    return report;
+  }
+
+ private:
+  /// what came of a trial
+  enum class Verdict { good, rises_slightly, bad, cancelled };
+
+  static const Flow_options& checked(const Flow_options& o, const std::string& function)
+  {
+    if (!(o.time_step > 0) || !std::isfinite(o.time_step) || !(o.min_time_step > 0))
+      throw Precondition_error(function, "time steps of " + std::to_string(o.time_step) + " and " +
+                                             std::to_string(o.min_time_step) +
+                                             " at least; positive ones are needed");
+    if (o.max_steps < 0)
+      throw Precondition_error(function, std::to_string(o.max_steps) +
+                                             " steps; a number that is not negative is needed");
+    return o;
+  }
+
+  double energy_of(const Mesh_view& mesh) const
+  {
+    if constexpr (internal::Has_energy<Direction>::value)
+      return m_direction.energy(mesh);
+    else
+      return willmore_energy(mesh);
+  }
+
+  /// the direction of the next step, |V| numbers in 1/length
+  Eigen::VectorXd direction(Flow_step_report& report) const
+  {
+    const Eigen::VectorXd raw = m_direction(m_mesh);
+    require_one_per_vertex(raw);
+    Constraint_basis forbidden(vertex_areas(m_mesh));
+    forbidden.add(Eigen::MatrixXd::Ones(raw.size(), 1));
+    forbidden.add(vertex_normals(m_mesh, Normal_weight::angle).transpose());
+    Eigen::VectorXd v = forbidden.project_out(raw);
+    report.direction_norm = forbidden.norm(v);
+    const double before = forbidden.norm(raw);
+    report.remaining_share = before > 0 ? report.direction_norm / before : 0;
+    return v;
+  }
+
+  void require_one_per_vertex(const Eigen::VectorXd& v) const
+  {
+    if (v.size() != m_mesh.size_of_vertices())
+      throw Precondition_error(m_function, "the direction has " + std::to_string(v.size()) +
+                                               " values, one per vertex is needed: " +
+                                               std::to_string(m_mesh.size_of_vertices()));
+    internal::refuse_if_any(
+        m_mesh.size_of_vertices(), [&](int i) { return !std::isfinite(v[i]); },
+        [](int i) { return "vertex " + std::to_string(i); }, m_function,
+        "#value of the direction not finite", "finite values are needed");
+  }
+
+  /// Tries time steps until one is accepted or none is left.
+  template <class Visitor>
+  void find_time_step(const Eigen::VectorXd& v, Flow_step_report& report, Visitor&& visitor)
+  {
+    for (int slight_rises = 0; !report.accepted && report.stop == Flow_stop::none;) {
+      report.time_step = m_time_step.value();
+      ++report.trials;
+      const Verdict verdict = try_step(v, report, visitor);
+      slight_rises += verdict == Verdict::rises_slightly;
+      if (verdict == Verdict::cancelled)
+        report.stop = Flow_stop::cancelled;
+      else if (verdict == Verdict::good)
+        accept(report);
+      else if (!m_options.backtracking)
+        report.stop = Flow_stop::step_failed;
+      else if (slight_rises == 2)  // half the step has not helped: this is the minimum
+        report.stop = Flow_stop::energy_settled;
+      else if (!m_time_step.halve())
+        report.stop = Flow_stop::time_step_too_small;
+    }
+  }
+
+  /// Transforms the surface, and moves the object there if the result is good.
+  template <class Visitor>
+  Verdict try_step(const Eigen::VectorXd& v, Flow_step_report& report, Visitor&& visitor)
+  {
+    const auto go_further = [&](const Eigen_progress& progress) {
+      visitor.on_iteration(progress);
+      return visitor.go_further();
+    };
+    try {
+      Spin_result result = m_transformation.transform(
+          Curvature_potential::on_vertices(report.time_step * v), m_options.dirac, go_further);
+      report.spin = result.report;
+      return result.report.cancelled ? Verdict::cancelled : judge(std::move(result), report);
+    } catch (const Solver_error& error) {
+      report.message = error.what();
+      return Verdict::bad;
+    }
+  }
+
+  Verdict judge(Spin_result result, Flow_step_report& report)
+  {
+    if (!result.report.converged) return reject("the Dirac equation is not solved", report);
+    const double distortion = result.report.conformality.quasi_conformal.mean;
+    if (m_options.backtracking && !(distortion < m_options.max_step_distortion))
+      return reject("the mean quasi-conformal error is " + std::to_string(distortion), report);
+    m_next.set_positions(std::move(result.positions));
+    const double energy = energy_of(m_next), rise = energy - m_energy;
+    if (!std::isfinite(energy)) return reject("the energy is not finite", report);
+    if (m_options.backtracking && internal::Has_energy<Direction>::value && !(rise < 0)) {
+      (void)reject("the energy rises by " + std::to_string(rise / m_energy) + " of it", report);
+      return is_small(rise, report.time_step) ? Verdict::rises_slightly : Verdict::bad;
+    }
+    return move_on(energy, report);
+  }
+
+  static Verdict reject(const std::string& message, Flow_step_report& report)
+  {
+    report.message = message;
+    return Verdict::bad;
+  }
+
+  /// whether a change of the energy is below the tolerance, extrapolated to a time of 1
+  bool is_small(double change, double time) const
+  {
+    return std::abs(change) < m_options.energy_tolerance * time * m_energy;
+  }
+
+  /// Everything that may fail comes before the first change.
+  Verdict move_on(double energy, Flow_step_report& report)
+  {
+    report.quasi_conformal = quasi_conformal_error(m_initial, m_next.positions());
+    try {
+      m_transformation.set_positions(m_next.positions());
+    } catch (const Precondition_error& error) {
+      return reject(error.message(), report);
+    }
+    std::swap(m_mesh, m_next);
+    m_energy = energy;
+    ++m_steps;
+    return Verdict::good;
+  }
+
+  void accept(Flow_step_report& report)
+  {
+    report.accepted = true;
+    report.energy = m_energy;
+    report.message.clear();
+    m_time_step.grow();
+    const double change = report.energy - report.energy_before;
+    if (internal::Has_energy<Direction>::value && is_small(change, report.time_step))
+      report.stop = Flow_stop::energy_settled;
+  }
+
+  template <class Visitor>
+  void append(Flow_step_report step, Flow_report& report, Visitor&& visitor) const
+  {
+    report.stop = step.stop;
+    report.message = step.message;
+    if (!step.accepted) return;
+    report.steps.push_back(std::move(step));
+    visitor.on_step_end(report.steps.back(), m_mesh);
+  }
+
+  std::string m_function;
+  Flow_options m_options;
+  Direction m_direction;
+  Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
+  Mesh_view m_initial, m_mesh, m_next;  // m_next: room for trials
+  double m_energy;
+  Time_step m_time_step;
+  int m_steps = 0;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

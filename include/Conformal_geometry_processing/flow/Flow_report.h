@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_REPORT_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_REPORT_H
+
+#include <Conformal_geometry_processing/measure/Conformality.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+
+#include <string>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgFlow
+/// why a flow has stopped
+enum class Flow_stop {
+  none,                 ///< it has not: it can go on
+  energy_settled,       ///< the energy changes by less than the tolerance
+  direction_vanished,   ///< the constraints leave less of the direction than the tolerance
+  steps_done,           ///< the steps asked for are done
+  cancelled,            ///< the visitor said no
+  time_step_too_small,  ///< no step of at least `min_time_step` is acceptable
+  step_failed           ///< the step gave no surface, and backtracking is off
+};
+
+/// \relates Flow_report
+/// the reason in words
+inline const char* to_string(Flow_stop stop)
+{
+  switch (stop) {
+    case Flow_stop::none:
+      return "not stopped";
+    case Flow_stop::energy_settled:
+      return "the energy has settled";
+    case Flow_stop::direction_vanished:
+      return "nothing is left of the direction";
+    case Flow_stop::steps_done:
+      return "all steps are done";
+    case Flow_stop::cancelled:
+      return "cancelled";
+    case Flow_stop::time_step_too_small:
+      return "the time step became too small";
+    case Flow_stop::step_failed:
+      return "the step failed";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgFlow
+/// \brief one step of a flow in numbers, which are its proof.
+struct [[nodiscard]] Flow_step_report {
+  int step = 0;                      ///< its number, from 1
+  bool accepted = false;             ///< the surface has moved
+  Flow_stop stop = Flow_stop::none;  ///< why no further step should follow, if so
+  std::string message;               ///< what was wrong with the last trial, if anything
+
+  double energy_before = 0, energy = 0;  ///< of the direction; Willmore's where it has none
+  double time_step = 0;                  ///< tau of the last trial
+  int trials = 0;                        ///< how many time steps were tried
+  double direction_norm = 0;             ///< root of the integral of v^2, after the constraints
+  double remaining_share = 0;            ///< of the direction, after the constraints
+  double period_defect = 0;      ///< harmonic part of the new edges, relative; zero for genus 0
+  Spin_report spin;              ///< the spin transformation of the step, its distortion too
+  Distribution quasi_conformal;  ///< from the initial surface to the present one
+  double seconds = 0;            ///< wall clock, all trials together
+};
+
+/// \ingroup PkgFlow
+/// \brief a whole flow in numbers.
+struct [[nodiscard]] Flow_report {
+  Flow_stop stop = Flow_stop::none;
+  std::string message;                  ///< what was wrong with the last trial, if it was rejected
+  std::vector<Flow_step_report> steps;  ///< the accepted ones
+  double initial_energy = 0, energy = 0;
+  Conformality conformality;  ///< of the map from the initial surface to the last one
+  double seconds = 0;         ///< wall clock
+
+  /// whether the flow has arrived
+  bool converged() const
+  {
+    return stop == Flow_stop::energy_settled || stop == Flow_stop::direction_vanished;
+  }
+
+  /// whether it has arrived, or made the steps it was asked for
+  explicit operator bool() const { return converged() || stop == Flow_stop::steps_done; }
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_VISITOR_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_VISITOR_H
+
+#include <Conformal_geometry_processing/flow/Flow_report.h>
+#include <Conformal_geometry_processing/linear_algebra/Eigen_result.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgFlow
+/// \brief a model of `FlowVisitor` that watches without a word; derive from it to override one.
+///
+/// Whatever it throws passes through; the flow is at its last complete step then.
+struct Flow_visitor {
+  /// called once, with the surface the flow starts from and its energy
+  void on_flow_begin(const Mesh_view&, double) {}
+
+  /// called before every iteration of the eigensolver
+  void on_iteration(const Eigen_progress&) {}
+
+  /// asked before every step and after every iteration: false stops the flow at the last complete
+  /// step
+  bool go_further() { return true; }
+
+  /// called after every accepted step, with the new surface
+  void on_step_end(const Flow_step_report&, const Mesh_view&) {}
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

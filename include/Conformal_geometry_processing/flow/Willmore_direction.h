@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_WILLMORE_DIRECTION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_WILLMORE_DIRECTION_H
+
+#include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
+
+#include <Eigen/Core>
+
+#include <type_traits>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgFlow
+/// \brief the direction -H of the conformal Willmore flow [CGP 6.4.2]: curvature itself is what
+/// changes, so every frequency is damped at the same rate.
+///
+/// H has mixed Voronoi areas: with those the icospheres are fixed points to 1e-7, with barycentric
+/// ones to 1e-4.
+struct Willmore_direction {
+  /// the wanted rate of change of H |df|, |V| numbers in 1/length
+  Eigen::VectorXd operator()(const Mesh_view& mesh) const { return -mean_curvature(mesh); }
+
+  /// what the flow decreases
+  double energy(const Mesh_view& mesh) const { return willmore_energy(mesh); }
+};
+
+namespace internal {
+
+template <class Direction, class = void>
+struct Has_energy : std::false_type {};
+
+template <class Direction>
+struct Has_energy<Direction, std::void_t<decltype(std::declval<const Direction&>().energy(
+                                 std::declval<const Mesh_view&>()))>> : std::true_type {};
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif

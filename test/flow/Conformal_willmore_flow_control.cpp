@@ -1,0 +1,275 @@
+// Tests include/Conformal_geometry_processing/flow/Conformal_willmore_flow.h
+// Tests include/Conformal_geometry_processing/flow/Flow_options.h
+// Tests include/Conformal_geometry_processing/flow/Flow_visitor.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "flow_tools.h"
+
+/// What the flow does when it cannot, must not or should not go on.
+namespace {
+
+using namespace cgp_test;
+using CGP::Flow_stop;
+
+/// a direction without an energy: any step that is conformal enough will do
+struct Sideways {
+  double factor = 1;
+  Eigen::VectorXd operator()(const Mesh_view& mesh) const
+  {
+    return factor * CGP::mean_curvature(mesh);
+  }
+};
+
+/// a direction along which its energy grows
+struct Uphill : CGP::Willmore_direction {
+  Eigen::VectorXd operator()(const Mesh_view& mesh) const { return CGP::mean_curvature(mesh); }
+};
+
+struct Constant {
+  double value;
+  int size;
+  Eigen::VectorXd operator()(const Mesh_view&) const
+  {
+    return Eigen::VectorXd::Constant(size, value);
+  }
+};
+
+template <class Direction>
+using Flow = CGP::Conformal_willmore_flow<CGP::Default_solver_traits,
+                                          CGP::Lobpcg_eigensolver_traits, Direction>;
+
+/// A solver that refuses to factor quaternionic matrices.
+struct Refusing_solver_traits {
+  template <class Scalar>
+  struct Solver : CGP::Default_solver_traits::Solver<Scalar> {
+    using Parent = CGP::Default_solver_traits::Solver<Scalar>;
+    CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>& A,
+                                 const CGP::Vector<double>& shift)
+    {
+      if constexpr (std::is_same_v<Scalar, double>)
+        return Parent::factorize(A, shift);
+      else
+        return CGP::Solver_status::numerical_issue;
+    }
+  };
+};
+
+/// counts, stops or throws
+struct Visitor : CGP::Flow_visitor {
+  int begins = 0, ends = 0, iterations = 0;
+  int stop_at_iteration = -1, stop_at_end = -1, throw_at_iteration = -1;
+  Points last;
+  void on_flow_begin(const Mesh_view& mesh, double energy)
+  {
+    ++begins;
+    last = mesh.positions();
+    EXPECT_GT(energy, 0);
+  }
+  void on_iteration(const CGP::Eigen_progress&)
+  {
+    if (iterations++ == throw_at_iteration) throw std::runtime_error("enough");
+  }
+  bool go_further() const
+  {
+    return (stop_at_iteration < 0 || iterations <= stop_at_iteration) &&
+           (stop_at_end < 0 || ends < stop_at_end);
+  }
+  void on_step_end(const CGP::Flow_step_report& report, const Mesh_view& mesh)
+  {
+    EXPECT_EQ(report.step, ++ends);
+    last = mesh.positions();
+  }
+};
+
+std::string refusal(const Mesh_view& mesh, const CGP::Flow_options& options = {})
+{
+  try {
+    const CGP::Conformal_willmore_flow<> flow(mesh, options);
+  } catch (const CGP::Precondition_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string refusal(const Constant& direction)
+{
+  Flow<Constant> flow(icosphere(1), {}, direction);
+  try {
+    (void)flow.step();
+  } catch (const CGP::Precondition_error& error) {
+    EXPECT_EQ(flow.mesh().positions(), icosphere(1).positions());
+    return error.what();
+  }
+  return "";
+}
+
+bool has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST(Conformal_willmore_flow_control, halves_the_step_until_it_is_conformal_enough)
+{
+  CGP::Flow_options options;
+  options.max_step_distortion = 1.01;
+  CGP::Conformal_willmore_flow<> flow(bumpy_sphere(3), options);
+  const CGP::Flow_step_report step = flow.step();
+  EXPECT_TRUE(step.accepted);
+  EXPECT_GT(step.trials, 1);
+  EXPECT_EQ(step.time_step, std::ldexp(1., 1 - step.trials));
+  EXPECT_LT(step.spin.conformality.quasi_conformal.mean, 1.01);
+  EXPECT_EQ(flow.step().time_step, 1.5 * step.time_step);
+}
+
+TEST(Conformal_willmore_flow_control, gives_up_where_the_energy_rises_and_leaves_the_surface)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  Flow<Uphill> flow(mesh);
+  const CGP::Flow_report report = flow.run();
+  EXPECT_EQ(report.stop, Flow_stop::time_step_too_small);
+  EXPECT_FALSE(report);
+  EXPECT_TRUE(has(report.message, "the energy rises by")) << report.message;
+  EXPECT_EQ(flow.mesh().positions(), mesh.positions());
+  EXPECT_EQ(report.energy, report.initial_energy);
+}
+
+TEST(Conformal_willmore_flow_control, takes_a_slight_rise_for_the_minimum)
+{
+  CGP::Flow_options options;
+  options.energy_tolerance = 10;
+  Flow<Uphill> flow(bumpy_sphere(2), options);
+  const CGP::Flow_step_report step = flow.step();
+  EXPECT_EQ(step.stop, Flow_stop::energy_settled);
+  EXPECT_FALSE(step.accepted);
+  EXPECT_EQ(step.trials, 2);
+}
+
+TEST(Conformal_willmore_flow_control, does_not_take_small_steps_for_the_end)
+{
+  CGP::Flow_options options;
+  options.time_step = options.min_time_step = 1e-3;
+  options.max_steps = 3;
+  CGP::Conformal_willmore_flow<> flow(bumpy_sphere(2), options);
+  EXPECT_EQ(flow.run().stop, Flow_stop::steps_done);
+  EXPECT_EQ(flow.run().stop, Flow_stop::steps_done);
+  EXPECT_EQ(flow.size_of_steps(), 6);
+}
+
+TEST(Conformal_willmore_flow_control, follows_directions_without_an_energy)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  CGP::Flow_options options;
+  options.time_step = 0.2;
+  options.max_steps = 2;
+  const double before = CGP::willmore_energy(mesh);
+  Flow<Sideways> down(mesh, options, {-1}), up(mesh, options, {1});
+  EXPECT_EQ(down.run().stop, Flow_stop::steps_done);
+  EXPECT_EQ(up.run().stop, Flow_stop::steps_done);
+  EXPECT_LT(down.energy(), before);
+  EXPECT_GT(up.energy(), before);
+  EXPECT_EQ(up.energy(), CGP::willmore_energy(up.mesh()));
+}
+
+TEST(Conformal_willmore_flow_control, tells_which_solve_has_failed)
+{
+  CGP::Flow_options options = plain_steps(1, 3);
+  options.dirac.max_iterations = 1;
+  options.dirac.max_substeps = 1;
+  CGP::Conformal_willmore_flow<> flow(bumpy_sphere(2), options);
+  CGP::Flow_report report = flow.run();
+  EXPECT_EQ(report.stop, Flow_stop::step_failed);
+  EXPECT_EQ(report.message, "the Dirac equation is not solved");
+
+  CGP::Conformal_willmore_flow<Refusing_solver_traits> refused(bumpy_sphere(2));
+  report = refused.run();
+  EXPECT_EQ(report.stop, Flow_stop::time_step_too_small);
+  EXPECT_TRUE(has(report.message, "factorization of X failed")) << report.message;
+}
+
+TEST(Conformal_willmore_flow_control, stops_when_the_visitor_says_so)
+{
+  Visitor after_two;
+  after_two.stop_at_end = 2;
+  CGP::Conformal_willmore_flow<> flow(bumpy_sphere(2));
+  const CGP::Flow_report report = flow.run(after_two);
+  EXPECT_EQ(report.stop, Flow_stop::cancelled);
+  EXPECT_FALSE(report);
+  EXPECT_EQ(report.steps.size(), 2U);
+  EXPECT_EQ(after_two.begins, 1);
+  EXPECT_GT(after_two.iterations, 2);
+  EXPECT_EQ(flow.mesh().positions(), after_two.last);
+
+  Visitor in_the_midst;
+  in_the_midst.stop_at_iteration = after_two.iterations / 2;
+  CGP::Conformal_willmore_flow<> other(bumpy_sphere(2));
+  EXPECT_EQ(other.run(in_the_midst).stop, Flow_stop::cancelled);
+  EXPECT_EQ(other.mesh().positions(), in_the_midst.last);
+}
+
+TEST(Conformal_willmore_flow_control, is_at_the_last_complete_step_when_the_visitor_throws)
+{
+  Visitor visitor;
+  visitor.throw_at_iteration = 7;
+  CGP::Conformal_willmore_flow<> flow(bumpy_sphere(2)), undisturbed(bumpy_sphere(2));
+  EXPECT_THROW((void)flow.run(visitor), std::runtime_error);
+  EXPECT_GT(visitor.ends, 0);
+  EXPECT_EQ(flow.mesh().positions(), visitor.last);
+  EXPECT_EQ(flow.energy(), CGP::willmore_energy(flow.mesh()));
+  (void)flow.run();
+  (void)undisturbed.run();
+  EXPECT_EQ(flow.mesh().positions(), undisturbed.mesh().positions());
+}
+
+TEST(Conformal_willmore_flow_control, gives_the_same_bits_twice_and_at_other_scales)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  CGP::Conformal_willmore_flow<> first(mesh), second(mesh), large(scaled(mesh, 1024));
+  (void)first.run();
+  (void)second.run();
+  (void)large.run();
+  EXPECT_EQ(first.mesh().positions(), second.mesh().positions());
+  EXPECT_EQ(large.mesh().positions(), 1024 * first.mesh().positions());
+}
+
+TEST(Conformal_willmore_flow_control, refuses_unsuitable_surfaces)
+{
+  EXPECT_TRUE(has(refusal(without_face(icosphere(1), 3)), "Conformal_willmore_flow: "));
+  EXPECT_TRUE(has(refusal(disjoint_union(icosphere(1), icosphere(1), {3, 0, 0})), "component"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Points p = icosphere(1).positions();
+  p(0, 5) = nan;
+  EXPECT_TRUE(has(refusal(Mesh_view(p, icosphere(1).corners())), "vertex 5"));
+}
+
+TEST(Conformal_willmore_flow_control, refuses_steps_that_are_none)
+{
+  CGP::Flow_options options;
+  for (const double tau : {0., -1., std::numeric_limits<double>::infinity()}) {
+    options.time_step = tau;
+    EXPECT_TRUE(has(refusal(icosphere(1), options), "positive ones are needed"));
+  }
+  options = {};
+  options.min_time_step = 0;
+  EXPECT_TRUE(has(refusal(icosphere(1), options), "positive ones are needed"));
+  options = {};
+  options.max_steps = -1;
+  EXPECT_TRUE(has(refusal(icosphere(1), options), "-1 steps"));
+}
+
+TEST(Conformal_willmore_flow_control, refuses_directions_that_are_no_functions_on_the_vertices)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(has(refusal(Constant{1, 7}), "the direction has 7 values, one per vertex"));
+  EXPECT_TRUE(has(refusal(Constant{nan, 42}), "direction not finite"));
+  EXPECT_EQ(refusal(Constant{1, 42}), "");
+}

@@ -1,0 +1,48 @@
+// Tests include/Conformal_geometry_processing/flow/Willmore_direction.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/flow/Willmore_direction.h>
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+
+struct Only_a_direction {
+  Eigen::VectorXd operator()(const Mesh_view&) const { return {}; }
+};
+
+}  // namespace
+
+TEST(Willmore_direction, is_minus_one_over_the_radius_on_spheres)
+{
+  const CGP::Willmore_direction direction;
+  for (const double radius : {0.5, 1., 3.}) {
+    const Mesh_view sphere = scaled(icosphere(3), radius);
+    EXPECT_LT((radius * direction(sphere).array() + 1).abs().maxCoeff(), 1e-4);
+  }
+}
+
+TEST(Willmore_direction, is_the_other_way_where_the_surface_is_inside_out)
+{
+  const CGP::Willmore_direction direction;
+  const Mesh_view mesh = bumpy_sphere(2);
+  EXPECT_LT((direction(mesh) + direction(with_reversed_faces(mesh))).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Willmore_direction, decreases_the_integral_of_squared_curvature)
+{
+  const CGP::Willmore_direction direction;
+  EXPECT_NEAR(direction.energy(icosphere(4)), 4 * pi, 0.002 * 4 * pi);
+  EXPECT_NEAR(direction.energy(torus(std::sqrt(2.), 1, 60, 60)), 2 * pi * pi, 0.01 * 2 * pi * pi);
+}
+
+TEST(Willmore_direction, has_an_energy_and_others_need_not)
+{
+  EXPECT_TRUE(CGP::internal::Has_energy<CGP::Willmore_direction>::value);
+  EXPECT_FALSE(CGP::internal::Has_energy<Only_a_direction>::value);
+}

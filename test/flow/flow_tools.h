@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_FLOW_FLOW_TOOLS_H
+#define TEST_FLOW_FLOW_TOOLS_H
+
+#include <Conformal_geometry_processing/flow/Flow_options.h>
+
+#include "support/meshes.h"
+
+/// What the tests of flows share.
+namespace cgp_test {
+
+namespace CGP = Conformal_geometry_processing;
+
+/// steps of one size that are taken whatever the energy does, and no other reason to stop
+inline CGP::Flow_options plain_steps(double time_step, int steps)
+{
+  CGP::Flow_options options;
+  options.time_step = time_step;
+  options.max_steps = steps;
+  options.backtracking = false;
+  options.energy_tolerance = options.direction_tolerance = 0;
+  return options;
+}
+
+inline Eigen::Vector3d centroid(const Mesh_view& mesh)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double total = 0;
+  for (const auto& v : mesh.corners()) {
+    const Eigen::Vector3d a = mesh.position(v[0]), b = mesh.position(v[1]), c = mesh.position(v[2]);
+    const double twice = (b - a).cross(c - a).norm();
+    sum += twice * (a + b + c) / 3;
+    total += twice;
+  }
+  return sum / total;
+}
+
+/// of the distances from the centroid, the standard deviation by the mean
+inline double radius_deviation(const Mesh_view& mesh)
+{
+  const Eigen::Vector3d center = centroid(mesh);
+  const Eigen::ArrayXd r = (mesh.positions().colwise() - center).colwise().norm();
+  return std::sqrt((r - r.mean()).square().mean()) / r.mean();
+}
+
+/// the Legendre polynomial of degree k
+inline double legendre(int k, double z)
+{
+  double last = 0, now = 1;
+  for (int i = 1; i <= k; ++i) {
+    const double next = ((2 * i - 1) * z * now - (i - 1) * last) / i;
+    last = now;
+    now = next;
+  }
+  return now;
+}
+
+}  // namespace cgp_test
+
+#endif
