@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/mesh/Graph_view.h>
 #include <Conformal_geometry_processing/mesh/geometry_traits.h>
 #include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/mesh/write_points.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_visitor.h>
@@ -60,8 +61,8 @@ Dirac_options dirac_options(const NamedParameters& np)
   return o;
 }
 
-/// Writes lambda, then the points. A map that throws leaves the points as they were if they can be
-/// read, which they can unless they go to a map of their own.
+/// Writes lambda, then the points. A map that throws leaves the points as they were
+/// (`write_points()`).
 template <class TriangleMesh, class NamedParameters>
 void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph,
                        const Spin_result& result, const NamedParameters& np)
@@ -72,22 +73,7 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
     for (int v = 0; v < graph.view().size_of_vertices(); ++v)
       put(spins, graph.vertex(v), Quaternion_access<Value>::to(result.lambda[v]));
   }
-  const auto points = output_vertex_points(mesh, np);
-  const auto traits = geometry_traits<TriangleMesh>(np);
-  if constexpr (has_parameter<NamedParameters, internal_np::output_vertex_point_map_t>) {
-    graph.write_positions(result.positions, points, traits);
-  } else {
-    std::vector<typename boost::property_traits<std::decay_t<decltype(points)>>::value_type> old;
-    for (int v = 0; v < graph.view().size_of_vertices(); ++v)
-      old.push_back(get(points, graph.vertex(v)));
-    try {
-      graph.write_positions(result.positions, points, traits);
-    } catch (...) {
-      for (int v = 0; v < graph.view().size_of_vertices(); ++v)
-        put(points, graph.vertex(v), old[static_cast<std::size_t>(v)]);
-      throw;
-    }
-  }
+  write_points(mesh, graph, result.positions, np);
 }
 
 }  // namespace internal
