@@ -155,18 +155,6 @@ TYPED_TEST(Multigrid_cycle, is_linear_for_right_hand_sides_of_any_size)
   EXPECT_EQ(this->applied(0 * b), 0 * b);
 }
 
-TYPED_TEST(Multigrid_cycle, uses_positions_for_the_coarsest_level_alone)
-{
-  const auto A = random_definite<TypeParam>(grid_pattern(12, 12), 10);
-  Eigen::Matrix3Xf positions(3, 144);
-  for (int i = 0; i < 144; ++i) positions.col(i) << float(i % 12), float(i / 12), 0;
-  ASSERT_EQ(this->build(A), Solver_status::success);
-  const Eigen::MatrixXd b = real_columns(random_block<TypeParam>(144, this->columns, 11));
-  const Eigen::MatrixXd x = this->applied(b);
-  ASSERT_EQ(this->cycle.build(single(A), {}, &positions), Solver_status::success);
-  EXPECT_LT(relative_difference(this->applied(b), x), 1e-6);
-}
-
 TYPED_TEST(Multigrid_cycle, gives_the_same_bits_twice)
 {
   const auto A = random_definite<TypeParam>(random_pattern(400, 12), 13);

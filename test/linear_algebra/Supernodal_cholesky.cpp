@@ -8,6 +8,7 @@
 
 #include <complex>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 #include "linear_algebra/solver_laws.h"
@@ -202,6 +203,23 @@ TYPED_TEST(Supernodal_cholesky, overwrites_its_right_hand_side_if_asked_to)
   const Eigen::MatrixXd expected = solution(this->solver, b);
   ASSERT_EQ(this->solver.solve(b, b), Solver_status::success);
   EXPECT_EQ(real_columns(b), expected);
+}
+
+TYPED_TEST(Supernodal_cholesky, leaves_the_solution_alone_where_the_right_hand_side_is_not_finite)
+{
+  using Scalar = typename TypeParam::Scalar;
+  const auto A = random_definite<Scalar>(random_pattern(30, 21), 22);
+  ASSERT_EQ(this->solver.analyze(A.pattern()), Solver_status::success);
+  ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
+  for (const int columns : {1, 6}) {
+    auto b = random_block<Scalar>(30, columns, 23);
+    b(7, columns - 1) =
+        CGP::Scalar_traits<Scalar>::from_real(std::numeric_limits<double>::quiet_NaN());
+    CGP::Block<Scalar> x = random_block<Scalar>(30, columns, 24);
+    const Eigen::MatrixXd before = real_columns(x);
+    EXPECT_EQ(this->solver.solve(b, x), Solver_status::numerical_issue);
+    EXPECT_EQ(real_columns(x), before);
+  }
 }
 
 }  // namespace

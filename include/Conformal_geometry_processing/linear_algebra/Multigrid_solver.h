@@ -12,7 +12,6 @@
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -22,18 +21,18 @@ namespace Conformal_geometry_processing {
 /// \brief solves by smoothed aggregation multigrid: for meshes so large that the factor of a direct
 /// solver takes too much time or memory.
 ///
-/// One V-cycle, the preconditioner, costs two passes over the matrix in single precision and the
-/// exact solution on a second level of a ninth of the vertices. `solve()` runs conjugate gradients
-/// with it, in double precision. The number of iterations depends on how thin the triangles are and
-/// not on how many there are; 10 to 30 on smooth meshes, several times as many on hard scans.
+/// One V-cycle, the preconditioner, costs two passes over the matrix in single precision, and a
+/// sixth of that on the coarser levels. `solve()` runs conjugate gradients with it, in double
+/// precision. The number of iterations depends on how thin the triangles are and not on how many
+/// there are; 10 to 30 on smooth meshes, several times as many on hard scans.
 ///
 /// Matrices of at most `direct_size` rows are factorized, and solved to rounding. For larger ones
 /// positive definiteness is checked only as far as it is seen: on the diagonals of all levels, in
 /// the factor of the coarsest one, and in the curvatures that conjugate gradients meets.
 ///
 /// Of the matrix it keeps two halves in single precision (`Rounding_remainder`), and shares the
-/// pattern. Memory: some 450 bytes per vertex of a triangle mesh for quaternionic matrices, 150 for
-/// real ones.
+/// pattern. Memory: 240 bytes per vertex of a triangle mesh for quaternionic matrices, 110 for real
+/// ones.
 ///
 /// \tparam Scalar_ `double` or `Quaternion<double>`
 /// \cgalModels{SparseHermitianSolver}
@@ -72,7 +71,6 @@ class Multigrid_solver {
   {
     return internal::guarded([&] {
       m_state = State::empty;
-      m_positions.reset();
       m_cycle.release();
       if (pattern.size() == 0 || order.size() != static_cast<std::size_t>(pattern.size()) ||
           inverse_permutation(order).empty())
@@ -86,33 +84,20 @@ class Multigrid_solver {
     });
   }
 
-  /// the positions help to order the coarsest level
-  Solver_status analyze_with_positions(const Sparse_pattern& pattern,
-                                       const Eigen::Matrix3Xd& positions)
+  /// positions are of no use
+  Solver_status analyze_with_positions(const Sparse_pattern& pattern, const Eigen::Matrix3Xd&)
   {
-    return internal::guarded([&] {
-      if (positions.cols() != pattern.size()) return Solver_status::wrong_state;
-      const Solver_status status = analyze(pattern);
-      if (status == Solver_status::success && !is_direct())
-        m_positions = std::make_shared<const Eigen::Matrix3Xf>(positions.cast<float>());
-      return status;
-    });
+    return analyze(pattern);
   }
 
-  /// shares the positions
-  template <class OtherScalar>
-  Solver_status analyze_like(const Sparse_pattern& pattern,
-                             const Multigrid_solver<OtherScalar>& other)
+  /// takes over the ordering
+  template <class OtherSolver>
+  Solver_status analyze_like(const Sparse_pattern& pattern, const OtherSolver& other)
   {
-    const Solver_status status = analyze(pattern, other.ordering());
-    if (status == Solver_status::success) m_positions = other.positions();
-    return status;
+    return analyze(pattern, other.ordering());
   }
 
   const Ordering& ordering() const { return m_ordering; }
-
-  /// null if not known
-  const std::shared_ptr<const Eigen::Matrix3Xf>& positions() const { return m_positions; }
 
   /// builds the levels anew: aggregates follow the values
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
@@ -204,7 +189,7 @@ class Multigrid_solver {
   {
     auto rounded = m_remainder.split(A, shift);
     if (!m_remainder.is_finite()) return Solver_status::numerical_issue;
-    return m_cycle.build(std::move(rounded), m_options, m_positions.get());
+    return m_cycle.build(std::move(rounded), m_options);
   }
 
   Solver_status iterate(const Block<Scalar>& b, Block<Scalar>& x) const
@@ -249,7 +234,6 @@ class Multigrid_solver {
   State m_state = State::empty;
   Ordering m_ordering;
   int m_entries = 0;
-  std::shared_ptr<const Eigen::Matrix3Xf> m_positions;  // 3 x n
   Supernodal_cholesky<Scalar> m_direct;
   Rounding_remainder<Scalar> m_remainder;
   // Holds the vectors of the cycle, which nobody sees from outside.

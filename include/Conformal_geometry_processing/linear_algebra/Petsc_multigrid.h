@@ -87,8 +87,8 @@ class Petsc_multigrid {
     check_petsc(PCSetOptionsPrefix(pc.get(), "conformal_grids_"));
     check_petsc(PCSetOperators(pc.get(), real, real));
     check_petsc(PCSetType(pc.get(), PCGAMG));
-    check_petsc(PCGAMGSetAggressiveLevels(pc.get(), 0));
     check_petsc(PCSetFromOptions(pc.get()));
+    check_petsc(PCGAMGSetAggressiveLevels(pc.get(), 0));  // takes no effect before the options
     check_petsc(PCSetUp(pc.get()));
     return pc;
   }

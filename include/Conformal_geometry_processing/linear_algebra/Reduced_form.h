@@ -59,21 +59,25 @@ inline double operations_of_real_form(const Supernodal_structure& S, const Reduc
 /// \ingroup PkgLinearAlgebra
 /// \brief the cheaper form for an ordering; the same on every machine.
 ///
-/// Fronts of quaternions do four operations for every number they load, and run 1.8 times as fast
-/// as real ones; the dense complement lies between. Measured (one thread, AVX-512, seconds relative
-/// to the quaternionic factor of the same graph with nothing reduced; disk of n rings):
+/// A quaternionic product does four operations for every number it loads, and so takes about half
+/// the time of as many real ones; the dense complement is nearly as fast. Measured by
+/// benchmark/reduced_solver.cpp, one thread, AVX-512, processor time of the numeric factorization
+/// in units of the quaternionic one of the same X with nothing reduced:
 ///
-/// | mesh                 | reduced / all | real form | complement | CHOLMOD, real form |
-/// |----------------------|---------------|-----------|------------|--------------------|
-/// | disk, n = 20         |  120 /  1 261 |       4.5 |        2.2 |                 21 |
-/// | disk, n = 40         |  240 /  4 921 |       5.0 |        2.4 |                 17 |
-/// | disk, n = 80         |  480 / 19 441 |       5.0 |        2.5 |                 14 |
-/// | disk, n = 160        |  960 / 77 281 |       6.2 |        2.9 |                 12 |
-/// | square               |  480 / 14 641 |       6.3 |        3.4 |                 18 |
-/// | annulus, radii 1, 2  |  720 / 21 960 |       5.2 |        4.3 |                 14 |
-/// | cylinder, 6 x 2 pi   |  240 / 14 520 |       7.7 |        2.1 |                 18 |
+/// | mesh                    | reduced / all  | real form | complement | CHOLMOD, real form |
+/// |-------------------------|----------------|-----------|------------|--------------------|
+/// | disk of 20 rings        |   120 /  1 261 |       5.0 |        2.4 |                 23 |
+/// | disk of 40 rings        |   240 /  4 921 |       4.9 |        2.3 |                 16 |
+/// | disk of 80 rings        |   480 / 19 441 |       5.2 |        2.5 |                 13 |
+/// | disk of 160 rings       |   960 / 77 281 |       6.1 |        2.8 |                 14 |
+/// | square                  |   480 / 14 641 |       6.2 |        3.5 |                 18 |
+/// | cylinder, 6 x 2 pi      |   240 / 14 520 |       7.6 |        2.1 |                 17 |
+/// | annulus, radii 1 and 2  |   720 / 21 960 |       4.9 |        4.2 |                 13 |
+/// | annulus, radii 1.5, 2   | 1 440 / 43 920 |       4.9 |        7.8 |                 14 |
+/// | strip of 400 x 16       |   832 /  6 817 |       5.3 |         27 |                 24 |
 ///
-/// A strip that is a few triangles wide is the case for the real form.
+/// A solution takes 1.2 to 2.2 times that without reduced rows by the complement, where that is the
+/// choice, and 3 to 4.5 times by the real form; memory is half of that of the real form on disks.
 inline Reduced_form choose_reduced_form(const Sparse_pattern& pattern, const Reduced_rows& rows,
                                         const Ordering& order)
 {

@@ -116,16 +116,22 @@ class Supernodal_cholesky {
   {
     return internal::guarded([&] {
       if (!m_is_factorized || b.rows() != size()) return Solver_status::wrong_state;
-      Block<Scalar> solution(b.rows(), b.cols());
+      // Solved in one go, x of the right size takes the solution itself.
+      const bool is_direct =
+          b.cols() <= Substitution::columns && x.rows() == b.rows() && x.cols() == b.cols();
+      Block<Scalar> other;
+      if (!is_direct) other.resize(b.rows(), b.cols());
+      Block<Scalar>& solution = is_direct ? x : other;
       Substitution substitution(*m_factor);
       Aligned_array<Real> packed;
       packed.resize(static_cast<std::int64_t>(size()) * Substitution::numbers);
       for (Eigen::Index c = 0; c < b.cols(); c += Substitution::columns) {
         pack(b, c, packed.data());
         substitution.solve(packed.data());
-        if (!unpack(packed.data(), c, solution)) return Solver_status::numerical_issue;
+        if (!is_finite(packed)) return Solver_status::numerical_issue;
+        unpack(packed.data(), c, solution);
       }
-      x = std::move(solution);
+      if (!is_direct) x = std::move(other);
       return Solver_status::success;
     });
   }
@@ -184,21 +190,23 @@ class Supernodal_cholesky {
       }
   }
 
-  // Returns false where a value is not finite.
-  bool unpack(const Real* from, Eigen::Index c, Block<Scalar>& x) const
+  static bool is_finite(const Aligned_array<Real>& numbers)
   {
     bool is_finite = true;
+    for (std::int64_t i = 0; i < numbers.size(); ++i)
+      is_finite = is_finite && std::isfinite(numbers.data()[i]);
+    return is_finite;
+  }
+
+  void unpack(const Real* from, Eigen::Index c, Block<Scalar>& x) const
+  {
     for (int k : m_factor->structure().order())
       for (int i = 0; i < Substitution::columns; ++i, from += planes) {
         if (c + i >= x.cols()) continue;
         FT s[planes];
-        for (int q = 0; q < planes; ++q) {
-          s[q] = from[q];
-          is_finite = is_finite && std::isfinite(from[q]);
-        }
+        for (int q = 0; q < planes; ++q) s[q] = from[q];
         x(k, c + i) = Scalar_planes<Scalar>::put(s);
       }
-    return is_finite;
   }
 
   Ordering m_ordering;

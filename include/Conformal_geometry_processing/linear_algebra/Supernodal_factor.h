@@ -80,6 +80,9 @@ class Supernodal_factor {
       });
     else
       for (int s = 0; s < m_structure->size(); ++s) eliminate(s, input, One_by_one());
+    if (m_structure->size_of_kept() == 0 &&
+        m_updates.size() * std::int64_t(sizeof(Real)) > kept_bytes)
+      m_updates.resize(0);
     return input.bad_column == no_column ? -1 : m_structure->order()[at(input.bad_column)];
   }
 
@@ -101,6 +104,10 @@ class Supernodal_factor {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   static constexpr int lanes = Kernels::lanes, planes = Kernels::planes;
   static constexpr int no_column = std::numeric_limits<int>::max();
+
+  // Updates larger than this are not kept for the next factorization, but leave room for what
+  // follows this one.
+  static constexpr std::int64_t kept_bytes = std::int64_t(1) << 27;
 
   // So many row blocks of a large front are one piece of work; they stay in the second-level cache.
   static constexpr int piece = 8;
@@ -233,7 +240,8 @@ class Supernodal_factor {
       FT c[planes];
       Scalar_planes<Scalar>::get(
           e->source >= 0 ? input.A.value(e->source) : conjugate(input.A.value(~e->source)), c);
-      Real* const target = f.panel + f.extend_add.in_panel(e->row, e->column);
+      Real* const target =
+          f.panel + f.extend_add.in_panel(static_cast<int>(e->row), static_cast<int>(e->column));
       for (std::ptrdiff_t q = 0; q < planes; ++q) target[q * lanes] += static_cast<Real>(c[q]);
     }
     if (input.shift.size() == 0) return;

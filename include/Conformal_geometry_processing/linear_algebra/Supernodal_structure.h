@@ -31,7 +31,7 @@ class Supernodal_structure {
   /// where an entry of the matrix goes: the row of the front, the column of the panel
   struct Entry {
     int source;  ///< position in the pattern, ~position if conjugated
-    int row, column;
+    unsigned row : 26, column : 6;
   };
 
   /// \param order a fill-reducing ordering of the vertices
@@ -210,12 +210,19 @@ class Supernodal_structure {
         for (std::int64_t k = m_row_offsets[at(*c)]; k < m_row_offsets[at(*c) + 1]; ++k)
           m_relative[static_cast<std::size_t>(k)] = place[at(m_rows[static_cast<std::size_t>(k)])];
       for (int j = 0; j < width(s); ++j) {
-        m_entries.push_back({pattern.offsets[at(m_order[at(first(s) + j)])], j, j});
+        add_entry(pattern.offsets[at(m_order[at(first(s) + j)])], j, j);
         for (const auto* e = graph.begin(first(s) + j); e != graph.end(first(s) + j); ++e)
-          m_entries.push_back({e->source, place[at(e->row)], j});
+          add_entry(e->source, place[at(e->row)], j);
       }
       m_entry_offsets.push_back(static_cast<int>(m_entries.size()));
     }
+  }
+
+  void add_entry(int source, int row, int column)
+  {
+    static_assert(max_supernode_width <= 64);
+    m_entries.push_back(
+        {source, static_cast<unsigned>(row) & 0x3ffffff, static_cast<unsigned>(column) & 63});
   }
 
   Ordering m_order;
