@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_EXACTNESS_CONSTRAINTS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_EXACTNESS_CONSTRAINTS_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/forms/Harmonic_basis.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgForms
+/// how the constraints of exactness are discretised
+enum class Exactness {
+  adjoint,  ///< the derivative of what the program computes: the error left is of second order
+  thesis    ///< solutions of D Z = v [CGP 6.4.5], least squares: leaves a first-order error O(h^2)
+};
+
+namespace internal {
+
+/// D^H D Y = c: half the sum of w omega e over the edges e at each vertex, for each form
+inline Block<Quaternion<double>> adjoint_sources(const Mesh_view& mesh, const Harmonic_basis& basis)
+{
+  const Eigen::VectorXd w = cotan_weights(mesh);
+  Block<Quaternion<double>> c = Block<Quaternion<double>>::Constant(
+      mesh.size_of_vertices(), basis.size(), Quaternion<double>{});
+  for (int i = 0; i < basis.size(); ++i)
+    for (int k = 0; k < mesh.size_of_edges(); ++k) {
+      const Eigen::Vector3d e = mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0]);
+      const Quaternion<double> share = imaginary(w[k] * basis.one_forms(k, i) / 2 * e);
+      for (int v : mesh.ends(k)) c(v, i) += share;
+    }
+  return c;
+}
+
+/// the same for D Z = v in the sense of least squares: D^H M_F v
+inline Block<Quaternion<double>> field_sources(const Mesh_view& mesh, const Harmonic_basis& basis)
+{
+  const Quaternionic_sparse_matrix<double> D = dirac(mesh);
+  const Eigen::VectorXd areas = face_areas(mesh);
+  Block<Quaternion<double>> c(mesh.size_of_vertices(), basis.size());
+  Quaternion_vector<double> Av(mesh.size_of_faces());
+  for (int i = 0; i < basis.size(); ++i) {
+    const Points& v = basis.fields[static_cast<std::size_t>(i)];
+    for (int f = 0; f < mesh.size_of_faces(); ++f) Av[f] = imaginary(areas[f] * v.col(f));
+    c.col(i) = D.adjoint_times(Av);
+  }
+  return c;
+}
+
+/// the imaginary parts, n x 3
+inline Eigen::MatrixX3d imaginary_columns(const Quaternion_vector<double>& z)
+{
+  return components(z).bottomRows<3>().transpose();
+}
+
+/// the mean of the corners of each face, |F| x k
+inline Eigen::MatrixXd face_means(const Mesh_view& mesh, const Eigen::MatrixXd& values)
+{
+  Eigen::MatrixXd means(mesh.size_of_faces(), values.cols());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const auto& v = mesh.corners(f);
+    means.row(f) = (values.row(v[0]) + values.row(v[1]) + values.row(v[2])) / 3;
+  }
+  return means;
+}
+
+/// M_V^-1 B^T M_F: the mean of the faces around each vertex, weighted by area, |V| x k
+inline Eigen::MatrixXd vertex_means(const Mesh_view& mesh, const Eigen::MatrixXd& values)
+{
+  const Eigen::VectorXd areas = face_areas(mesh);
+  Eigen::MatrixXd means = Eigen::MatrixXd::Zero(mesh.size_of_vertices(), values.cols());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    for (int v : mesh.corners(f)) means.row(v) += areas[f] / 3 * values.row(f);
+  means.array().colwise() /= vertex_areas(mesh).array();
+  return means;
+}
+
+}  // namespace internal
+
+/// \ingroup PkgForms
+/// \brief the functions z to which rho must be orthogonal so that the spin transformed surface
+/// closes up to first order: 6G columns, three for each harmonic form [CGP 4.5.2, 6.4.5].
+///
+/// For small rho the solution of (D - rho) lambda = gamma lambda is 1 + Y with D^H D Y = D^H rho,
+/// and the harmonic part of the new edges is, to first order, twice the inner products of rho and
+/// z in the basis of forms and the axes of space: sum_i M_V,i rho_i z_i for rho on vertices, with
+/// areas of faces for rho on faces. On isothermic surfaces, such as tori of revolution, only 6G - 1
+/// of the functions are independent.
+///
+/// One solve for each form.
+/// \param inverse a callable `Block<Quaternion<double>>` -> the same that solves with D^H M_F D:
+/// a `Dirac_energy_solver` or a `Dirac_energy_inverse`
+/// \param on where rho lives
+/// \returns |V| x 6G or |F| x 6G; column 3 i + a belongs to form i and axis a
+template <class Inverse>
+Eigen::MatrixXd exactness_constraints(const Mesh_view& mesh, const Harmonic_basis& basis,
+                                      const Inverse& inverse, Curvature_potential::On on,
+                                      Exactness version = Exactness::adjoint)
+{
+  const bool is_adjoint = version == Exactness::adjoint;
+  const bool on_vertices = on == Curvature_potential::On::vertices;
+  const Block<Quaternion<double>> Y = inverse(is_adjoint ? internal::adjoint_sources(mesh, basis)
+                                                         : internal::field_sources(mesh, basis));
+  const Quaternionic_sparse_matrix<double> D = dirac(mesh);
+  Eigen::MatrixXd z(on_vertices ? mesh.size_of_vertices() : mesh.size_of_faces(), 3 * basis.size());
+  for (int i = 0; i < basis.size(); ++i) {
+    const Quaternion_vector<double> y = Y.col(i);
+    // D y lives on faces, the solution of D y = v on vertices.
+    const Eigen::MatrixX3d own = internal::imaginary_columns(is_adjoint ? D * y : y);
+    if (is_adjoint == on_vertices)
+      z.middleCols<3>(3 * i) =
+          on_vertices ? internal::vertex_means(mesh, own) : internal::face_means(mesh, own);
+    else
+      z.middleCols<3>(3 * i) = own;
+  }
+  return z;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
