@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_METRIC_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_METRIC_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/forms/Harmonic_basis.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgFlow
+/// \brief u_f = 1/2 sum_i |v_i|^2 over an orthonormal basis of the harmonic fields: the canonical
+/// metric is u times that of the surface, |F| numbers in 1/area [CGP 4.5.3, 6.4.5.2].
+///
+/// u is a density of area and not the logarithm of a scale. Its integral is the genus. It depends
+/// on the conformal structure alone: conformally equivalent surfaces have the same u dA, and any
+/// other orthonormal basis gives the same u. Costs O(G |F|).
+///
+/// \throw Precondition_error on a sphere, which has no harmonic forms
+inline Eigen::VectorXd canonical_area_density(const Harmonic_basis& basis)
+{
+  if (basis.size() == 0)
+    throw Precondition_error("canonical_area_density",
+                             "a surface of genus 0 has no canonical metric; genus 1 or more is "
+                             "needed");
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(basis.fields.front().cols());
+  for (const Points& v : basis.fields) u += v.colwise().squaredNorm().transpose() / 2;
+  return u;
+}
+
+/// \ingroup PkgFlow
+/// \brief the area of each vertex in the canonical metric, a third of the faces around it: |V|
+/// numbers that sum up to the genus. The target of `Moebius_balancing`.
+///
+/// Found once for a flow, for it does not change under conformal deformation.
+/// \param density `canonical_area_density()`
+inline Eigen::VectorXd canonical_vertex_areas(const Mesh_view& mesh, const Eigen::VectorXd& density)
+{
+  const Eigen::VectorXd areas = face_areas(mesh).cwiseProduct(density);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    for (int v : mesh.corners(f)) sum[v] += areas[f] / 3;
+  return sum;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
