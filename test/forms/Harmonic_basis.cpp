@@ -44,7 +44,7 @@ void expect_harmonic_and_orthonormal(const Mesh_view& mesh, const Eigen::MatrixX
   EXPECT_LT(greatest(CGP::exterior_derivative_1(mesh) * forms), 1e-14);
   EXPECT_LT(greatest(CGP::codifferential(mesh, w, forms)), 1e-12);
   const auto n = forms.cols();
-  EXPECT_LT(greatest(gram_matrix(mesh, forms) - Eigen::MatrixXd::Identity(n, n)), 1e-12);
+  EXPECT_LT(greatest(gram_matrix(mesh, forms) - Eigen::MatrixXd::Identity(n, n)), 1e-14);
 }
 
 void expect_fields_of_the_forms(const Mesh_view& mesh, const CGP::Harmonic_basis& basis)
