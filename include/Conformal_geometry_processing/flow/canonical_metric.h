@@ -10,6 +10,8 @@
 
 #include <Eigen/Core>
 
+#include <string>
+
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
@@ -20,13 +22,15 @@ namespace Conformal_geometry_processing {
 /// on the conformal structure alone: conformally equivalent surfaces have the same u dA, and any
 /// other orthonormal basis gives the same u. Costs O(G |F|).
 ///
+/// \param function named in the exception
 /// \throw Precondition_error on a sphere, which has no harmonic forms
-inline Eigen::VectorXd canonical_area_density(const Harmonic_basis& basis)
+inline Eigen::VectorXd canonical_area_density(
+    const Harmonic_basis& basis, const std::string& function = "canonical_area_density")
 {
   if (basis.size() == 0)
-    throw Precondition_error("canonical_area_density",
-                             "a surface of genus 0 has no canonical metric; genus 1 or more is "
-                             "needed");
+    throw Precondition_error(function,
+                             "the surface is a sphere, which has no canonical metric; "
+                             "genus 1 or more is needed");
   Eigen::VectorXd u = Eigen::VectorXd::Zero(basis.fields.front().cols());
   for (const Points& v : basis.fields) u += v.colwise().squaredNorm().transpose() / 2;
   return u;
