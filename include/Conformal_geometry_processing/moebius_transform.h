@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MOEBIUS_TRANSFORM_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MOEBIUS_TRANSFORM_H
+
+#include <Conformal_geometry_processing/algebra/Moebius_map.h>
+#include <Conformal_geometry_processing/algebra/Quaternion_access.h>
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/geometry_traits.h>
+#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/mesh/write_points.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgEntryPoints
+/// \brief how much a Moebius map scales the surface: lengths at a vertex change by |lambda|^2.
+struct Moebius_report {
+  double min_length_scale = 0;
+  double max_length_scale = 0;
+};
+
+namespace internal {
+
+/// p -> map(p - center) + center. The center is not made a part of the map, where a far one would
+/// cost digits.
+template <class TriangleMesh, class NamedParameters>
+Moebius_report apply_around(const Eigen::Vector3d& center, const Moebius_map& map,
+                            TriangleMesh& mesh, const NamedParameters& np,
+                            const std::string& function)
+{
+  static_assert(
+      only_known_parameters<NamedParameters, CGAL::internal_np::vertex_point_t,
+                            CGAL::internal_np::geom_traits_t,
+                            internal_np::output_vertex_point_map_t, internal_np::vertex_spin_map_t>,
+      "moebius_transform(), invert_in_sphere(): unknown named parameter");
+  const Graph_view<TriangleMesh> graph(mesh, np, function);
+  const Points around = graph.view().positions().colwise() - center;
+  const Quaternion_vector<double> lambda = map.spins(around, function);
+  const Points image = map.transform(around, function).colwise() + center;
+  if constexpr (has_parameter<NamedParameters, internal_np::vertex_spin_map_t>) {
+    auto spins = CGAL::parameters::get_parameter(np, internal_np::vertex_spin_map);
+    using Value = typename boost::property_traits<decltype(spins)>::value_type;
+    for (int v = 0; v < graph.view().size_of_vertices(); ++v)
+      put(spins, graph.vertex(v), Quaternion_access<Value>::to(lambda[v]));
+  }
+  write_points(mesh, graph, image, np);
+  if (lambda.size() == 0) return {};
+  const auto scales = components(lambda).colwise().squaredNorm();
+  return {scales.minCoeff(), scales.maxCoeff()};
+}
+
+}  // namespace internal
+
+/// \ingroup PkgEntryPoints
+/// \brief moves every vertex of a surface by a Moebius map of space.
+///
+/// Conformal to rounding: length cross-ratios stay as they are. The triangles between the vertices
+/// stay flat, so on coarse meshes the surface is only near the image of the old one. It keeps its
+/// orientation; one that encloses the point which goes to infinity is turned inside out, and its
+/// normals then point inward. O(|V|), in double precision whatever the kernel.
+///
+/// \tparam TriangleMesh a triangle mesh, see \ref triangle_mesh_requirements
+/// \param mesh may have a boundary; its points are overwritten
+/// \param map in the coordinates of the mesh
+/// \param np optional, as follows
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices; read, and written unless
+///                           `output_vertex_point_map` is given}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{output_vertex_point_map}
+///     \cgalParamDescription{where the new points go}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{the vertex point map}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_spin_map}
+///     \cgalParamDescription{receives lambda, with df~ = conjugate(lambda) df lambda}
+///     \cgalParamType{a model of `WritablePropertyMap`; its value is any type that
+///                    `Quaternion_access` knows}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
+///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \throw Precondition_error if a face is not a triangle, or a vertex is not finite or goes to
+/// infinity; the message tells its number, and nothing is written
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Moebius_report moebius_transform(TriangleMesh& mesh, const Moebius_map& map,
+                                 const NamedParameters& np = parameters::default_values())
+{
+  return internal::apply_around(Eigen::Vector3d::Zero(), map, mesh, np, "moebius_transform");
+}
+
+/// \ingroup PkgEntryPoints
+/// \brief inverts a surface in a sphere: p -> center - radius^2 (p - center) / |p - center|^2.
+///
+/// Followed by the reflection in the center, hence the sign, which keeps the orientation of the
+/// surface. For all else see `moebius_transform()`.
+///
+/// \tparam TriangleMesh a triangle mesh, see \ref triangle_mesh_requirements
+/// \tparam Point the type of the points of the mesh
+/// \param mesh may have a boundary; its points are overwritten
+/// \param center not on a vertex
+/// \param radius positive
+/// \param np optional, as for `moebius_transform()`
+/// \throw Precondition_error as there, or if the center is not finite or the radius not positive
+template <class TriangleMesh, class Point,
+          class NamedParameters = parameters::Default_named_parameters>
+Moebius_report invert_in_sphere(TriangleMesh& mesh, const Point& center, double radius,
+                                const NamedParameters& np = parameters::default_values())
+{
+  const auto traits = internal::geometry_traits<TriangleMesh>(np);
+  const Eigen::Vector3d c(CGAL::to_double(traits.compute_x_3_object()(center)),
+                          CGAL::to_double(traits.compute_y_3_object()(center)),
+                          CGAL::to_double(traits.compute_z_3_object()(center)));
+  if (!(radius > 0) || !std::isfinite(radius) || !c.allFinite())
+    throw Precondition_error("invert_in_sphere", "the center must be finite, and the radius, " +
+                                                     std::to_string(radius) + ", positive");
+  const Moebius_map inversion =
+      Moebius_map::scaling(radius) * Moebius_map::inversion() * Moebius_map::scaling(1 / radius);
+  return internal::apply_around(c, inversion, mesh, np, "invert_in_sphere");
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
