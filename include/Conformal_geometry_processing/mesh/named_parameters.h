@@ -32,8 +32,10 @@
   X(maximum_number_of_substeps)                         \
   X(tolerance)                                          \
   X(eigenproblem)                                       \
+  X(exactness)                                          \
   X(eigenvalue_solver)                                  \
   X(sparse_solver)                                      \
+  X(one_form_generators)                                \
   X(filter_weight)                                      \
   X(filter_order)                                       \
   X(balance)

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HARMONIC_BASIS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_HARMONIC_BASIS_H
+
+#include <Conformal_geometry_processing/forms/Harmonic_forms.h>
+#include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
+#include <Conformal_geometry_processing/forms/random_closed_forms.h>
+#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/geometry_traits.h>
+#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgEntryPoints
+/// \brief what `harmonic_basis()` makes harmonic forms from.
+enum class One_form_generators {
+  tree_cotree,  ///< loops, see `closed_generators()`
+  random  ///< random numbers [CGP 6.4.5.1], see `random_closed_forms()`: slower, no right angles
+};
+
+namespace internal {
+
+/// the harmonic basis of a mesh in the frame of the computation, all requirements checked
+template <class SolverTraits>
+Harmonic_basis harmonic_basis_from(const Mesh_view& mesh, One_form_generators generators,
+                                   unsigned seed, const std::string& function)
+{
+  if (generators == One_form_generators::tree_cotree)
+    return Hodge_decomposition<SolverTraits>(mesh, function).harmonic_basis();
+  require_surface(mesh, function);
+  require_closed(mesh, function);
+  const auto pattern = vertex_graph(mesh);
+  Grounded_solver<SolverTraits> laplacian(pattern);
+  laplacian.factorize(cotan_laplacian(mesh, pattern));
+  return Hodge_decomposition<SolverTraits>(mesh, random_closed_forms(mesh, seed, function),
+                                           laplacian)
+      .harmonic_basis();
+}
+
+}  // namespace internal
+
+/// \ingroup PkgEntryPoints
+/// \brief finds the harmonic 1-forms of a closed surface and their tangent fields: 2G of them for
+/// genus G, orthonormal [CGP 6.4.5.1].
+///
+/// Harmonic forms are closed and co-closed: they integrate to zero around each face, and their
+/// weighted sum around each vertex is zero. They tell what surfaces of genus > 0 have in addition
+/// to functions: the directions along their handles and holes. A sphere has none.
+///
+/// Computes in double precision whatever the kernel. Takes one factorization of the Laplacian and
+/// 4G solves. Which orthonormal basis it is, depends on the order of the vertices and faces.
+///
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \param mesh a closed surface
+/// \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
+///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_solver}
+///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
+///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
+///     \cgalParamDefault{`Default_solver_traits`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{one_form_generators}
+///     \cgalParamDescription{what the forms are made from; their span is the same}
+///     \cgalParamType{`One_form_generators`}
+///     \cgalParamDefault{`One_form_generators::tree_cotree`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{of `One_form_generators::random`}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the forms; vectors are those of the kernel of the points, or Eigen's if they have none
+/// \throw Precondition_error if the mesh is not a closed, connected, oriented triangle mesh with
+/// finite coordinates and positive areas, or if random generators meet a cotan weight of zero; the
+/// message names the element
+/// \throw Solver_error if the Laplacian cannot be factored
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+auto harmonic_basis(const TriangleMesh& mesh,
+                    const NamedParameters& np = parameters::default_values())
+{
+  static_assert(internal::only_known_parameters<
+                    NamedParameters, CGAL::internal_np::vertex_point_t,
+                    CGAL::internal_np::geom_traits_t, CGAL::internal_np::random_seed_t,
+                    internal_np::sparse_solver_t, internal_np::one_form_generators_t>,
+                "harmonic_basis(): unknown named parameter, see the manual for those it accepts");
+  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
+                                                 Default_solver_traits>;
+  using Vector = internal::Vector_of<internal::Point_of<TriangleMesh, NamedParameters>>;
+  const std::string function = "harmonic_basis";
+
+  const Graph_view<TriangleMesh> graph(mesh, np, function);
+  require_not_empty(graph.view(), function);
+  require_finite_positions(graph.view(), function);
+  const Normalized_frame frame(graph.view().positions());
+  Mesh_view view = graph.view();
+  view.set_positions(frame.to_frame(view.positions()));
+  Harmonic_basis basis = internal::harmonic_basis_from<Solver_traits>(
+      view,
+      internal::parameter_or(np, internal_np::one_form_generators,
+                             One_form_generators::tree_cotree),
+      static_cast<unsigned>(internal::parameter_or(np, CGAL::internal_np::random_seed, 0u)),
+      function);
+  return Harmonic_forms<TriangleMesh, Vector>(mesh, graph, std::move(basis), 1 / frame.unit());
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

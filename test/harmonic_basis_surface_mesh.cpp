@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests harmonic_basis.h, forms/Harmonic_forms.h
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "harmonic_basis_checks.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace params = CGP::parameters;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+
+/// a tetrahedron beside the torus, which is removed and leaves its slots behind
+Surface torus_with_garbage()
+{
+  Surface mesh;
+  add_to_cgal_mesh(tetrahedron(), mesh);
+  const std::vector<Surface::Face_index> first(faces(mesh).begin(), faces(mesh).end());
+  add_to_cgal_mesh(btorus(8), mesh);
+  for (const auto f : first) CGAL::Euler::remove_face(halfedge(f, mesh), mesh);
+  return mesh;
+}
+
+std::string message_of_refusal(const Mesh_view& view)
+{
+  try {
+    (void)CGP::harmonic_basis(to_cgal_mesh<Surface>(view));
+  } catch (const CGP::Precondition_error& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+}  // namespace
+
+TEST(Harmonic_basis_of_a_Surface_mesh, is_that_of_its_triangles)
+{
+  expect_harmonic_forms(to_cgal_mesh<Surface>(icosphere(1)), 0);
+  for (const int genus : {1, 2, 3})
+    expect_harmonic_forms(to_cgal_mesh<Surface>(holed_block(genus)), genus);
+  expect_basis_of_the_view(to_cgal_mesh<Surface>(smooth_handlebody(2, 1)));
+}
+
+TEST(Harmonic_basis_of_a_Surface_mesh, ignores_removed_elements)
+{
+  const Surface mesh = torus_with_garbage();
+  ASSERT_TRUE(mesh.has_garbage());
+  expect_harmonic_forms(mesh, 1);
+  expect_basis_of_the_view(mesh);
+}
+
+TEST(Harmonic_basis_of_a_Surface_mesh, has_vectors_of_its_kernel)
+{
+  const auto forms = CGP::harmonic_basis(to_cgal_mesh<Surface>(btorus(6)));
+  EXPECT_TRUE((std::is_same_v<decltype(forms)::Vector, Kernel::Vector_3>));
+}
+
+TEST(Harmonic_basis_of_a_Surface_mesh, outlives_the_mesh_and_is_shared_by_copies_and_maps)
+{
+  auto mesh = std::make_unique<Surface>(to_cgal_mesh<Surface>(btorus(6)));
+  auto forms = std::make_unique<decltype(CGP::harmonic_basis(*mesh))>(CGP::harmonic_basis(*mesh));
+  const auto copy = *forms;
+  const auto form = forms->one_form(1);
+  const Surface::Halfedge_index h = *halfedges(*mesh).begin();
+  const double value = get(form, h);
+  mesh.reset();
+  forms.reset();
+  EXPECT_EQ(get(form, h), value);
+  EXPECT_EQ(copy.one_form(1)[h], value);
+  EXPECT_EQ(copy.size(), 2);
+}
+
+TEST(Harmonic_basis_of_a_Surface_mesh, refuses_elements_that_it_does_not_know)
+{
+  const auto forms = CGP::harmonic_basis(to_cgal_mesh<Surface>(btorus(6)));
+  EXPECT_THROW((void)get(forms.one_form(0), Surface::Halfedge_index(1000)),
+               CGP::Precondition_error);
+  EXPECT_THROW((void)get(forms.tangent_field(0), Surface::Face_index(1000)),
+               CGP::Precondition_error);
+}
+
+TEST(Harmonic_basis_of_a_Surface_mesh, reads_the_points_of_the_map_given)
+{
+  Surface mesh = to_cgal_mesh<Surface>(btorus(6));
+  const auto expected = CGP::harmonic_basis(mesh);
+  auto points = mesh.add_property_map<Surface::Vertex_index, Kernel::Point_3>("points").first;
+  for (const auto v : vertices(mesh)) {
+    points[v] = mesh.point(v);
+    mesh.point(v) = Kernel::Point_3(0, 0, 0);
+  }
+  const auto forms = CGP::harmonic_basis(mesh, params::vertex_point_map(points));
+  for (const auto h : halfedges(mesh))
+    EXPECT_EQ(get(forms.one_form(0), h), get(expected.one_form(0), h));
+}
+
+TEST(Harmonic_basis_of_a_Surface_mesh, has_fields_in_one_over_length)
+{
+  const Surface mesh = to_cgal_mesh<Surface>(btorus(6));
+  for (const double scale : {1e-200, 3e7, 1e200}) {
+    const auto forms = CGP::harmonic_basis(to_cgal_mesh<Surface>(scaled(btorus(6), scale)));
+    const auto expected = CGP::harmonic_basis(mesh);
+    for (const auto f : faces(mesh)) {
+      const Eigen::Vector3d v = to_eigen(get(forms.tangent_field(1), f)) * scale;
+      EXPECT_LT((v - to_eigen(get(expected.tangent_field(1), f))).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(Harmonic_basis_of_a_Surface_mesh, can_be_made_from_random_forms)
+{
+  const Surface mesh = to_cgal_mesh<Surface>(btorus(12));
+  const auto expected = CGP::harmonic_basis(mesh);
+  const auto random = params::one_form_generators(CGP::One_form_generators::random);
+  const auto forms = CGP::harmonic_basis(mesh, random.random_seed(3));
+  const auto others = CGP::harmonic_basis(mesh, random.random_seed(4));
+  Eigen::Matrix2d G = Eigen::Matrix2d::Zero();  // inner products of the one basis with the other
+  double difference = 0;
+  for (const auto f : faces(mesh)) {
+    const auto h = halfedge(f, mesh);
+    const Eigen::Vector3d a =
+        coordinates(mesh, target(h, mesh)) - coordinates(mesh, source(h, mesh));
+    const Eigen::Vector3d b =
+        coordinates(mesh, target(next(h, mesh), mesh)) - coordinates(mesh, target(h, mesh));
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        G(i, j) += a.cross(b).norm() / 2 *
+                   to_eigen(get(forms.tangent_field(i), f))
+                       .dot(to_eigen(get(expected.tangent_field(j), f)));
+    difference += std::abs(get(forms.one_form(0), h) - get(others.one_form(0), h));
+  }
+  EXPECT_LT((G * G.transpose() - Eigen::Matrix2d::Identity()).norm(), 1e-11);
+  EXPECT_GT(difference, 1e-3);
+}
+
+TEST(Harmonic_basis_of_a_Surface_mesh, refuses_unsuitable_meshes_in_its_name)
+{
+  const auto refuses = [](const Mesh_view& mesh, const std::string& what) {
+    const std::string message = message_of_refusal(mesh);
+    return message.find("harmonic_basis: ") == 0 && message.find(what) != std::string::npos;
+  };
+  EXPECT_TRUE(refuses(without_face(btorus(8), 5), "3 boundary edges"));
+  EXPECT_TRUE(refuses(disjoint_union(btorus(8), icosphere(1), {9, 0, 0}), "2 components"));
+  EXPECT_TRUE(refuses(Mesh_view(), "no faces"));
+  Points p = btorus(8).positions();
+  p(1, 4) = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(refuses(Mesh_view(p, btorus(8).corners()), "vertex 4"));
+}
+
+TEST(Harmonic_basis_of_a_Surface_mesh, refuses_random_forms_on_unsuitable_meshes)
+{
+  const auto random = params::one_form_generators(CGP::One_form_generators::random);
+  for (const Mesh_view& view : {holed_block(1), without_face(btorus(8), 5),
+                                disjoint_union(btorus(8), icosphere(1), {9, 0, 0})})
+    EXPECT_THROW((void)CGP::harmonic_basis(to_cgal_mesh<Surface>(view), random),
+                 CGP::Precondition_error);
+}
