@@ -128,11 +128,43 @@ TEST_F(Dirac_eigenproblem, finds_the_companion_in_a_mixture)
   const Quaternion_vector<double> u = pure.col(0), v = pure.col(1);
   for (const double angle : {0.1, 0.5}) {
     const double c = std::cos(angle), s = std::sin(angle);
-    const Quaternion_matrix both = problem.with_companion(c * u + s * v, rho);
-    EXPECT_EQ(Quaternion_vector<double>(both.col(0)), Quaternion_vector<double>(c * u + s * v));
-    EXPECT_LT(problem.overlap(both.col(0), both.col(1)), 1e-12);
-    EXPECT_GT(problem.overlap(both.col(1), c * v - s * u), 0.95);
+    const Quaternion_vector<double> mixed = c * u + s * v, other = c * v - s * u;
+    Quaternion_matrix companions = problem.companion(mixed, rho);
+    double before = 0.95;
+    for (int k = 1; k <= 3; ++k) {
+      ASSERT_EQ(companions.cols(), k);
+      const Quaternion_matrix both = problem.with_lowest(mixed, companions);
+      EXPECT_EQ(Quaternion_vector<double>(both.col(0)), mixed);
+      EXPECT_LT(problem.overlap(both.col(0), both.col(1)), 1e-12);
+      EXPECT_GT(problem.overlap(both.col(1), other), before);
+      before = problem.overlap(both.col(1), other) - 0.01;
+      problem.add_companion(mixed, companions);
+    }
   }
+}
+
+TEST_F(Dirac_eigenproblem, has_the_vector_of_smallest_energy_among_companions)
+{
+  set_potential(1);
+  const CGP::Eigen_result r = smallest(2);
+  const Quaternion_vector<double> v = r.vectors.col(0), w = r.vectors.col(1);
+  Quaternion_matrix companions(v.size(), 2);
+  companions << w + random_quaternions(mesh.size_of_vertices(), 2),
+      2. * w - random_quaternions(mesh.size_of_vertices(), 2);
+  EXPECT_NEAR(problem.overlap(problem.with_lowest(v, companions).col(1), w), 1, 1e-12);
+  companions.setConstant(Quaternion<double>{});
+  EXPECT_EQ(problem.with_lowest(v, companions).cols(), 1);
+}
+
+TEST_F(Dirac_eigenproblem, splits_a_guide_into_a_vector_and_the_rest)
+{
+  const Quaternion_vector<double> v = random_quaternions(mesh.size_of_vertices(), 3);
+  const Quaternion_vector<double> w = random_quaternions(mesh.size_of_vertices(), 4);
+  const Quaternion_matrix both = problem.with_rest(v, w);
+  EXPECT_EQ(Quaternion_vector<double>(both.col(0)), v);
+  EXPECT_LT(problem.overlap(v, both.col(1)), 1e-14);
+  const double a = problem.overlap(w, v), b = problem.overlap(w, both.col(1));
+  EXPECT_NEAR(a * a + b * b, 1, 1e-14);
 }
 
 TEST_F(Dirac_eigenproblem, overlap_is_one_for_right_factors_and_zero_for_orthogonal_vectors)
@@ -153,6 +185,8 @@ TEST_F(Dirac_eigenproblem, tells_which_step_of_the_solver_failed)
   const Mesh_view empty;
   EXPECT_THROW(CGP::Dirac_eigenproblem<>{empty}, CGP::Solver_error);
   EXPECT_THROW((void)problem.start(one(), 0), CGP::Solver_error);  // not factorized yet
+  const auto none = Curvature_potential::on_vertices(Eigen::VectorXd::Zero(one().size()));
+  EXPECT_THROW((void)problem.companion(one(), none), CGP::Solver_error);
   try {
     set_potential(std::numeric_limits<double>::quiet_NaN());
     FAIL();

@@ -56,6 +56,21 @@ Eigen::VectorXd dense_eigenvalues(const Mesh_view& mesh, const Curvature_potenti
       .eigenvalues();
 }
 
+/// counts what it does
+struct Counting_solver_traits {
+  static inline int factorizations = 0;
+
+  template <class Scalar>
+  struct Solver : CGP::Supernodal_cholesky<Scalar> {
+    CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>& A,
+                                 const Eigen::VectorXd& shift)
+    {
+      ++factorizations;
+      return CGP::Supernodal_cholesky<Scalar>::factorize(A, shift);
+    }
+  };
+};
+
 }  // namespace
 
 TEST(Dirac_equation, for_rho_zero_is_solved_by_the_identity_without_an_iteration)
@@ -175,6 +190,20 @@ TEST(Dirac_equation, is_not_confused_by_an_eigenvalue_of_opposite_sign)
     EXPECT_NEAR(s.eigenvalue, s0.eigenvalue - c, 0.02);
     EXPECT_LT(greatest_difference(s.lambda, s0.lambda), 0.1);
   }
+}
+
+TEST(Dirac_equation, takes_one_factorization_or_two_where_signs_are_mixed)
+{
+  const Mesh_view mesh = icosphere(2);
+  CGP::Dirac_equation<Counting_solver_traits> equation(mesh);
+  int& count = Counting_solver_traits::factorizations = 0;
+  EXPECT_TRUE(equation.solve(shifted(mesh, 0)).converged);
+  EXPECT_EQ(count, 1);
+  const CGP::Dirac_solution s = equation.solve(
+      Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh).array() - 1.01));
+  EXPECT_TRUE(s.converged);
+  EXPECT_NE(s.spectral_shift, 0);
+  EXPECT_EQ(count, 3);
 }
 
 TEST(Dirac_equation, is_solved_twice_to_the_same_bits)

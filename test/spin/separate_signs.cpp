@@ -98,6 +98,31 @@ TEST(Has_mixed_signs, sees_no_mixture_of_vectors_with_one_sign)
   EXPECT_FALSE(CGP::has_mixed_signs(turned(forms_of_eigenvectors(0.5, 0.6), rotation(1, 5))));
 }
 
+TEST(Signed_eigenvalues, are_those_before_the_vectors_were_mixed)
+{
+  for (const double angle : {0., 0.2, pi / 4, 2.}) {
+    const auto values =
+        CGP::signed_eigenvalues(turned(forms_of_eigenvectors(-0.4, 0.5), rotation(angle, 7)));
+    EXPECT_NEAR(values[0], -0.4, 1e-14);
+    EXPECT_NEAR(values[1], 0.5, 1e-14);
+  }
+}
+
+TEST(Separation_pays, where_the_eigenvalues_are_nearly_opposite_and_mixed)
+{
+  const auto pays = [](double a, double b, double angle) {
+    return CGP::separation_pays(turned(forms_of_eigenvectors(a, b), rotation(angle, 8)));
+  };
+  for (const double angle : {5 * degree, 45 * degree, 70 * degree}) {
+    EXPECT_TRUE(pays(-0.4, 0.5, angle));
+    EXPECT_TRUE(pays(0.11, -0.5, angle));
+    EXPECT_TRUE(pays(-0.5, 0.11, angle));
+    EXPECT_FALSE(pays(-0.09, 0.5, angle));  // a shift would make the mixture a fifth smaller
+    EXPECT_FALSE(pays(0.5, 0.4, angle));
+  }
+  EXPECT_FALSE(pays(-0.4, 0.5, 1 * degree));
+}
+
 // On the sphere D has the eigenvector 1 with eigenvalue 0, and (nearly) f with -2: rho = -1 makes
 // that +1 and -1.
 TEST(Separate_signs, recovers_two_eigenvectors_of_opposite_sign)

@@ -60,7 +60,7 @@ class Eigen_convergence {
     if (m_result.converged) return true;
     m_result.stagnated = m_idle >= 3;
     if (m_result.stagnated || m_iterations >= m_options.max_iterations) return true;
-    m_result.cancelled = !go_further(Eigen_progress{m_iterations, x.value(0), estimate});
+    m_result.cancelled = !go_further(Eigen_progress{m_iterations, x.value(0), estimate, &x.v});
     return m_result.cancelled;
   }
 

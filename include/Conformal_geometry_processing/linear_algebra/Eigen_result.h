@@ -26,6 +26,7 @@ struct Eigen_progress {
   int iteration;    ///< iterations done
   double value;     ///< the smallest eigenvalue, so far
   double estimate;  ///< the largest error estimate of the wanted vectors
+  const Block<Quaternion<double>>* vectors = nullptr;  ///< the iterates, if the solver shows them
 };
 
 /// \ingroup PkgLinearAlgebra

@@ -114,21 +114,49 @@ class Dirac_eigenproblem {
     return both;
   }
 
-  /// \brief [v, u] where u is what the inverse of D - rho makes of v, beyond a multiple of v.
+  /// [v, r], |V| x 2, where r is what remains of `guide` without v
+  Vectors with_rest(const Quaternion_vector<double>& v,
+                    const Quaternion_vector<double>& guide) const
+  {
+    Vectors both(v.size(), 2);
+    both << v, without(v, guide);
+    return both;
+  }
+
+  /// \brief what the inverse of D - rho makes of v, beyond a multiple of v; |V| x 1.
   ///
   /// X^-1 times the signed form is that inverse on smooth vectors. Where v is no eigenvector of
-  /// D - rho but a mixture of two, u is the other mixture of them; otherwise it is the
-  /// discretisation error, or zero.
+  /// D - rho but a mixture of two, the companion has the other mixture of them in it, besides the
+  /// discretisation error; otherwise it is only that error, or zero.
   /// \pre `set_potential()` has been called
-  /// \returns |V| x 2
-  Vectors with_companion(const Quaternion_vector<double>& v, const Curvature_potential& rho) const
+  Vectors companion(const Quaternion_vector<double>& v, const Curvature_potential& rho) const
   {
-    Vectors both(v.size(), 2), u;
-    const Vectors image = apply_dirac_form(m_mesh, rho, v);
-    check("solution", apply_inverse(m_solver, image, u));
-    const Quaternion<double> along = inner_product(v, m_areas, u.col(0)) / squared_norm(v);
-    add_multiple(u.col(0), v, -along);
-    both << v, u;
+    return inverse_beyond(v, apply_dirac_form(m_mesh, rho, v));
+  }
+
+  /// \brief one more column for the companions of v: X^-1 M_V of the last, beyond a multiple of v.
+  /// The vector of smallest energy in their span is then nearer to an eigenvector.
+  void add_companion(const Quaternion_vector<double>& v, Vectors& companions) const
+  {
+    const Eigen::Index k = companions.cols();
+    Quaternion_vector<double> b = companions.col(k - 1);
+    for (Eigen::Index i = 0; i < b.size(); ++i) b[i] *= m_areas[i];
+    companions.conservativeResize(Eigen::NoChange, k + 1);
+    companions.col(k) = inverse_beyond(v, b).col(0);
+  }
+
+  /// \brief [v, w], |V| x 2, where w is the vector of smallest energy in the span of `companions`;
+  /// v alone if they are zero
+  Vectors with_lowest(const Quaternion_vector<double>& v, Vectors companions) const
+  {
+    Eigen_panel space =
+        make_panel(block_operator(m_X), block_operator(m_areas), std::move(companions));
+    orthonormalize(space);
+    Vectors both = v;
+    if (space.size() == 0) return both;
+    const auto ritz = quaternionic_jacobi(gram_matrix(space.v, space.kv));
+    both.conservativeResize(Eigen::NoChange, 2);
+    both.col(1) = combination(space.v, Vectors(ritz.vectors.leftCols(1))).col(0);
     return both;
   }
 
@@ -153,6 +181,23 @@ class Dirac_eigenproblem {
     if (status != Solver_status::success)
       throw Solver_error("Dirac_equation",
                          std::string(step) + " of X failed: " + to_string(status));
+  }
+
+  Vectors inverse_beyond(const Quaternion_vector<double>& v,
+                         const Quaternion_vector<double>& b) const
+  {
+    const Vectors image = b;
+    Vectors u;
+    check("solution", apply_inverse(m_solver, image, u));
+    return without(v, u.col(0));
+  }
+
+  Vectors without(const Quaternion_vector<double>& v, const Quaternion_vector<double>& u) const
+  {
+    Vectors rest = u;
+    const Quaternion<double> along = inner_product(v, m_areas, u) / squared_norm(v);
+    add_multiple(rest.col(0), v, -along);
+    return rest;
   }
 
   const Mesh_view& m_mesh;

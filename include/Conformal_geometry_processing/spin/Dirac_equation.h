@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
+#include <Conformal_geometry_processing/spin/Dirac_search.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
 #include <Conformal_geometry_processing/spin/generalized_dirac.h>
 #include <Conformal_geometry_processing/spin/separate_signs.h>
@@ -13,7 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -26,7 +27,9 @@ namespace Conformal_geometry_processing {
 /// that can belong to another branch; a vector is accepted only if it overlaps with the one it
 /// continues by more than `same_branch`. If the first solve finds none, rho is switched on in
 /// substeps, each looking for the eigenvalue nearest to the one predicted: that of D - rho nearest
-/// to sigma is the smallest of D - (rho + sigma). One numeric factorization per substep.
+/// to sigma is the smallest of D - (rho + sigma). One numeric factorization per substep, and one
+/// for each time that X mixes vectors of opposite sign. The vectors of the first solve are kept:
+/// a substep that comes near enough to one of them is the last.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
@@ -36,9 +39,9 @@ class Dirac_equation {
   using Eigenproblem_ = Dirac_eigenproblem<SolverTraits, EigensolverTraits>;
 
  public:
-  /// squares of overlaps with orthogonal vectors add up to at most one: where one is 0.75, every
-  /// other is below 0.67
-  static constexpr double same_branch = 0.75;
+  /// the overlap that a vector must exceed with the one it continues
+  static constexpr double same_branch =
+      internal::Dirac_search<Eigenproblem_, Always_go_further>::same_branch;
 
   /// \param mesh must outlive the object
   /// \pre `require_surface(mesh)` and `require_closed(mesh)` hold
@@ -67,9 +70,9 @@ class Dirac_equation {
     const Quaternion_vector<double> one =
         Quaternion_vector<double>::Constant(m_problem.areas().size(), {1, 0, 0, 0});
     s.lambda = one;
-    Step step{rho, 0, options.tolerance};
-    if (!follow(step, options, s, go_further) && !s.cancelled)
-      if (continue_from_identity(rho, options, s, go_further)) finish(rho, options, s, go_further);
+    const Found found = find({rho, 0, options.tolerance}, options, s, go_further);
+    if (!accept(found, options.tolerance, s) && !s.cancelled)
+      continue_from_identity(rho, options, found, s, go_further);
     if (options.problem == Eigenproblem::generalized && s.converged)
       solve_generalized_dirac(m_problem, rho, options, s, go_further);
     s.eigenvalue = dirac_quotient(m_problem.mesh(), rho, s.lambda);
@@ -79,16 +82,18 @@ class Dirac_equation {
   }
 
  private:
+  /// one potential of the continuation
   struct Step {
     Curvature_potential rho;
     double sigma, tolerance;
-    int separations = 0;
+    bool is_between = false;  ///< before the last: a vector that guides the next one is enough
   };
-  struct Effort {
-    int wanted = 1, iterations = std::numeric_limits<int>::max();
+  /// eigenvectors of X for the potential rho + sigma
+  struct Found {
+    Eigen_result r;
+    double sigma;
   };
   static constexpr int max_separations = 4;
-  static constexpr int most_if_clear = 12;  ///< iterations: one column alone takes 2 to 8
 
   static Curvature_potential scaled(const Curvature_potential& rho, double t, double sigma)
   {
@@ -99,85 +104,68 @@ class Dirac_equation {
   /// when no vector found is on the same branch.
   template <class GoFurther>
   bool follow(const Step& step, const Dirac_options& options, Dirac_solution& s,
-              GoFurther go_further)
+              GoFurther& go_further)
   {
-    const Curvature_potential rho = scaled(step.rho, 1, step.sigma);
-    m_problem.set_potential(rho, s.seconds);
-    Stopwatch watch;
-    Eigen_result r = smallest(s.lambda, {1, most_if_clear}, step, options, s, go_further);
-    const bool one_is_enough = r.cancelled || is_clear(r, rho, s);
-    if (!one_is_enough) r = smallest_two(step, options, s, go_further);
-    s.seconds.eigenvectors += watch.lap();
-    if (one_is_enough || r.cancelled) return accept(r, step, s);
-    const Dirac_forms forms = dirac_forms(m_problem.mesh(), rho, r.vectors);
-    if (has_mixed_signs(forms) && step.separations < max_separations)
-      return separate(step, separate_signs(r.vectors, forms), options, s, go_further);
-    return accept(r, step, s);
+    return accept(find(step, options, s, go_further), step.tolerance, s);
   }
 
-  /// Whether one vector tells all: it is on the branch of s.lambda, and X has not mixed it with one
-  /// of opposite sign.
-  bool is_clear(const Eigen_result& r, const Curvature_potential& rho,
-                const Dirac_solution& s) const
-  {
-    if (!r.converged) return false;
-    const Quaternion_vector<double> v = r.vectors.col(0);
-    if (m_problem.overlap(v, s.lambda) < same_branch) return false;
-    const double gamma = dirac_quotient(m_problem.mesh(), rho, v);
-    if (is_surely_unmixed(gamma, r.values[0])) return true;
-    const auto both = m_problem.with_companion(v, rho);
-    const bool is_alone = m_problem.squared_norm(both.col(1)) == 0;
-    return is_alone || !has_mixed_signs(dirac_forms(m_problem.mesh(), rho, both));
-  }
-
-  template <class GoFurther>
-  Eigen_result smallest_two(const Step& step, const Dirac_options& options, Dirac_solution& s,
-                            GoFurther go_further)
-  {
-    Eigen_result r =
-        smallest(m_problem.start(s.lambda, options.random_seed), {}, step, options, s, go_further);
-    if (nearest_column(r.vectors, s.lambda) > 0 && !r.cancelled)
-      r = smallest(r.vectors, {2}, step, options, s, go_further);
-    return r;
-  }
-
+  /// \brief the eigenvectors in question as the continuation of s.lambda.
+  ///
   /// Where X has mixed lambda with a vector of opposite sign: a shift by the signed eigenvalue of
   /// lambda moves the other one away. It may bring a third vector in, so this is repeated; what
   /// remains then is the error of a coarse mesh.
   template <class GoFurther>
-  bool separate(Step step, const Block<Quaternion<double>>& vectors, const Dirac_options& options,
-                Dirac_solution& s, GoFurther go_further)
+  Found find(const Step& step, Dirac_options options, Dirac_solution& s, GoFurther& go_further,
+             bool is_factored = false)
   {
-    const Quaternion_vector<double> lambda = vectors.col(nearest_column(vectors, s.lambda));
-    step.sigma = dirac_quotient(m_problem.mesh(), step.rho, lambda);
-    ++step.separations;
-    return follow(step, options, s, go_further);
+    options.tolerance = step.tolerance;
+    Quaternion_vector<double> start = s.lambda;
+    double sigma = step.sigma, separation = 0;
+    for (int separations = 0;; ++separations) {
+      const Curvature_potential rho = scaled(step.rho, 1, sigma);
+      if (!is_factored || separations > 0) m_problem.set_potential(rho, s.seconds);
+      Stopwatch watch;
+      internal::Dirac_search search(m_problem, rho, s.lambda, options, go_further);
+      search.run(start, separation);
+      s.iterations += search.iterations();
+      s.cancelled = search.is_cancelled();
+      s.seconds.eigenvectors += watch.lap();
+      if (!search.is_mixed() || separations == max_separations)
+        return {std::move(search.result()), sigma};
+      const Dirac_forms forms = dirac_forms(m_problem.mesh(), rho, search.mixture());
+      const auto separated = separate_signs(search.mixture(), forms);
+      const auto values = signed_eigenvalues(forms);
+      const Eigen::Index nearest = nearest_column(separated, s.lambda);
+      if (step.is_between) return {unconverged(separated), sigma};
+      start = separated.col(nearest);
+      sigma += values[static_cast<std::size_t>(nearest)];
+      separation = values[1] - values[0];
+    }
   }
 
-  bool accept(const Eigen_result& r, const Step& step, Dirac_solution& s) const
+  /// vectors of which no more is known
+  static Eigen_result unconverged(const Block<Quaternion<double>>& vectors)
   {
+    Eigen_result r;
+    r.vectors = vectors;
+    r.values = Eigen::VectorXd::Zero(vectors.cols());
+    r.estimates = Eigen::VectorXd::Constant(vectors.cols(), 1);
+    return r;
+  }
+
+  bool accept(const Found& found, double tolerance, Dirac_solution& s) const
+  {
+    const Eigen_result& r = found.r;
     const Eigen::Index nearest = nearest_column(r.vectors, s.lambda);
     const Quaternion_vector<double> lambda = r.vectors.col(nearest);
     if (m_problem.overlap(lambda, s.lambda) < same_branch) return false;
     s.lambda = lambda;
     s.energy = r.values[nearest];
     s.residual = r.estimates[nearest];
-    s.converged = s.residual <= step.tolerance;
-    s.spectral_shift = step.sigma;
+    s.converged = s.residual <= tolerance;
+    s.spectral_shift = found.sigma;
     s.gap = r.gap ? root(r.values[0] + *r.gap) - root(r.values[0]) : 0;
     return true;
-  }
-
-  template <class GoFurther>
-  Eigen_result smallest(Block<Quaternion<double>> start, Effort effort, const Step& step,
-                        const Dirac_options& options, Dirac_solution& s, GoFurther go_further)
-  {
-    Eigen_result r =
-        m_problem.smallest(std::move(start), effort.wanted, step.tolerance,
-                           std::min(effort.iterations, options.max_iterations), go_further);
-    s.iterations += r.iterations;
-    s.cancelled = r.cancelled;
-    return r;
   }
 
   static double root(double mu) { return std::sqrt(std::max(mu, 0.)); }
@@ -193,20 +181,24 @@ class Dirac_equation {
     return nearest;
   }
 
-  /// Leads s.lambda from 1 at t = 0 to a rough eigenvector of t rho at t = 1, in steps as large as
-  /// keep to the branch. Returns false when the substeps are used up.
+  /// Leads s.lambda from 1 at t = 0 to an eigenvector of t rho at t = 1, in steps as large as keep
+  /// to the branch. Gives up when the substeps are used up.
+  /// \param smallest found without shift, none of them near 1
   template <class GoFurther>
-  bool continue_from_identity(const Curvature_potential& rho, const Dirac_options& options,
-                              Dirac_solution& s, GoFurther go_further)
+  void continue_from_identity(const Curvature_potential& rho, const Dirac_options& options,
+                              const Found& smallest, Dirac_solution& s, GoFurther& go_further)
   {
-    const double rough = 1e-3, growth = 1.5;
-    double t = 0, dt = 1, gamma = 0;
+    const double rough = 1e-3, growth = 1.5, same_problem = 0.1 * std::sqrt(m_problem.unit());
+    double t = 0, gamma = 0;
+    // Where the shift is small, the whole step has been tried already.
+    double dt = std::abs(slope_of(rho, s.lambda)) < same_problem ? 0.5 : 1;
     for (s.substeps = 1; s.substeps < options.max_substeps && !s.cancelled; ++s.substeps) {
       // By first-order perturbation theory, d gamma / dt = -<lambda, rho lambda> / |lambda|^2.
       const double next = std::min(t + dt, 1.), slope = slope_of(rho, s.lambda);
-      const Step step{scaled(rho, next, 0), gamma + slope * (next - t), rough};
+      const Step step{scaled(rho, next, 0), gamma + slope * (next - t), rough, next < 1};
       if (follow(step, options, s, go_further)) {
-        if (next == 1) return true;
+        if (next == 1 || is_continued_by(smallest, s))
+          return finish(rho, options, smallest, s, go_further);
         gamma = dirac_quotient(m_problem.mesh(), step.rho, s.lambda);
         dt *= growth;
         t = next;
@@ -215,7 +207,6 @@ class Dirac_equation {
       }
     }
     s.converged = false;
-    return false;
   }
 
   /// d gamma / dt for D - t rho at the eigenvector lambda
@@ -227,15 +218,34 @@ class Dirac_equation {
   }
 
   /// Makes the rough eigenvector exact: that of [CGP (5.3)] if the branch is among its smallest
-  /// ones, else that of the shifted problem.
+  /// ones, else that of the shifted problem, which is the one factored.
   template <class GoFurther>
-  void finish(const Curvature_potential& rho, const Dirac_options& options, Dirac_solution& s,
-              GoFurther go_further)
+  void finish(const Curvature_potential& rho, const Dirac_options& options, const Found& smallest,
+              Dirac_solution& s, GoFurther& go_further)
   {
     const double sigma = s.spectral_shift;
+    const bool is_among_them = is_continued_by(smallest, s);
+    if (is_among_them) accept(smallest, options.tolerance, s);
+    if (is_among_them && s.residual <= options.tolerance) {
+      if (options.problem == Eigenproblem::generalized) m_problem.set_potential(rho, s.seconds);
+      return;
+    }
     s.converged = false;
-    if (!follow({rho, 0, options.tolerance}, options, s, go_further) && !s.cancelled)
-      follow({rho, sigma, options.tolerance}, options, s, go_further);
+    const bool are_two_known = smallest.sigma == 0 && smallest.r.vectors.cols() == 2;
+    if ((is_among_them || !are_two_known) &&
+        (follow({rho, 0, options.tolerance}, options, s, go_further) || s.cancelled))
+      return;
+    const Step shifted{rho, sigma, options.tolerance};
+    accept(find(shifted, options, s, go_further, are_two_known && !is_among_them),
+           options.tolerance, s);
+  }
+
+  /// one of the vectors found without shift is on the branch of s.lambda
+  bool is_continued_by(const Found& smallest, const Dirac_solution& s) const
+  {
+    const auto& vectors = smallest.r.vectors;
+    return smallest.sigma == 0 && m_problem.overlap(vectors.col(nearest_column(vectors, s.lambda)),
+                                                    s.lambda) >= same_branch;
   }
 
   Eigenproblem_ m_problem;

@@ -7,6 +7,8 @@
 #include <Conformal_geometry_processing/linear_algebra/quaternionic_jacobi.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace Conformal_geometry_processing {
@@ -46,6 +48,33 @@ inline bool has_mixed_signs(const Dirac_forms& forms)
   const double s = norm(S(0, 1)) / std::sqrt(forms.mass(0, 0).w * forms.mass(1, 1).w);
   const bool are_opposite = a * b < s * s;  // the determinant of the form
   return are_opposite && 2 * s > internal::visible_mixture * std::abs(a - b);
+}
+
+/// \ingroup PkgSpin
+/// the eigenvalues of D - rho in the span of two vectors, ascending, where <B v_1, M_F B v_2> is
+/// small
+inline std::array<double, 2> signed_eigenvalues(const Dirac_forms& forms)
+{
+  const auto& S = forms.dirac;
+  const double a = S(0, 0).w / forms.mass(0, 0).w, b = S(1, 1).w / forms.mass(1, 1).w;
+  const double s = norm(S(0, 1)) / std::sqrt(forms.mass(0, 0).w * forms.mass(1, 1).w);
+  const double mean = (a + b) / 2, radius = std::hypot((a - b) / 2, s);
+  return {mean - radius, mean + radius};
+}
+
+/// \ingroup PkgSpin
+/// \brief whether X has mixed two eigenvectors of D - rho so that a shift by one of their
+/// eigenvalues makes the mixture smaller by a third or more.
+///
+/// The shift by a takes the squares of eigenvalues a and b of opposite sign from b^2 - a^2 apart to
+/// (|a| + |b|)^2, which is (|b| + |a|) / (|b| - |a|) times as much. Where |a| is small against |b|
+/// already, what looks like a mixture is the error of a coarse mesh.
+/// \param forms those of two vectors
+inline bool separation_pays(const Dirac_forms& forms)
+{
+  if (!has_mixed_signs(forms)) return false;
+  const auto [a, b] = signed_eigenvalues(forms);
+  return 5 * std::min(std::abs(a), std::abs(b)) >= std::max(std::abs(a), std::abs(b));
 }
 
 /// \ingroup PkgSpin

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Dirac_search.h
+#include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
+#include <Conformal_geometry_processing/spin/Dirac_search.h>
+
+#include "spin/branch_tools.h"
+#include "support/dense.h"
+
+namespace {
+
+using namespace cgp_test;
+
+class Dirac_search : public testing::Test {
+ protected:
+  using Search =
+      CGP::internal::Dirac_search<CGP::Dirac_eigenproblem<>, const CGP::Always_go_further>;
+
+  Search search_for(const Curvature_potential& rho)
+  {
+    CGP::Dirac_solution::Seconds seconds;
+    problem.set_potential(rho, seconds);
+    return Search(problem, rho, one, options, always);
+  }
+
+  double overlap(const Search& search, Eigen::Index column) const
+  {
+    return problem.overlap(const_cast<Search&>(search).result().vectors.col(column), one);
+  }
+
+  explicit Dirac_search(int level = 3) : sphere(icosphere(level)) {}
+
+  const Mesh_view sphere;
+  CGP::Dirac_eigenproblem<> problem{sphere};
+  const Quaternion_vector<double> one =
+      Quaternion_vector<double>::Constant(sphere.size_of_vertices(), {1, 0, 0, 0});
+  CGP::Dirac_options options;
+  const CGP::Always_go_further always{};
+};
+
+/// the eigenvalue -2 of the normal and that of the identity become nearly opposite
+class Dirac_search_of_a_mixture : public Dirac_search {
+ protected:
+  Dirac_search_of_a_mixture() : Dirac_search(2) {}
+
+  const Curvature_potential rho = scaled(smooth_potential(sphere, 1), 1, -1.01);
+};
+
+}  // namespace
+
+TEST_F(Dirac_search, takes_one_column_where_it_is_on_the_branch)
+{
+  const Curvature_potential rho = smooth_potential(sphere, 1);
+  Search search = search_for(rho);
+  search.run(one);
+  EXPECT_FALSE(search.is_mixed());
+  EXPECT_TRUE(search.result().converged);
+  EXPECT_EQ(search.result().vectors.cols(), 1);
+  EXPECT_GT(overlap(search, 0), Search::same_branch);
+}
+
+// Nearest to zero is the eigenvalue of the normal, next that of the identity.
+TEST_F(Dirac_search, takes_two_columns_where_the_smallest_leaves_room_for_a_nearer_one)
+{
+  const Curvature_potential rho = scaled(smooth_potential(sphere, 0.3), 1, -1.3);
+  Search search = search_for(rho);
+  search.run(imaginary_columns(sphere.positions()));
+  ASSERT_FALSE(search.is_mixed());
+  ASSERT_EQ(search.result().vectors.cols(), 2);
+  EXPECT_LT(overlap(search, 0), 0.1);
+  EXPECT_GT(overlap(search, 1), 0.9);
+  EXPECT_LE(search.result().estimates[1], options.tolerance);
+}
+
+TEST_F(Dirac_search_of_a_mixture, finds_two_vectors_that_the_signed_form_separates)
+{
+  Search search = search_for(rho);
+  search.run(one);
+  ASSERT_TRUE(search.is_mixed());
+  EXPECT_FALSE(search.is_cancelled());
+  const CGP::Dirac_forms forms = CGP::dirac_forms(sphere, rho, search.mixture());
+  const Quaternion_matrix pure = CGP::separate_signs(search.mixture(), forms);
+  const Quaternion_vector<double> u = pure.col(0), v = pure.col(1);
+  EXPECT_GT(problem.overlap(u, imaginary_columns(sphere.positions())), 0.9);
+  EXPECT_GT(problem.overlap(v, one), 0.9);
+  const auto values = CGP::signed_eigenvalues(forms);
+  EXPECT_NEAR(CGP::dirac_quotient(sphere, rho, u), values[0], 5e-3);
+  EXPECT_NEAR(CGP::dirac_quotient(sphere, rho, v), values[1], 5e-3);
+}
+
+TEST(Dirac_search_on_bumps, finds_a_mixture_before_its_vector_has_converged)
+{
+  const Mesh_view bumps = mapped(icosphere(2), [](const Eigen::Vector3d& p) {
+    const double height = std::sin(7 * p.x() + 1) * std::sin(6 * p.y() + 2) + std::sin(9 * p.z());
+    return Eigen::Vector3d((1 + 0.15 * height) * p.cwiseProduct(Eigen::Vector3d(1, 0.7, 0.5)));
+  });
+  const Mesh_view mesh = scaled_to_area(bumps, 4 * pi);
+  CGP::Dirac_eigenproblem<> problem(mesh);
+  const Curvature_potential rho = smooth_potential(mesh, 2);
+  CGP::Dirac_solution::Seconds seconds;
+  problem.set_potential(rho, seconds);
+  const auto one = Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0});
+  const Quaternion_vector<double> guide = one;
+  const CGP::Always_go_further always{};
+  CGP::internal::Dirac_search search(problem, rho, guide, CGP::Dirac_options(), always);
+  search.run(guide);
+  ASSERT_TRUE(search.is_mixed());
+  EXPECT_FALSE(search.result().converged);
+  EXPECT_EQ(search.result().vectors.cols(), 1);
+}
+
+TEST_F(Dirac_search_of_a_mixture, with_a_separated_vector_needs_no_companion)
+{
+  Search mixed = search_for(rho);
+  mixed.run(one);
+  const CGP::Dirac_forms forms = CGP::dirac_forms(sphere, rho, mixed.mixture());
+  const auto values = CGP::signed_eigenvalues(forms);
+  const Quaternion_vector<double> start = CGP::separate_signs(mixed.mixture(), forms).col(1);
+  const Curvature_potential shifted = scaled(rho, 1, values[1]);
+  Search search = search_for(shifted);
+  search.run(start, values[1] - values[0]);
+  EXPECT_FALSE(search.is_mixed());
+  EXPECT_TRUE(search.result().converged);
+  EXPECT_GT(problem.overlap(search.result().vectors.col(0), start), 0.99);
+}
+
+// Said to be separated, the vector of the mixture is not believed.
+TEST_F(Dirac_search_of_a_mixture, finds_a_mixture_that_is_said_to_be_separated)
+{
+  Search search = search_for(rho);
+  search.run(one, 2);
+  EXPECT_TRUE(search.is_mixed());
+}
+
+TEST_F(Dirac_search, keeps_to_the_iterations_allowed)
+{
+  for (const double amplitude : {1., 3., 5.})
+    for (options.max_iterations = 1; options.max_iterations < 6; ++options.max_iterations) {
+      const Curvature_potential rho = smooth_potential(sphere, amplitude);
+      Search search = search_for(rho);
+      search.run(one);
+      EXPECT_LE(search.iterations(), options.max_iterations);
+      EXPECT_GE(search.result().vectors.cols(), 1);
+    }
+}
+
+TEST_F(Dirac_search, is_cancelled_by_the_caller_only)
+{
+  const auto stop = [](const CGP::Eigen_progress& p) { return p.iteration < 1; };
+  const Curvature_potential rho = smooth_potential(sphere, 1);
+  CGP::Dirac_solution::Seconds seconds;
+  problem.set_potential(rho, seconds);
+  CGP::internal::Dirac_search search(problem, rho, one, options, stop);
+  search.run(one);
+  EXPECT_TRUE(search.is_cancelled());
+}
