@@ -52,3 +52,23 @@ TEST(Spin_transform_of_a_Surface_mesh, reads_and_fills_the_properties_of_the_mes
             expected.lambda);
   EXPECT_EQ(view_of(mesh).positions(), expected.positions);
 }
+
+TEST(Spin_transform_of_a_Surface_mesh, keeps_handles_closed_unless_told_otherwise)
+{
+  const Mesh_view before = torus(1, 0.4, 24, 12);
+  Surface closed = to_cgal_mesh<Surface>(before);
+  auto rho = closed.add_property_map<Surface::Vertex_index, double>("v:rho").first;
+  for (const auto v : closed.vertices()) rho[v] = std::sin(3 * closed.point(v).x() + 1);
+  const auto values =
+      Curvature_potential::on_vertices((3 * before.positions().row(0).array() + 1).sin());
+  Surface open = closed;
+  const auto report = CGP::spin_transform(closed, rho);
+  EXPECT_TRUE(report);
+  EXPECT_GT(report.missing_share, 0.01);
+  const auto plain = CGP::spin_transform(open, rho, CGP::parameters::exactness(std::nullopt));
+  EXPECT_EQ(plain.missing_share, 0);
+  EXPECT_LT(greatest_distance(view_of(open).positions(), expected_result(before, values).positions),
+            1e-12);
+  EXPECT_GT(plain.conformality.quasi_conformal.mean - 1,
+            2 * (report.conformality.quasi_conformal.mean - 1));
+}

@@ -94,6 +94,8 @@ class Parser {
                      "standard, or generalized for rho on faces where that can be trusted")
         ->check(CLI::IsMember({"standard", "generalized"}))
         ->capture_default_str();
+    command->add_flag("--open-handles", m_spin.open_handles,
+                      "apply rho in one step, also the part of it that shears handles");
     command->add_option("--solver", m_solver, "native, cholmod (where it was built in) or eigen")
         ->check(CLI::IsMember({"native", "cholmod", "eigen"}))
         ->capture_default_str();

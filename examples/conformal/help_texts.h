@@ -24,6 +24,8 @@ inline constexpr const char* about_spin =
     "diagonal\n"
     "2), positive rho bulges outward, constants have no effect. The output has the vertex\n"
     "properties quality (quasi-conformal error, 1 is perfect) and rho; normals are left out.\n"
+    "On surfaces with handles (genus > 0) the part of rho is left out with which they would not\n"
+    "close up, and the rest is reached in as many steps as it takes; the table tells how much.\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply";
 

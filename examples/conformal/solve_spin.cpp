@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solve_spin.h"
 
+#include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
 #include <Conformal_geometry_processing/linear_algebra/Cholmod_hermitian_solver_traits.h>
 #endif
 #include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/Eigen_hermitian_solver_traits.h>
-#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 namespace conformal {
 namespace {
@@ -16,10 +16,14 @@ using Go_further = std::function<bool(const CGP::Eigen_progress&)>;
 
 template <class SolverTraits>
 Spin_solution solve_by(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho,
-                       const CGP::Dirac_options& options, const Go_further& go_further)
+                       const CGP::Dirac_options& options, bool keep_handles,
+                       const Go_further& go_further)
 {
-  CGP::Spin_transformation<SolverTraits> transformation(mesh, "spin");
-  CGP::Spin_result result = transformation.transform(rho, options, std::cref(go_further));
+  CGP::Closing_options closing;
+  if (!keep_handles) closing.exactness.reset();
+  CGP::Closing_spin_transformation<SolverTraits> transformation(mesh, closing, "spin");
+  CGP::Spin_result result =
+      std::move(transformation).transform(rho, options, std::cref(go_further));
   return {std::move(result.positions), std::move(result.lambda), result.report};
 }
 
@@ -35,12 +39,14 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const CGP::Curvature_potent
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
   if (options.solver == "eigen")
-    return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, rho, dirac, go_further);
+    return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, rho, dirac, !options.open_handles,
+                                                        go_further);
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
   if (options.solver == "cholmod")
-    return solve_by<CGP::Cholmod_hermitian_solver_traits>(mesh, rho, dirac, go_further);
+    return solve_by<CGP::Cholmod_hermitian_solver_traits>(mesh, rho, dirac, !options.open_handles,
+                                                          go_further);
 #endif
-  return solve_by<CGP::Default_solver_traits>(mesh, rho, dirac, go_further);
+  return solve_by<CGP::Default_solver_traits>(mesh, rho, dirac, !options.open_handles, go_further);
 }
 
 }  // namespace conformal

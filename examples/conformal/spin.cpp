@@ -54,6 +54,9 @@ void verify(const Surface_input& input, const Spin_solution& solution, const Spi
   const std::string fault =
       objection(solution.report, solution.positions, input.mesh.size_of_faces(), options.limits);
   session.report().set("verified", fault.empty());
+  if (fault.empty() && solution.report.reached < 1)
+    session.note("only " + text_of(100 * solution.report.reached, 3) +
+                 " % of the way to rho: beyond, the handles do not stay closed");
   if (fault.empty()) return;
   if (!options.force) throw Failure(Exit_code::failed, options.input + ": " + fault);
   session.note("written all the same, as --force says: " + fault);

@@ -13,6 +13,9 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
   const auto exceeds = [](const std::string& what, double value, double limit) {
     return what + " is " + text_of(value, 3) + ", more than " + text_of(limit, 3);
   };
+  if (report.steps == 0)
+    return "no part of rho could be reached with the handles closed; try: a weaker rho, a finer "
+           "mesh, or --open-handles";
   // Written so that what is not a number is objected to.
   if (!report.converged)
     return "the eigenvector did not converge: residual " + text_of(report.residual, 3) + " after " +
@@ -58,6 +61,10 @@ void report_certificate(const CGP::Spin_report& spin, Report& report)
   report.set("result/substeps", spin.substeps);
   report.set("result/spectral_shift", spin.spectral_shift);
   report.set("result/generalized", spin.is_generalized);
+  report.set("result/steps", spin.steps);
+  report.set("result/reached", spin.reached);
+  report.set("result/missing_share", spin.missing_share);
+  report.set("result/period_defect", spin.period_defect);
   report.set("steps", Report::Value(std::vector<double>()));
   report.add_seconds("assembly", spin.seconds.assembly);
   report.add_seconds("factorization", spin.seconds.factorization);
@@ -89,6 +96,10 @@ Table certificate_table(const CGP::Spin_report& spin, int faces)
             std::to_string(spin.iterations) +
                 (spin.substeps > 1 ? " in " + std::to_string(spin.substeps) + " substeps" : ""));
   table.add("closure residual", text_of(spin.closure_residual, 3));
+  if (spin.steps != 1 || spin.missing_share > 0) {
+    table.add("steps that keep handles closed", spin.steps);
+    table.add("left out of rho, for handles (%)", text_of(100 * spin.missing_share, 3));
+  }
   add_conformality(spin.conformality, faces, table);
   return table;
 }

@@ -4,12 +4,12 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORM_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion_access.h>
+#include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
 #include <Conformal_geometry_processing/mesh/Graph_view.h>
 #include <Conformal_geometry_processing/mesh/geometry_traits.h>
 #include <Conformal_geometry_processing/mesh/named_parameters.h>
 #include <Conformal_geometry_processing/mesh/write_points.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
-#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_visitor.h>
 
 #include <CGAL/number_utils.h>
@@ -61,6 +61,15 @@ Dirac_options dirac_options(const NamedParameters& np)
   return o;
 }
 
+template <class NamedParameters>
+Closing_options closing_options(const NamedParameters& np)
+{
+  Closing_options o;
+  if constexpr (has_parameter<NamedParameters, internal_np::exactness_t>)
+    o.exactness = CGAL::parameters::get_parameter(np, internal_np::exactness);
+  return o;
+}
+
 /// Writes lambda, then the points. A map that throws leaves the points as they were
 /// (`write_points()`).
 template <class TriangleMesh, class NamedParameters>
@@ -85,8 +94,12 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 /// Solves (D - rho) lambda = gamma lambda for the spins lambda and integrates the new edges
 /// conjugate(lambda) df lambda. The new surface has H~ |lambda|^2 = H + rho + gamma: positive rho
 /// bulges along the normals, its constant part has no effect. Angles are kept up to the fineness of
-/// the mesh; area and centroid stay. On a surface of genus > 0 not every rho belongs to a surface
-/// that closes up: the report's `closure_residual` tells.
+/// the mesh; area and centroid stay.
+///
+/// On a surface of genus > 0 not every rho belongs to a surface that closes up around its handles:
+/// the part that does not is left out, and strong ones are reached in several steps. The report
+/// tells what was left out (`missing_share`), how many `steps` it took and which share of the way
+/// was `reached`.
 ///
 /// Computes in double precision whatever the kernel. The sparse factorization of a quaternionic
 /// matrix on the vertices, and some ten solves with it, dominate time and memory. Use
@@ -139,6 +152,11 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 ///     \cgalParamType{`Eigenproblem`}
 ///     \cgalParamDefault{`Eigenproblem::standard`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{exactness}
+///     \cgalParamDescription{how handles are kept closed; `std::nullopt`: not at all, in one step}
+///     \cgalParamType{`Exactness`, or `std::nullopt`}
+///     \cgalParamDefault{`Exactness::adjoint`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
 ///     \cgalParamDescription{of the error estimate of lambda}
 ///     \cgalParamType{`double`}
@@ -182,8 +200,8 @@ Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
           CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
           CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
           internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
-          internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::tolerance_t,
-          internal_np::maximum_number_of_substeps_t>,
+          internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::exactness_t,
+          internal_np::tolerance_t, internal_np::maximum_number_of_substeps_t>,
       "spin_transform(): unknown named parameter, see the manual for those it accepts");
   using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
                                                  Default_solver_traits>;
@@ -199,8 +217,8 @@ Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
     visitor.on_iteration(progress);
     return visitor.go_further();
   };
-  Spin_transformation<Solver_traits, Eigensolver_traits> transformation(graph.view(),
-                                                                        "spin_transform");
+  Closing_spin_transformation<Solver_traits, Eigensolver_traits> transformation(
+      graph.view(), internal::closing_options(np), "spin_transform");
   const Spin_result result =
       std::move(transformation).transform(potential, internal::dirac_options(np), go_further);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/spheres.h"
+#include "support/tori.h"
 
 #include "conformal/io/read_surface.h"
 
@@ -47,6 +48,23 @@ TEST_F(Spin, constant_rho_changes_nothing_but_the_numbering_stays)
   EXPECT_EQ(a.polygons.corners, b.polygons.corners);
   for (std::size_t v = 0; v < a.points.size(); ++v)
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a.points[v][i], b.points[v][i], 2e-2);
+}
+
+TEST_F(Spin, handles_stay_closed_unless_they_may_open)
+{
+  write("a.off", off(cgp_test::torus(1, 0.4, 40, 16)));
+  const std::string rho = "spin a.off --rho-expression 'sin(3*x+1)' ";
+  const Program_run r = run(rho + "-o b.ply --json b.json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const auto closed = nlohmann::json::parse(content(path("b.json")));
+  EXPECT_LT(closed["result"]["quasi_conformal"]["mean"], 1.1);
+  EXPECT_GT(closed["result"]["missing_share"], 0.01);
+  EXPECT_EQ(closed["result"]["reached"], 1);
+  EXPECT_NE(r.out.find("left out of rho"), std::string::npos) << r.out;
+  ASSERT_EQ(run(rho + "--open-handles --force -o c.ply --json c.json").code, 0);
+  const auto open = nlohmann::json::parse(content(path("c.json")));
+  EXPECT_GT(open["result"]["quasi_conformal"]["mean"], closed["result"]["quasi_conformal"]["mean"]);
+  EXPECT_EQ(open["result"]["missing_share"], 0);
 }
 
 TEST_F(Spin, two_runs_write_the_same_bytes)

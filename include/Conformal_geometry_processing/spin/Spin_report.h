@@ -5,6 +5,8 @@
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
 
+#include <algorithm>
+
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
@@ -25,6 +27,12 @@ struct [[nodiscard]] Spin_report {
   bool is_generalized = false;  ///< solved as [CGP (5.2)]
   double generalized_eigenvalue = 0;  ///< of [CGP (5.2)], if so
 
+  int steps = 1;             ///< of a surface with handles, on which it stays closed
+  double reached = 1;        ///< share of the way to rho that could be made, in [0, 1]
+  double missing_share = 0;  ///< norm of the part of rho with which the surface would not have
+                             ///< closed up, and that was left out, by that of rho
+  double period_defect = 0;  ///< what was left of it, relative to the edges, sum of the steps
+
   double closure_residual = 0;  ///< how far the new edges are from closing up, relative
   Conformality conformality;    ///< of the map from the old surface to the new one
   double min_spin_ratio = 0;  ///< min |lambda| / max |lambda|; near zero where the map degenerates
@@ -40,6 +48,34 @@ struct [[nodiscard]] Spin_report {
   /// whether the transformation was carried out: solved, and every number of it finite
   explicit operator bool() const { return converged && !cancelled; }
 };
+
+/// \relates Spin_report
+/// \brief the report of two transformations, one after the other, out of theirs: sums of what was
+/// spent, and of evidence the worse. What is measured from end to end (conformality, spins) is left
+/// to the caller.
+inline void append(Spin_report& all, const Spin_report& next)
+{
+  all.converged = next.converged;
+  all.cancelled = next.cancelled;
+  all.eigenvalue = next.eigenvalue;
+  all.residual = std::max(all.residual, next.residual);
+  all.gap = all.steps == 0 ? next.gap : std::min(all.gap, next.gap);
+  all.overlap = all.steps == 0 ? next.overlap : std::min(all.overlap, next.overlap);
+  all.iterations += next.iterations;
+  all.substeps = std::max(all.substeps, next.substeps);
+  all.spectral_shift = next.spectral_shift;
+  all.is_generalized = next.is_generalized;
+  all.generalized_eigenvalue = next.generalized_eigenvalue;
+  all.steps += next.steps;
+  all.closure_residual = std::max(all.closure_residual, next.closure_residual);
+  all.period_defect += next.period_defect;
+  all.seconds.setup = next.seconds.setup;
+  all.seconds.assembly += next.seconds.assembly;
+  all.seconds.factorization += next.seconds.factorization;
+  all.seconds.eigenvectors += next.seconds.eigenvectors;
+  all.seconds.reconstruction += next.seconds.reconstruction;
+  all.seconds.certificate += next.seconds.certificate;
+}
 
 }  // namespace Conformal_geometry_processing
 

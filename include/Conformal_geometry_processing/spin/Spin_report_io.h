@@ -19,8 +19,11 @@ inline std::ostream& operator<<(std::ostream& out, const Spin_report& r)
   if (r.substeps > 1) out << " in " << r.substeps << " substeps";
   out << "\neigenvalue             " << r.eigenvalue << " (next one " << r.gap
       << " away, overlap with the identity " << r.overlap << ")\n"
-      << "closure                " << r.closure_residual << " of the edge lengths\n"
-      << "quasi-conformal error  " << c.quasi_conformal.mean << " mean, " << c.quasi_conformal.p99
+      << "closure                " << r.closure_residual << " of the edge lengths\n";
+  if (r.steps != 1 || r.missing_share > 0)
+    out << "handles kept closed    in " << r.steps << " steps, " << 100 * r.reached
+        << " % of the way, " << 100 * r.missing_share << " % of rho left out\n";
+  out << "quasi-conformal error  " << c.quasi_conformal.mean << " mean, " << c.quasi_conformal.p99
       << " for 99 %, " << c.quasi_conformal.max << " at most (1 is conformal)\n"
       << "length cross-ratios    changed by " << c.length_cross_ratio.rms << " rms, "
       << c.length_cross_ratio.max << " at most (0 is conformal)\n"

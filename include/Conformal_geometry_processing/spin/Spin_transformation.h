@@ -10,6 +10,7 @@
 #include <Conformal_geometry_processing/spin/Dirac_equation.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
+#include <Conformal_geometry_processing/spin/rotated_normals.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
@@ -105,6 +106,22 @@ class Spin_transformation {
     return *m_reconstruction;
   }
 
+  /// \throw Precondition_error if rho has the wrong length or a value that is not finite
+  void require_potential(const Curvature_potential& rho) const
+  {
+    const bool on_faces = rho.on == Curvature_potential::On::faces;
+    const int size = on_faces ? m_mesh.size_of_faces() : m_mesh.size_of_vertices();
+    const std::string element = on_faces ? "face" : "vertex";
+    if (rho.values.size() != size)
+      throw Precondition_error(m_function, "rho has " + std::to_string(rho.values.size()) +
+                                               " values, one per " + element +
+                                               " is needed: " + std::to_string(size));
+    internal::refuse_if_any(
+        size, [&](int i) { return !std::isfinite(rho.values[i] * m_frame.unit()); },
+        [&](int i) { return element + " " + std::to_string(i); }, m_function,
+        "#value of rho not finite", "finite values are needed");
+  }
+
   /// \param rho in 1/length of the mesh, one number per vertex or per face
   /// \param go_further asked between iterations with an `Eigen_progress`; false cancels
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
@@ -151,27 +168,12 @@ class Spin_transformation {
                                                std::to_string(m_mesh.size_of_vertices()));
   }
 
-  void require_finite(const Curvature_potential& rho) const
-  {
-    const bool on_faces = rho.on == Curvature_potential::On::faces;
-    const int size = on_faces ? m_mesh.size_of_faces() : m_mesh.size_of_vertices();
-    const std::string element = on_faces ? "face" : "vertex";
-    if (rho.values.size() != size)
-      throw Precondition_error(m_function, "rho has " + std::to_string(rho.values.size()) +
-                                               " values, one per " + element +
-                                               " is needed: " + std::to_string(size));
-    internal::refuse_if_any(
-        size, [&](int i) { return !std::isfinite(rho.values[i] * m_frame.unit()); },
-        [&](int i) { return element + " " + std::to_string(i); }, m_function,
-        "#value of rho not finite", "finite values are needed");
-  }
-
   /// lambda, with the part of the report that tells of it
   template <class GoFurther>
   Spin_result solve(const Curvature_potential& rho, const Dirac_options& options,
                     GoFurther go_further)
   {
-    require_finite(rho);
+    require_potential(rho);
     const Curvature_potential rho_in_frame{rho.on, rho.values * m_frame.unit()};
     Dirac_solution s = m_dirac.solve(rho_in_frame, options, go_further);
     Spin_result result;
@@ -211,7 +213,7 @@ class Spin_transformation {
     r.closure_residual = reconstruction().residual(f, edges);
     r.seconds.reconstruction = watch.lap();
     restore_area(f, result.lambda);
-    r.conformality = conformality(m_mesh, f, rotated_normals(result.lambda));
+    r.conformality = conformality(m_mesh, f, rotated_normals(m_mesh, result.lambda));
     const auto size = components(result.lambda).colwise().norm();
     r.min_spin_ratio = size.minCoeff() / size.maxCoeff();
     r.converged = r.converged && f.allFinite();
@@ -238,18 +240,6 @@ class Spin_transformation {
     for (int i = 0; i < m_mesh.size_of_faces(); ++i)
       for (int v : m_mesh.corners(i)) sum += areas[i] / 3 * f.col(v);
     return sum / areas.sum();
-  }
-
-  /// the normals of the faces turned by the mean spin of their corners, 3 x |F|, not normalised
-  Points rotated_normals(const Quaternion_vector<double>& lambda) const
-  {
-    Points normals(3, m_mesh.size_of_faces());
-    for (int f = 0; f < m_mesh.size_of_faces(); ++f) {
-      const auto& v = m_mesh.corners(f);
-      normals.col(f) =
-          spin(lambda[v[0]] + lambda[v[1]] + lambda[v[2]], m_mesh.double_area_vector(f));
-    }
-    return normals;
   }
 
   Stopwatch m_watch;  // started before everything else is constructed

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLOSING_CONSTRAINTS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLOSING_CONSTRAINTS_H
+
+#include <Conformal_geometry_processing/forms/Dirac_energy_solver.h>
+#include <Conformal_geometry_processing/forms/Exactness_constraints.h>
+#include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
+#include <Conformal_geometry_processing/linear_algebra/Grounded_solver.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <optional>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgFlow
+/// \brief what a moving surface with handles needs to stay closed: harmonic forms, the functions
+/// that rho must be orthogonal to, and how far a transformation was from closing up [CGP 4.5.2].
+///
+/// The loops around the handles are found once. For every new geometry `update()` costs 4G solves
+/// with a Laplacian that is factored already, a factorization of the Dirac matrix, and 2G systems
+/// with it. Spheres have no handles, and cost nothing.
+///
+/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+template <class SolverTraits = Default_solver_traits>
+class Closing_constraints {
+ public:
+  using Dirac_solver = typename SolverTraits::template Solver<Quaternion<double>>;
+
+  /// \param mesh its positions may change; must outlive the object
+  /// \param analyzed a solver whose analysis of `vertex_graph(mesh)` is shared; must outlive the
+  /// object \param version none if there shall be no functions
+  /// \param on where the curvature lives that is to be constrained
+  /// \pre `require_surface(mesh)` and `require_closed(mesh)` hold
+  Closing_constraints(const Mesh_view& mesh, const Dirac_solver& analyzed,
+                      std::optional<Exactness> version,
+                      Curvature_potential::On on = Curvature_potential::On::vertices)
+      : m_mesh(mesh),
+        m_analyzed(analyzed),
+        m_version(version),
+        m_on(on),
+        m_generators(closed_generators(mesh)),
+        m_functions(on == Curvature_potential::On::vertices ? mesh.size_of_vertices()
+                                                            : mesh.size_of_faces(),
+                    0)
+  {}
+
+  /// \brief follows the mesh to its present positions.
+  /// \param laplacian solves with the Laplacian of the mesh as it is now
+  /// \throw Solver_error if a factorization fails, or a solve
+  void update(const Grounded_solver<SolverTraits>& laplacian)
+  {
+    if (m_generators.cols() == 0) return;
+    m_basis = Hodge_decomposition<SolverTraits>(m_mesh, m_generators, laplacian).harmonic_basis();
+    if (!m_version) return;
+    if (m_inverse)
+      m_inverse->update_geometry();
+    else
+      m_inverse.emplace(m_mesh, m_analyzed);
+    m_functions = exactness_constraints(m_mesh, m_basis, *m_inverse, m_on, *m_version);
+  }
+
+  int genus() const { return static_cast<int>(m_generators.cols()) / 2; }
+
+  /// |V| x 6G or |F| x 6G, or none
+  const Eigen::MatrixXd& functions() const { return m_functions; }
+
+  /// \brief the norm of the harmonic part of new edge vectors by their norm: zero where they close
+  /// up around the handles; always zero for spheres.
+  /// \param edges |E| x 3, of a transformation of the mesh as it was in `update()`
+  double defect(const Eigen::MatrixX3d& edges) const
+  {
+    if (m_generators.cols() == 0) return 0;
+    const Eigen::VectorXd w = cotan_weights(m_mesh);
+    // |w|, for w itself is negative opposite large angles and then defines no norm.
+    const double total = w.cwiseAbs().dot(edges.rowwise().squaredNorm());
+    return m_basis.coefficients(w, edges).norm() / std::sqrt(total);
+  }
+
+ private:
+  const Mesh_view& m_mesh;
+  const Dirac_solver& m_analyzed;
+  std::optional<Exactness> m_version;
+  Curvature_potential::On m_on;
+  Eigen::MatrixXd m_generators;  // |E| x 2G
+  Harmonic_basis m_basis;
+  std::optional<Dirac_energy_solver<SolverTraits>> m_inverse;
+  Eigen::MatrixXd m_functions;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

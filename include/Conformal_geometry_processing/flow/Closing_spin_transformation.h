@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLOSING_SPIN_TRANSFORMATION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLOSING_SPIN_TRANSFORMATION_H
+
+#include <Conformal_geometry_processing/flow/Closing_constraints.h>
+#include <Conformal_geometry_processing/flow/Constraint_basis.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/averaging.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/rotated_normals.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgFlow
+/// how a surface with handles is kept closed
+struct Closing_options {
+  /// how the constraints are discretised; none: one step, and the handles are sheared
+  std::optional<Exactness> exactness = Exactness::adjoint;
+  double max_period_defect = 0.02;  ///< relative to the edges, of all steps together
+  double min_step = 1. / 256;       ///< the least share of rho that is worth a step
+};
+
+/// \ingroup PkgFlow
+/// \brief spin transformations of closed surfaces of any genus by any rho: applies the part of rho
+/// with which the surface stays closed around its handles, in as many steps as that takes
+/// [CGP 4.5.2].
+///
+/// The edges of a transformed surface have periods along the 2G loops of its handles, and where a
+/// surface is made to close all the same, it is sheared. To first order the periods vanish if rho
+/// is orthogonal to 6G functions (`exactness_constraints()`), so what is left falls with the square
+/// of the step. Each step is as large as the tolerance allows, and the next one goes on from the
+/// surface found towards the curvature that is missing: rho |df|, rho as a density of lengths, is
+/// what adds up over transformations.
+///
+/// On spheres it does what `Spin_transformation` does, and nothing else. Otherwise a step costs a
+/// second factorization, of the matrix for rho = 0, and 10G solves or so.
+///
+/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
+template <class SolverTraits = Default_solver_traits,
+          class EigensolverTraits = Lobpcg_eigensolver_traits>
+class Closing_spin_transformation {
+ public:
+  /// \param mesh must outlive the object
+  /// \param function named in exceptions
+  /// \throw Precondition_error as `Spin_transformation` does
+  /// \throw Solver_error if the analysis fails
+  explicit Closing_spin_transformation(const Mesh_view& mesh, const Closing_options& options = {},
+                                       const std::string& function = "Closing_spin_transformation")
+      : m_options(options), m_transformation(mesh, function), m_initial(mesh)
+  {}
+
+  /// \brief transforms the mesh; the object is used up.
+  ///
+  /// Where not all of rho can be reached, the report tells which share (`reached`).
+  /// \param rho in 1/length of the mesh, one number per vertex or per face
+  /// \param go_further asked between iterations with an `Eigen_progress`; false cancels
+  /// \throw Precondition_error if rho has the wrong length or a value that is not finite
+  /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
+  template <class GoFurther = Always_go_further>
+  Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
+                        GoFurther go_further = {}) &&
+  {
+    m_transformation.require_potential(rho);
+    if (!m_options.exactness || genus() == 0)
+      return std::move(m_transformation).transform(rho, options, go_further);
+    m_mesh = m_initial;
+    Closing closing(m_mesh, m_transformation.dirac_equation().problem().solver(),
+                    m_options.exactness, rho.on);
+    m_missing = rho;
+    m_left_out = Eigen::VectorXd::Zero(rho.values.size());
+    const double wanted = norm(rho.values);
+    Spin_result result;
+    result.lambda = Quaternion_vector<double>::Constant(m_mesh.size_of_vertices(), {1, 0, 0, 0});
+    result.report.steps = 0;
+    result.report.reached = 0;
+    go_all_the_way(closing, options, go_further, result);
+    if (result.report.steps > 0) measure(result);
+    if (wanted > 0) result.report.missing_share = norm(m_left_out + m_missing.values) / wanted;
+    return result;
+  }
+
+ private:
+  using Closing = Closing_constraints<SolverTraits>;
+
+  // By Euler's formula for a closed and connected surface.
+  int genus() const
+  {
+    const Mesh_view& mesh = m_initial;
+    return 1 - (mesh.size_of_vertices() - mesh.size_of_edges() + mesh.size_of_faces()) / 2;
+  }
+
+  template <class GoFurther>
+  void go_all_the_way(Closing& closing, const Dirac_options& options, GoFurther go_further,
+                      Spin_result& all)
+  {
+    for (double step = 1; step > 0;) {
+      closing.update(m_transformation.reconstruction().solver());
+      const Eigen::VectorXd v = closable_part(closing);
+      const double rest = 1 - all.report.reached;
+      const std::optional<Spin_result> next =
+          largest_step(closing, v / rest, options, go_further, all.report, step);
+      if (!next) return;
+      take(*next, v, step / rest);
+      all.lambda = product(all.lambda, next->lambda);
+      append(all.report, next->report);
+      all.report.reached += step;
+      step = next_step(step, next->report.period_defect, 1 - all.report.reached);
+    }
+    all.report.reached = 1;  // but for rounding
+  }
+
+  /// the missing rho, but what opens handles, and the mean, which has no effect
+  Eigen::VectorXd closable_part(const Closing& closing) const
+  {
+    Constraint_basis forbidden(areas());
+    forbidden.add(Eigen::VectorXd::Ones(m_missing.values.size()));
+    forbidden.add(closing.functions());
+    return forbidden.project_out(m_missing.values);
+  }
+
+  /// root of the integral of rho squared, less its mean; does not depend on scale
+  double norm(const Eigen::VectorXd& rho) const
+  {
+    const Eigen::VectorXd A = areas();
+    const double mean = A.dot(rho) / A.sum();
+    return std::sqrt(A.dot((rho.array() - mean).square().matrix()));
+  }
+
+  /// \brief tries `step` times v and smaller steps, until one is good enough; moves nothing.
+  /// \returns none if no step of the least size is, or the visitor said no
+  template <class GoFurther>
+  std::optional<Spin_result> largest_step(const Closing& closing, const Eigen::VectorXd& v,
+                                          const Dirac_options& options, GoFurther go_further,
+                                          Spin_report& all, double& step)
+  {
+    for (;;) {
+      Spin_result next = m_transformation.transform({m_missing.on, step * v}, options, go_further);
+      if (next.report.cancelled) {
+        all.cancelled = true;
+        return std::nullopt;
+      }
+      double& defect = next.report.period_defect;
+      defect = closing.defect(transformed_edges(m_mesh, next.lambda));
+      if (next.report.converged && defect <= m_options.max_period_defect * step) return next;
+      if (step <= m_options.min_step) return std::nullopt;
+      const double better = next.report.converged ? best_step(step, defect) : 0;
+      step = std::max(m_options.min_step, std::clamp(better, step / 8, step / 2));
+    }
+  }
+
+  // Defects grow with the square of the step, the share of them that a step may have linearly.
+  double best_step(double step, double defect) const
+  {
+    const double caution = 0.8;
+    return caution * m_options.max_period_defect * step * step / defect;
+  }
+
+  // At most twice the last one; what is left after it shall be no splinter.
+  double next_step(double step, double defect, double rest) const
+  {
+    const double better = std::min(best_step(step, defect), 2 * step);
+    return rest - better < m_options.min_step ? (rest < m_options.min_step / 2 ? 0 : rest) : better;
+  }
+
+  /// \brief goes to the surface found, where rho becomes another one, as a density of lengths.
+  ///
+  /// What was not closable before is given up: to try it again, with ever less of the way left to
+  /// make up for it, would end in ever faster steps.
+  void take(const Spin_result& next, const Eigen::VectorXd& v, double share)
+  {
+    const Eigen::ArrayXd before = areas();
+    m_transformation.set_positions(next.positions);
+    m_mesh.set_positions(next.positions);
+    const Eigen::VectorXd shrinking = (before / areas().array()).sqrt();
+    m_left_out = shrinking.cwiseProduct(m_left_out + m_missing.values - v);
+    m_missing.values = (1 - share) * shrinking.cwiseProduct(v);
+  }
+
+  Eigen::VectorXd areas() const
+  {
+    return m_missing.on == Curvature_potential::On::vertices ? vertex_areas(m_mesh)
+                                                             : face_areas(m_mesh);
+  }
+
+  static Quaternion_vector<double> product(const Quaternion_vector<double>& first,
+                                           const Quaternion_vector<double>& second)
+  {
+    Quaternion_vector<double> both(first.size());
+    for (Eigen::Index i = 0; i < first.size(); ++i) both[i] = first[i] * second[i];
+    return both;
+  }
+
+  /// the evidence for the whole way
+  void measure(Spin_result& all) const
+  {
+    all.positions = m_mesh.positions();
+    all.report.conformality =
+        conformality(m_initial, all.positions, rotated_normals(m_initial, all.lambda));
+    const auto size = components(all.lambda).colwise().norm();
+    all.report.min_spin_ratio = size.minCoeff() / size.maxCoeff();
+  }
+
+  Closing_options m_options;
+  Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
+  const Mesh_view& m_initial;
+  Mesh_view m_mesh;
+  Curvature_potential m_missing;  // rho that is to come, on the present surface
+  Eigen::VectorXd m_left_out;     // rho that cannot come
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

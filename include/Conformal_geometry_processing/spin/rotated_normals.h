@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_ROTATED_NORMALS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_ROTATED_NORMALS_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief where the normals of the faces should point after a spin transformation: turned by the
+/// mean spin of their corners, 3 x |F|, not normalised.
+inline Points rotated_normals(const Mesh_view& mesh, const Quaternion_vector<double>& lambda)
+{
+  Points normals(3, mesh.size_of_faces());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const auto& v = mesh.corners(f);
+    normals.col(f) = spin(lambda[v[0]] + lambda[v[1]] + lambda[v[2]], mesh.double_area_vector(f));
+  }
+  return normals;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/flow/Closing_spin_transformation.h
+#include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/dense.h"
+#include "support/handlebodies.h"
+#include "support/meshes.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+using CGP::Curvature_potential;
+using Transformation = CGP::Closing_spin_transformation<>;
+using On = Curvature_potential::On;
+
+// The test function of issues with handles: nothing about it knows of the surface.
+double wave(const Eigen::Vector3d& x)
+{
+  return std::sin(3 * x[0] + 1) * std::cos(2 * x[1]) + 0.5 * std::sin(4 * x[2]);
+}
+
+Curvature_potential wave(const Mesh_view& mesh, double amplitude, On on = On::vertices)
+{
+  const bool on_vertices = on == On::vertices;
+  Eigen::VectorXd rho(on_vertices ? mesh.size_of_vertices() : mesh.size_of_faces());
+  for (int i = 0; i < rho.size(); ++i) {
+    const auto v = on_vertices ? std::array<int, 3>{i, i, i} : mesh.corners(i);
+    rho[i] =
+        amplitude * wave((mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])) / 3);
+  }
+  return {on, rho};
+}
+
+CGP::Spin_result transformed(const Mesh_view& mesh, const Curvature_potential& rho,
+                             const CGP::Closing_options& options = {})
+{
+  return Transformation(mesh, options).transform(rho);
+}
+
+double distortion(const CGP::Spin_result& result)
+{
+  return result.report.conformality.quasi_conformal.mean - 1;
+}
+
+}  // namespace
+
+TEST(Closing_spin_transformation, of_a_sphere_is_the_spin_transformation_to_the_bit)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  const CGP::Spin_result expected = CGP::Spin_transformation<>(mesh).transform(wave(mesh, 1));
+  const CGP::Spin_result result = transformed(mesh, wave(mesh, 1));
+  EXPECT_EQ(result.positions, expected.positions);
+  EXPECT_EQ(result.lambda, expected.lambda);
+  EXPECT_EQ(result.report.steps, 1);
+  EXPECT_EQ(result.report.reached, 1);
+  EXPECT_EQ(result.report.missing_share, 0);
+}
+
+TEST(Closing_spin_transformation, does_not_shear_a_torus_as_plain_spin_transformations_do)
+{
+  const Mesh_view mesh = torus(0.7, 0.3, 60, 30);
+  for (const On on : {On::vertices, On::faces}) {
+    CGP::Closing_options plain;
+    plain.exactness.reset();
+    const CGP::Spin_result result = transformed(mesh, wave(mesh, 1, on));
+    EXPECT_TRUE(result.report);
+    EXPECT_LT(distortion(result), 0.06);
+    EXPECT_GT(distortion(transformed(mesh, wave(mesh, 1, on), plain)), 0.4);
+    EXPECT_GT(result.report.missing_share, 0.3);
+    EXPECT_LT(result.report.missing_share, 0.9);
+    EXPECT_LE(result.report.period_defect, CGP::Closing_options().max_period_defect);
+  }
+}
+
+TEST(Closing_spin_transformation, takes_as_many_steps_as_the_tolerance_wants)
+{
+  const Mesh_view mesh = torus(1, 0.4, 40, 16);
+  int steps = 0;
+  for (const double tolerance : {0.05, 0.01, 0.002}) {
+    CGP::Closing_options options;
+    options.max_period_defect = tolerance;
+    const CGP::Spin_result result = transformed(mesh, wave(mesh, 1.5), options);
+    EXPECT_TRUE(result.report);
+    EXPECT_GT(result.report.steps, steps);
+    EXPECT_LE(result.report.period_defect, tolerance);
+    EXPECT_EQ(result.report.reached, 1);
+    steps = result.report.steps;
+  }
+}
+
+TEST(Closing_spin_transformation, applies_all_of_a_rho_that_lets_the_surface_close)
+{
+  // Twice around the tube: orthogonal to all that moves the ends of its loops, by symmetry.
+  const Mesh_view mesh = torus(1, 0.4, 48, 24);
+  Eigen::VectorXd rho(mesh.size_of_vertices());
+  for (int i = 0; i < rho.size(); ++i)
+    rho[i] = 0.1 * std::cos(4 * std::atan2(mesh.position(i)[1], mesh.position(i)[0]));
+  const CGP::Spin_result result = transformed(mesh, Curvature_potential::on_vertices(rho));
+  EXPECT_EQ(result.report.steps, 1);
+  EXPECT_LT(result.report.missing_share, 1e-6);
+  EXPECT_GT((result.positions - mesh.positions()).cwiseAbs().maxCoeff(), 0.01);
+}
+
+TEST(Closing_spin_transformation, tells_the_spins_of_the_whole_way)
+{
+  const Mesh_view mesh = torus(1, 0.4, 60, 24);
+  CGP::Closing_options options;
+  options.max_period_defect = 0.005;
+  const CGP::Spin_result result = transformed(mesh, wave(mesh, 1), options);
+  ASSERT_GT(result.report.steps, 1);
+  const Mesh_view after(result.positions, mesh.corners());
+  const Eigen::MatrixX3d edges = CGP::transformed_edges(mesh, result.lambda);
+  double error = 0, total = 0;
+  for (int k = 0; k < mesh.size_of_edges(); ++k) {
+    const Eigen::Vector3d e = after.position(mesh.ends(k)[1]) - after.position(mesh.ends(k)[0]);
+    error += (edges.row(k).transpose() - e).squaredNorm();
+    total += e.squaredNorm();
+  }
+  EXPECT_LT(std::sqrt(error / total), 0.03);
+  EXPECT_NEAR(area(after), area(mesh), 1e-10 * area(mesh));
+  EXPECT_EQ(result.report.conformality.flipped_faces, 0);
+}
+
+TEST(Closing_spin_transformation, keeps_genus_two_and_three_closed)
+{
+  for (const int genus : {2, 3}) {
+    const Mesh_view mesh = smooth_handlebody(genus, 2);
+    const CGP::Spin_result result = transformed(mesh, wave(mesh, 0.5));
+    EXPECT_TRUE(result.report) << genus;
+    EXPECT_LT(distortion(result), 0.12) << genus;
+    EXPECT_LE(result.report.period_defect, 0.02) << genus;
+  }
+}
+
+TEST(Closing_spin_transformation, says_how_far_it_has_come)
+{
+  const Mesh_view mesh = torus(1, 0.4, 20, 10);
+  CGP::Closing_options options;
+  options.max_period_defect = 1e-9;
+  options.min_step = 0.3;
+  const CGP::Spin_result none = transformed(mesh, wave(mesh, 1), options);
+  EXPECT_FALSE(none.report);
+  EXPECT_EQ(none.report.reached, 0);
+  EXPECT_EQ(none.report.steps, 0);
+  options.max_period_defect = 5e-3;
+  options.min_step = 0.15;
+  const CGP::Spin_result some = transformed(mesh, wave(mesh, 8), options);
+  EXPECT_LT(some.report.reached, 1);
+}
+
+TEST(Closing_spin_transformation, can_be_cancelled_in_a_later_step)
+{
+  const Mesh_view mesh = torus(1, 0.4, 20, 10);
+  CGP::Closing_options options;
+  options.max_period_defect = 1e-3;
+  int calls = 0;
+  const CGP::Spin_result result =
+      Transformation(mesh, options).transform(wave(mesh, 1), {}, [&](const CGP::Eigen_progress&) {
+        return ++calls < 12;
+      });
+  EXPECT_TRUE(result.report.cancelled);
+  EXPECT_FALSE(result.report);
+}
+
+TEST(Closing_spin_transformation, gives_the_same_bits_twice)
+{
+  const Mesh_view mesh = torus(1, 0.4, 20, 10);
+  const CGP::Spin_result a = transformed(mesh, wave(mesh, 1)), b = transformed(mesh, wave(mesh, 1));
+  EXPECT_EQ(a.positions, b.positions);
+  EXPECT_EQ(a.lambda, b.lambda);
+}
+
+TEST(Closing_spin_transformation, refuses_rho_that_does_not_fit)
+{
+  const Mesh_view mesh = torus(1, 0.4, 10, 6);
+  Curvature_potential rho = wave(mesh, 1);
+  rho.values[7] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)transformed(mesh, rho), CGP::Precondition_error);
+  rho.values = Eigen::VectorXd::Zero(5);
+  EXPECT_THROW((void)transformed(mesh, rho), CGP::Precondition_error);
+  EXPECT_THROW(Transformation(Mesh_view{}), CGP::Precondition_error);
+}
