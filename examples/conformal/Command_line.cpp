@@ -41,6 +41,7 @@ class Parser {
     m_app.set_version_flag("--version", versions);
     add_info();
     add_spin();
+    add_harmonic();
     add_compare();
   }
 
@@ -147,6 +148,15 @@ class Parser {
     command.add_flag("--force", m_spin.force, "write also what does not verify");
   }
 
+  void add_harmonic()
+  {
+    CLI::App* command = add_command("harmonic", about_harmonic);
+    command->add_option("input", m_harmonic.input, "mesh file, - for standard input")->required();
+    command->add_option("-o,--output", m_common.output, "the mesh with the fields");
+    command->add_option("--form", m_harmonic.form, "write only this one, counted from 0")
+        ->check(CLI::NonNegativeNumber);
+  }
+
   void add_compare()
   {
     CLI::App* command = add_command("compare", about_compare);
@@ -161,7 +171,7 @@ class Parser {
     const auto has_name = [&](const CLI::App* command) { return command->get_name() == name; };
     if (m_app.get_subcommands(has_name).empty())
       throw Failure(Exit_code::usage,
-                    "unknown command '" + name + "'; try: info, spin, compare or --help");
+                    "unknown command '" + name + "'; try: info, spin, harmonic, compare or --help");
   }
 
   // Of `--wrong 3 input`, where 3 was taken for the input, the option is what is wrong.
@@ -192,6 +202,7 @@ class Parser {
   {
     Command_line line{m_common, m_app.get_subcommands().front()->get_name(), {}, {}};
     if (line.command == "info") line.options = m_info;
+    if (line.command == "harmonic") line.options = m_harmonic;
     if (line.command == "compare") line.options = m_compare;
     if (line.command != "spin") return line;
     if (!m_on.empty()) m_spin.rho.on_faces = m_on == "faces";
@@ -211,6 +222,7 @@ class Parser {
   Common_options m_common;
   Info_options m_info;
   Spin_options m_spin;
+  Harmonic_options m_harmonic;
   Compare_options m_compare;
   std::string m_on, m_problem = "standard", m_solver = "native", m_projection = "uv";
   CLI::App m_app;

@@ -48,6 +48,11 @@ struct Spin_options {
   Verification_limits limits;
 };
 
+struct Harmonic_options {
+  std::string input;
+  std::optional<int> form;  ///< the only one to be written
+};
+
 struct Compare_options {
   std::string before, after;
 };

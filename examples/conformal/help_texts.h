@@ -29,6 +29,12 @@ inline constexpr const char* about_spin =
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply";
 
+inline constexpr const char* about_harmonic =
+    "Finds the harmonic 1-forms of a closed surface with handles, two for each, and their tangent\n"
+    "fields; of a torus also the conformal modulus. -o writes a PLY file with the fields as\n"
+    "face properties harmonic_0_x, harmonic_0_y, harmonic_0_z, ..., in 1/length.\n"
+    "Example: conformal harmonic torus.obj -o torus_fields.ply --json torus.json";
+
 inline constexpr const char* about_compare =
     "Measures the map between two meshes with the same faces: angles, lengths, flips, energies.\n"
     "-o writes the second one with the vertex property quality (quasi-conformal error).\n"

@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "Session.h"
 #include "compare.h"
+#include "harmonic.h"
 #include "info.h"
 #include "interruption.h"
 #include "io/Temporary_file.h"
@@ -61,6 +62,8 @@ void dispatch(const Command_line& line, Session& session)
 {
   if (const auto* options = std::get_if<Info_options>(&line.options)) info(*options, session);
   if (const auto* options = std::get_if<Spin_options>(&line.options)) spin(*options, session);
+  if (const auto* options = std::get_if<Harmonic_options>(&line.options))
+    harmonic(*options, session);
   if (const auto* options = std::get_if<Compare_options>(&line.options)) compare(*options, session);
 }
 

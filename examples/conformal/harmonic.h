@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_HARMONIC_H
+#define CONFORMAL_HARMONIC_H
+
+#include "Session.h"
+
+namespace conformal {
+
+/// Finds the harmonic fields of a closed surface with handles: `conformal harmonic`.
+/// \throws Failure if the input is unsuitable, and what the readers, the library and the writers
+/// throw
+void harmonic(const Harmonic_options& options, Session& session);
+
+}  // namespace conformal
+
+#endif
