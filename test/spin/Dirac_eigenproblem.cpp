@@ -129,7 +129,8 @@ TEST_F(Dirac_eigenproblem, finds_the_companion_in_a_mixture)
   for (const double angle : {0.1, 0.5}) {
     const double c = std::cos(angle), s = std::sin(angle);
     const Quaternion_vector<double> mixed = c * u + s * v, other = c * v - s * u;
-    Quaternion_matrix companions = problem.companion(mixed, rho);
+    Quaternion_matrix companions =
+        problem.companion(mixed, CGP::apply_dirac_form(mesh, rho, mixed));
     double before = 0.95;
     for (int k = 1; k <= 3; ++k) {
       ASSERT_EQ(companions.cols(), k);
@@ -185,8 +186,7 @@ TEST_F(Dirac_eigenproblem, tells_which_step_of_the_solver_failed)
   const Mesh_view empty;
   EXPECT_THROW(CGP::Dirac_eigenproblem<>{empty}, CGP::Solver_error);
   EXPECT_THROW((void)problem.start(one(), 0), CGP::Solver_error);  // not factorized yet
-  const auto none = Curvature_potential::on_vertices(Eigen::VectorXd::Zero(one().size()));
-  EXPECT_THROW((void)problem.companion(one(), none), CGP::Solver_error);
+  EXPECT_THROW((void)problem.companion(one(), one()), CGP::Solver_error);
   try {
     set_potential(std::numeric_limits<double>::quiet_NaN());
     FAIL();

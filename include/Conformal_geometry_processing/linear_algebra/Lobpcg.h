@@ -100,10 +100,9 @@ Eigen_result lobpcg(const K& apply_k, const N& apply_n, const T& precondition,
   internal::Lobpcg_space space;
   auto& [x, w, p] = space;
   x = convergence.initial(make_panel(apply_k, apply_n, std::move(x0)));
-  x.v = combination(x.v, quaternionic_jacobi(gram_matrix(x.v, x.kv)).vectors);
+  const Vectors first = quaternionic_jacobi(gram_matrix(x.v, x.kv)).vectors;
+  for (Vectors* part : x.parts()) *part = combination(*part, first);
   while (true) {
-    // Anew, so that the residual is the true one and not that of accumulated combinations.
-    apply_operators(apply_k, apply_n, x);
     Vectors& r = w.kv;  // until K w takes its place
     x.residual(r);
     apply_operator(precondition, r, w.v);
@@ -118,6 +117,8 @@ Eigen_result lobpcg(const K& apply_k, const N& apply_n, const T& precondition,
     const auto ritz = quaternionic_jacobi(space.projection());
     convergence.note_next_value(ritz.values[x.size()]);
     space.advance(ritz.vectors.leftCols(x.size()));
+    // Anew, so that the residual is the true one and not that of accumulated combinations.
+    apply_operators(apply_k, apply_n, x);
     convergence.count_iteration();
   }
   return convergence.result();

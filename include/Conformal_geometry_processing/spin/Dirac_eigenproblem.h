@@ -129,9 +129,11 @@ class Dirac_eigenproblem {
   /// D - rho but a mixture of two, the companion has the other mixture of them in it, besides the
   /// discretisation error; otherwise it is only that error, or zero.
   /// \pre `set_potential()` has been called
-  Vectors companion(const Quaternion_vector<double>& v, const Curvature_potential& rho) const
+  /// \param image `apply_dirac_form()` of v
+  Vectors companion(const Quaternion_vector<double>& v,
+                    const Quaternion_vector<double>& image) const
   {
-    return inverse_beyond(v, apply_dirac_form(m_mesh, rho, v));
+    return inverse_beyond(v, image);
   }
 
   /// \brief one more column for the companions of v: X^-1 M_V of the last, beyond a multiple of v.
