@@ -46,7 +46,8 @@ template <class Direction>
 using Flow = CGP::Conformal_willmore_flow<CGP::Default_solver_traits,
                                           CGP::Lobpcg_eigensolver_traits, Direction>;
 
-/// A solver that refuses to factor quaternionic matrices.
+/// Solvers that refuse to factor matrices of one kind.
+template <class Refused>
 struct Refusing_solver_traits {
   template <class Scalar>
   struct Solver : CGP::Default_solver_traits::Solver<Scalar> {
@@ -54,10 +55,10 @@ struct Refusing_solver_traits {
     CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>& A,
                                  const CGP::Vector<double>& shift)
     {
-      if constexpr (std::is_same_v<Scalar, double>)
-        return Parent::factorize(A, shift);
-      else
+      if constexpr (std::is_same_v<Scalar, Refused>)
         return CGP::Solver_status::numerical_issue;
+      else
+        return Parent::factorize(A, shift);
     }
   };
 };
@@ -190,10 +191,15 @@ TEST(Conformal_willmore_flow_control, tells_which_solve_has_failed)
   EXPECT_EQ(report.stop, Flow_stop::step_failed);
   EXPECT_EQ(report.message, "the Dirac equation is not solved");
 
-  CGP::Conformal_willmore_flow<Refusing_solver_traits> refused(bumpy_sphere(2));
+  CGP::Conformal_willmore_flow<Refusing_solver_traits<Quaternion<double>>> refused(bumpy_sphere(2));
   report = refused.run();
   EXPECT_EQ(report.stop, Flow_stop::time_step_too_small);
   EXPECT_TRUE(has(report.message, "factorization of X failed")) << report.message;
+
+  CGP::Conformal_willmore_flow<Refusing_solver_traits<double>> flat(bumpy_sphere(2));
+  report = flat.run();
+  EXPECT_EQ(report.stop, Flow_stop::step_failed);
+  EXPECT_TRUE(has(report.message, "factorization of the grounded matrix")) << report.message;
 }
 
 TEST(Conformal_willmore_flow_control, stops_when_the_visitor_says_so)
@@ -264,6 +270,12 @@ TEST(Conformal_willmore_flow_control, refuses_steps_that_are_none)
   options = {};
   options.max_steps = -1;
   EXPECT_TRUE(has(refusal(icosphere(1), options), "-1 steps"));
+  options = {};
+  options.filter_weight = -1;
+  EXPECT_TRUE(has(refusal(icosphere(1), options), "a filter weight of -1"));
+  options.filter_weight = 1;
+  options.filter_order = -1;
+  EXPECT_TRUE(has(refusal(icosphere(1), options), "an order of -1"));
 }
 
 TEST(Conformal_willmore_flow_control, refuses_directions_that_are_no_functions_on_the_vertices)

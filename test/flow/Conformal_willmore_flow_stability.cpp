@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "flow_tools.h"
-#include "random_hull.h"
 
 /// The bound 0 < tau < 2 of the time step, which knows nothing of the mesh.
 namespace {
@@ -34,10 +33,25 @@ void expect_stable_up_to_two(const Mesh_view& mesh)
   EXPECT_TRUE(std::is_sorted(large.begin(), large.end()));
 }
 
-/// vertices of a bumpy sphere, triangulated as their projections to the round one
+/// n random points of the unit sphere, however near to each other
+Points random_points(int n)
+{
+  Random random(1);
+  Points p(3, n);
+  for (int v = 0; v < n; ++v) {
+    Eigen::Vector3d point = random.vector();
+    while (point.norm() > 1) point = random.vector();
+    p.col(v) = point.normalized();
+  }
+  return p;
+}
+
+/// vertices of a bumpy sphere, triangulated as the convex hull of their projections to the round
+/// one
 Mesh_view bumpy_hull(int n)
 {
-  return mapped(random_hull(n, 1), [](const Eigen::Vector3d& p) {
+  const Points sphere = random_points(n);
+  return mapped({sphere, convex_hull(sphere)}, [](const Eigen::Vector3d& p) {
     const double x = p.x(), y = p.y(), z = p.z();
     const double bump = x * y + z * (5 * z * z - 3) / 4 + 0.4 * (x * x - y * y) * z;
     return Eigen::Vector3d((1 + 0.25 * bump) * p);

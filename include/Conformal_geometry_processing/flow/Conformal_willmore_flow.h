@@ -4,7 +4,8 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONFORMAL_WILLMORE_FLOW_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/flow/Constraint_basis.h>
+#include <Conformal_geometry_processing/flow/Constrained_direction.h>
+#include <Conformal_geometry_processing/flow/Flow_balance.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
 #include <Conformal_geometry_processing/flow/Flow_visitor.h>
@@ -17,6 +18,7 @@
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
 
@@ -59,11 +61,16 @@ class Conformal_willmore_flow {
                                    std::string function = "Conformal_willmore_flow")
       : m_function(std::move(function)),
         m_options(checked(options, m_function)),
-        m_direction(std::move(direction)),
         m_transformation(mesh, m_function),
         m_initial(mesh),
         m_mesh(mesh),
         m_next(mesh),
+        m_direction(m_mesh, std::move(direction), options,
+                    m_transformation.dirac_equation().problem(), m_function),
+        m_balance(
+            mesh,
+            options, [&]() -> const auto& { return m_transformation.reconstruction().solver(); },
+            m_function),
         m_energy(energy_of(mesh)),
         m_time_step(options.time_step, std::min(options.min_time_step, options.time_step))
   {}
@@ -91,11 +98,16 @@ class Conformal_willmore_flow {
     Flow_step_report report;
     report.step = m_steps + 1;
     report.energy_before = report.energy = m_energy;
-    const Eigen::VectorXd v = direction(report);
-    if (report.remaining_share <= m_options.direction_tolerance)
-      report.stop = Flow_stop::direction_vanished;
-    else
-      find_time_step(v, report, visitor);
+    try {
+      const Eigen::VectorXd v = direction(report);
+      if (report.remaining_share <= m_options.direction_tolerance)
+        report.stop = Flow_stop::direction_vanished;
+      else
+        find_time_step(v, report, visitor);
+    } catch (const Solver_error& error) {
+      report.message = error.what();
+      report.stop = Flow_stop::step_failed;
+    }
     report.seconds = watch.lap();
     return report;
   }
@@ -127,61 +139,33 @@ class Conformal_willmore_flow {
   /// what came of a trial
   enum class Verdict { good, rises_slightly, bad, cancelled };
 
-  static const Flow_options& checked(const Flow_options& o, const std::string& function)
-  {
-    if (!(o.time_step > 0) || !std::isfinite(o.time_step) || !(o.min_time_step > 0))
-      throw Precondition_error(function, "time steps of " + std::to_string(o.time_step) + " and " +
-                                             std::to_string(o.min_time_step) +
-                                             " at least; positive ones are needed");
-    if (o.max_steps < 0)
-      throw Precondition_error(function, std::to_string(o.max_steps) +
-                                             " steps; a number that is not negative is needed");
-    return o;
-  }
-
   double energy_of(const Mesh_view& mesh) const
   {
     if constexpr (internal::Has_energy<Direction>::value)
-      return m_direction.energy(mesh);
+      return m_direction.unconstrained().energy(mesh);
     else
       return willmore_energy(mesh);
   }
 
-  /// the direction of the next step, |V| numbers in 1/length
-  Eigen::VectorXd direction(Flow_step_report& report) const
+  /// the direction of the next step
+  Eigen::VectorXd direction(Flow_step_report& report)
   {
-    const Eigen::VectorXd raw = m_direction(m_mesh);
-    require_one_per_vertex(raw);
-    Constraint_basis forbidden(vertex_areas(m_mesh));
-    forbidden.add(Eigen::MatrixXd::Ones(raw.size(), 1));
-    forbidden.add(vertex_normals(m_mesh, Normal_weight::angle).transpose());
-    Eigen::VectorXd v = forbidden.project_out(raw);
-    report.direction_norm = forbidden.norm(v);
-    const double before = forbidden.norm(raw);
-    report.remaining_share = before > 0 ? report.direction_norm / before : 0;
-    return v;
-  }
-
-  void require_one_per_vertex(const Eigen::VectorXd& v) const
-  {
-    if (v.size() != m_mesh.size_of_vertices())
-      throw Precondition_error(m_function, "the direction has " + std::to_string(v.size()) +
-                                               " values, one per vertex is needed: " +
-                                               std::to_string(m_mesh.size_of_vertices()));
-    internal::refuse_if_any(
-        m_mesh.size_of_vertices(), [&](int i) { return !std::isfinite(v[i]); },
-        [](int i) { return "vertex " + std::to_string(i); }, m_function,
-        "#value of the direction not finite", "finite values are needed");
+    auto result = m_direction(m_transformation.reconstruction().solver());
+    report.direction_norm = result.norm;
+    report.remaining_share = result.share;
+    return std::move(result.v);
   }
 
   /// Tries time steps until one is accepted or none is left.
   template <class Visitor>
   void find_time_step(const Eigen::VectorXd& v, Flow_step_report& report, Visitor&& visitor)
   {
+    const double first = m_time_step.value();
+    const Eigen::VectorXd back = m_direction.closing_part(m_balance.potential(m_mesh));
     for (int slight_rises = 0; !report.accepted && report.stop == Flow_stop::none;) {
-      report.time_step = m_time_step.value();
+      const double tau = report.time_step = m_time_step.value();
       ++report.trials;
-      const Verdict verdict = try_step(v, report, visitor);
+      const Verdict verdict = try_step(tau * v + tau / first * back, report, visitor);
       slight_rises += verdict == Verdict::rises_slightly;
       if (verdict == Verdict::cancelled)
         report.stop = Flow_stop::cancelled;
@@ -198,16 +182,18 @@ class Conformal_willmore_flow {
 
   /// Transforms the surface, and moves the object there if the result is good.
   template <class Visitor>
-  Verdict try_step(const Eigen::VectorXd& v, Flow_step_report& report, Visitor&& visitor)
+  Verdict try_step(const Eigen::VectorXd& rho, Flow_step_report& report, Visitor&& visitor)
   {
     const auto go_further = [&](const Eigen_progress& progress) {
       visitor.on_iteration(progress);
       return visitor.go_further();
     };
     try {
-      Spin_result result = m_transformation.transform(
-          Curvature_potential::on_vertices(report.time_step * v), m_options.dirac, go_further);
+      Spin_result result = m_transformation.transform(Curvature_potential::on_vertices(rho),
+                                                      m_options.dirac, go_further);
       report.spin = result.report;
+      if (!result.report.cancelled)
+        report.period_defect = m_direction.period_defect(transformed_edges(m_mesh, result.lambda));
       return result.report.cancelled ? Verdict::cancelled : judge(std::move(result), report);
     } catch (const Solver_error& error) {
       report.message = error.what();
@@ -228,7 +214,22 @@ class Conformal_willmore_flow {
       (void)reject("the energy rises by " + std::to_string(rise / m_energy) + " of it", report);
       return is_small(rise, report.time_step) ? Verdict::rises_slightly : Verdict::bad;
     }
-    return move_on(energy, report);
+    return move_on(balanced(energy), report);
+  }
+
+  /// \brief balances the surface that comes next, and returns its energy.
+  ///
+  /// Inversions keep the energy up to O(h^2). They are left out where that is more than the step
+  /// has gained, so that the energy falls in every step.
+  double balanced(double energy)
+  {
+    if (!m_balance.is_by_inversion()) return energy;
+    const Points before = m_next.positions();
+    m_next.set_positions(m_balance.inverted(m_next));
+    const double after = energy_of(m_next);
+    if (after < m_energy) return after;
+    m_next.set_positions(before);
+    return energy;
   }
 
   static Verdict reject(const std::string& message, Flow_step_report& report)
@@ -281,9 +282,10 @@ class Conformal_willmore_flow {
 
   std::string m_function;
   Flow_options m_options;
-  Direction m_direction;
   Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
   Mesh_view m_initial, m_mesh, m_next;  // m_next: room for trials
+  Constrained_direction<SolverTraits, Direction> m_direction;
+  Flow_balance m_balance;
   double m_energy;
   Time_step m_time_step;
   int m_steps = 0;

@@ -3,9 +3,35 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_OPTIONS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_OPTIONS_H
 
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/forms/Exactness_constraints.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
+#include <Eigen/Core>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
 namespace Conformal_geometry_processing {
+
+/// \ingroup PkgFlow
+/// \brief towards which areas of the vertices the surface is led among its Moebius transforms.
+///
+/// Curvature cannot tell these apart, so a flow without balance may drift, on tori in particular.
+enum class Balance {
+  none,
+  initial,    ///< those it starts with
+  canonical,  ///< those of its canonical metric [CGP 4.5.3]; genus > 0
+  prescribed  ///< `Flow_options::target_areas`
+};
+
+/// \ingroup PkgFlow
+/// how balance is kept
+enum class Balancing {
+  inversion,  ///< by an exact sphere inversion after each step: converges quadratically
+  potential   ///< by a term of rho, to first order [CGP 6.4.4]
+};
 
 /// \ingroup PkgFlow
 /// how to run a conformal Willmore flow
@@ -27,8 +53,41 @@ struct Flow_options {
   double direction_tolerance = 1e-4;  ///< stop where the constraints leave less than this share of
                                       ///< the direction
 
+  /// how rho is kept such that surfaces of genus > 0 close up; without, they are sheared beyond
+  /// recognition
+  std::optional<Exactness> exactness = Exactness::adjoint;
+
+  /// sigma > 0 keeps low frequencies out of the direction, and so the shape on the whole; zero is
+  /// no filter. See `Curvature_filter` for its units and for the order.
+  double filter_weight = 0;
+  int filter_order = 1;
+
+  Balance balance = Balance::none;
+  Balancing balancing = Balancing::inversion;
+  Eigen::VectorXd target_areas;  ///< of `Balance::prescribed`, |V| positive numbers
+
   Dirac_options dirac;
 };
+
+/// \relates Flow_options
+/// the options, if they are in their ranges
+/// \throw Precondition_error naming `function` otherwise
+inline const Flow_options& checked(const Flow_options& o, const std::string& function)
+{
+  const auto require = [&](bool is_good, const std::string& found, const char* wanted) {
+    if (!is_good) throw Precondition_error(function, found + "; " + wanted);
+  };
+  require(o.time_step > 0 && std::isfinite(o.time_step) && o.min_time_step > 0,
+          "time steps of " + std::to_string(o.time_step) + " and " +
+              std::to_string(o.min_time_step) + " at least",
+          "positive ones are needed");
+  require(o.max_steps >= 0, std::to_string(o.max_steps) + " steps",
+          "a number that is not negative is needed");
+  require(o.filter_weight >= 0 && std::isfinite(o.filter_weight),
+          "a filter weight of " + std::to_string(o.filter_weight),
+          "zero or a positive number is needed");
+  return o;
+}
 
 }  // namespace Conformal_geometry_processing
 

@@ -20,7 +20,8 @@ enum class Flow_stop {
   steps_done,           ///< the steps asked for are done
   cancelled,            ///< the visitor said no
   time_step_too_small,  ///< no step of at least `min_time_step` is acceptable
-  step_failed           ///< the step gave no surface, and backtracking is off
+  step_failed           ///< no step could be computed, or it gave no surface and
+                        ///< backtracking is off
 };
 
 /// \relates Flow_report

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINED_DIRECTION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINED_DIRECTION_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/flow/Closing_constraints.h>
+#include <Conformal_geometry_processing/flow/Constraint_basis.h>
+#include <Conformal_geometry_processing/flow/Curvature_filter.h>
+#include <Conformal_geometry_processing/flow/Flow_options.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgFlow
+/// \brief what becomes of the direction of a flow before it may move the surface: it is filtered,
+/// and loses what the constraints forbid [CGP 6.4.4].
+///
+/// Forbidden are the constants, which change nothing; the functions of `Closing_constraints`; and
+/// the components of the normals, which belong to sphere inversions: curvature has no part along
+/// them, but its filtered part has, and would set the surface drifting.
+///
+/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+/// \tparam Direction a model of `CurvatureDirection`
+template <class SolverTraits, class Direction>
+class Constrained_direction {
+ public:
+  /// of one surface
+  struct Result {
+    Eigen::VectorXd v;  ///< |V| numbers in 1/length
+    double norm = 0;    ///< root of the integral of v^2
+    double share = 0;   ///< what is left of the direction, between 0 and 1
+  };
+
+  /// \param mesh its positions may change; must outlive the object, and so must `equation`
+  /// \param equation a `Dirac_eigenproblem` of the mesh, whose analysis is shared
+  template <class Eigenproblem>
+  Constrained_direction(const Mesh_view& mesh, Direction direction, const Flow_options& options,
+                        const Eigenproblem& equation, std::string function)
+      : m_mesh(mesh),
+        m_direction(std::move(direction)),
+        m_closing(mesh, equation.solver(), options.exactness),
+        m_function(std::move(function))
+  {
+    if (options.filter_weight > 0)
+      m_filter.emplace(mesh, options.filter_weight, options.filter_order,
+                       equation.matrix().shared_pattern(), equation.solver());
+  }
+
+  const Direction& unconstrained() const { return m_direction; }
+
+  /// \brief the direction of the mesh as it is now.
+  /// \param laplacian solves with its Laplacian
+  /// \throw Precondition_error if the direction is not one finite number per vertex
+  /// \throw Solver_error if a factorization fails, or a solve
+  Result operator()(const Grounded_solver<SolverTraits>& laplacian)
+  {
+    const Eigen::VectorXd raw = m_direction(m_mesh);
+    require_one_per_vertex(raw);
+    m_closing.update(laplacian);
+    const Constraint_basis closing = closing_basis();
+    Constraint_basis all = closing;
+    all.add(vertex_normals(m_mesh, Normal_weight::angle).transpose());
+    Result result;
+    result.v = all.project_out(filtered(raw));
+    result.norm = all.norm(result.v);
+    result.share = all.norm(raw) > 0 ? result.norm / all.norm(raw) : 0;
+    return result;
+  }
+
+  /// what a change of curvature may keep if the surface is to close
+  Eigen::VectorXd closing_part(const Eigen::VectorXd& rho) const
+  {
+    return closing_basis().project_out(rho);
+  }
+
+  /// `Closing_constraints::defect()`
+  double period_defect(const Eigen::MatrixX3d& edges) const { return m_closing.defect(edges); }
+
+ private:
+  Constraint_basis closing_basis() const
+  {
+    Constraint_basis basis(vertex_areas(m_mesh));
+    basis.add(Eigen::MatrixXd::Ones(m_mesh.size_of_vertices(), 1));
+    basis.add(m_closing.functions());
+    return basis;
+  }
+
+  Eigen::VectorXd filtered(const Eigen::VectorXd& v)
+  {
+    if (!m_filter) return v;
+    m_filter->update_geometry();
+    return (*m_filter)(v);
+  }
+
+  void require_one_per_vertex(const Eigen::VectorXd& v) const
+  {
+    if (v.size() != m_mesh.size_of_vertices())
+      throw Precondition_error(m_function, "the direction has " + std::to_string(v.size()) +
+                                               " values, one per vertex is needed: " +
+                                               std::to_string(m_mesh.size_of_vertices()));
+    internal::refuse_if_any(
+        m_mesh.size_of_vertices(), [&](int i) { return !std::isfinite(v[i]); },
+        [](int i) { return "vertex " + std::to_string(i); }, m_function,
+        "#value of the direction not finite", "finite values are needed");
+  }
+
+  const Mesh_view& m_mesh;
+  Direction m_direction;
+  Closing_constraints<SolverTraits> m_closing;
+  std::optional<Curvature_filter<SolverTraits>> m_filter;
+  std::string m_function;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,130 @@
+// Tests include/Conformal_geometry_processing/flow/Constrained_direction.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/flow/Constrained_direction.h>
+#include <Conformal_geometry_processing/flow/Willmore_direction.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "flow_tools.h"
+
+namespace {
+
+using namespace cgp_test;
+
+struct Prescribed {
+  Eigen::VectorXd values;
+  Eigen::VectorXd operator()(const Mesh_view&) const { return values; }
+};
+
+/// the direction of one surface
+template <class Direction>
+struct Directed {
+  Directed(const Mesh_view& mesh, Direction direction, const CGP::Flow_options& options = {})
+      : transformation(mesh),
+        constrained(mesh, direction, options, transformation.dirac_equation().problem(), "f"),
+        areas(CGP::vertex_areas(mesh))
+  {}
+  auto operator()() { return constrained(transformation.reconstruction().solver()); }
+
+  CGP::Spin_transformation<> transformation;
+  CGP::Constrained_direction<CGP::Default_solver_traits, Direction> constrained;
+  Eigen::VectorXd areas;
+};
+
+std::string refusal(const Eigen::VectorXd& values)
+{
+  const Mesh_view mesh = icosphere(1);
+  Directed<Prescribed> directed(mesh, {values});
+  try {
+    (void)directed();
+  } catch (const CGP::Precondition_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+Eigen::VectorXd harmonic(const Mesh_view& sphere, int k)
+{
+  Eigen::VectorXd Y(sphere.size_of_vertices());
+  for (int v = 0; v < Y.size(); ++v) Y[v] = legendre(k, sphere.position(v).z());
+  return Y;
+}
+
+}  // namespace
+
+TEST(Constrained_direction, has_no_mean_and_no_part_along_the_normals)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  Directed<CGP::Willmore_direction> directed(mesh, {});
+  const auto result = directed();
+  EXPECT_NEAR(directed.areas.dot(result.v), 0, 1e-12);
+  EXPECT_LT(
+      (CGP::vertex_normals(mesh, CGP::Normal_weight::angle) * directed.areas.cwiseProduct(result.v))
+          .norm(),
+      1e-12);
+  EXPECT_NEAR(result.norm, std::sqrt(directed.areas.dot(result.v.cwiseAbs2())), 1e-12);
+  EXPECT_NEAR(result.share,
+              result.norm / std::sqrt(directed.areas.dot(CGP::mean_curvature(mesh).cwiseAbs2())),
+              1e-12);
+}
+
+TEST(Constrained_direction, leaves_what_is_allowed_as_it_is)
+{
+  const Mesh_view mesh = icosphere(3);
+  const Eigen::VectorXd v = harmonic(mesh, 3);
+  Directed<Prescribed> directed(mesh, {v});
+  EXPECT_LT((directed().v - v).cwiseAbs().maxCoeff(), 1e-3);
+  EXPECT_NEAR(directed().share, 1, 1e-5);
+}
+
+TEST(Constrained_direction, is_nothing_where_everything_is_forbidden)
+{
+  const Mesh_view mesh = icosphere(2);
+  const Eigen::VectorXd z = mesh.positions().row(2).transpose();  // the normal of a sphere
+  Directed<Prescribed> forbidden(mesh, {Eigen::VectorXd((z.array() + 3).matrix())});
+  EXPECT_LT(forbidden().share, 0.01);
+  Directed<Prescribed> none(mesh, {Eigen::VectorXd::Zero(z.size())});
+  EXPECT_EQ(none().share, 0);
+}
+
+TEST(Constrained_direction, is_orthogonal_to_what_opens_handles)
+{
+  const Mesh_view mesh = btorus(16);
+  Directed<CGP::Willmore_direction> directed(mesh, {});
+  const auto result = directed();
+  CGP::Closing_constraints<> closing(
+      mesh, directed.transformation.dirac_equation().problem().solver(), CGP::Exactness::adjoint);
+  closing.update(directed.transformation.reconstruction().solver());
+  const Eigen::VectorXd products =
+      closing.functions().transpose() * directed.areas.cwiseProduct(result.v);
+  EXPECT_LT(products.norm(), 1e-10);
+  const Eigen::VectorXd part = directed.constrained.closing_part(random_numbers(256, 1));
+  EXPECT_LT((closing.functions().transpose() * directed.areas.cwiseProduct(part)).norm(), 1e-10);
+  EXPECT_NEAR(directed.areas.dot(part), 0, 1e-12);
+}
+
+TEST(Constrained_direction, is_filtered_by_the_gain_of_each_frequency)
+{
+  const Mesh_view mesh = icosphere(4);
+  CGP::Flow_options options;
+  options.filter_weight = 1. / 30;
+  for (const int k : {2, 6, 10}) {
+    const double l = k * (k + 1), gain = l / 30 / (1 + l / 30);
+    Directed<Prescribed> directed(mesh, {harmonic(mesh, k)}, options);
+    EXPECT_NEAR(directed().share, gain, 0.02 * gain) << k;
+  }
+}
+
+TEST(Constrained_direction, refuses_what_is_no_function_on_the_vertices)
+{
+  EXPECT_NE(refusal(Eigen::VectorXd::Ones(41)).find("f: the direction has 41 values"),
+            std::string::npos);
+  Eigen::VectorXd v = Eigen::VectorXd::Ones(42);
+  v[7] = std::numeric_limits<double>::infinity();
+  EXPECT_NE(refusal(v).find("vertex 7"), std::string::npos);
+}
