@@ -57,8 +57,8 @@ class Dirac_energy_solver {
     m_areas = vertex_areas(m_mesh);
     const auto none = Eigen::VectorXd::Zero(m_mesh.size_of_vertices());
     assemble_dirac_energy(m_mesh, Curvature_potential::on_vertices(none), m_X);
-    const double unit = 4 * pi / m_areas.sum();
-    Solver_status status = m_solver.factorize(m_X, 1e-3 * unit * m_areas);
+    const double unit = 4 * pi / m_areas.sum();  // the size of the low eigenvalues
+    Solver_status status = m_solver.factorize(m_X, 1e-5 * unit * m_areas);
     if (status == Solver_status::not_positive_definite)  // to rounding, where there are slivers
       status = m_solver.factorize(m_X, 1e-2 * unit * m_areas);
     check("factorization", status);
