@@ -120,6 +120,14 @@ TEST(Constrained_direction, is_filtered_by_the_gain_of_each_frequency)
   }
 }
 
+TEST(Constrained_direction, cannot_be_found_on_a_surface_that_has_collapsed)
+{
+  Mesh_view mesh = torus(2, 1, 12, 8);
+  Directed<Prescribed> directed(mesh, {random_numbers(96, 1)});
+  mesh.set_positions(Points::Ones(3, 96));
+  EXPECT_THROW((void)directed(), CGP::Solver_error);
+}
+
 TEST(Constrained_direction, refuses_what_is_no_function_on_the_vertices)
 {
   EXPECT_NE(refusal(Eigen::VectorXd::Ones(41)).find("f: the direction has 41 values"),

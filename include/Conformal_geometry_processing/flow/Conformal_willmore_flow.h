@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -99,11 +100,16 @@ class Conformal_willmore_flow {
     report.step = m_steps + 1;
     report.energy_before = report.energy = m_energy;
     try {
-      const Eigen::VectorXd v = direction(report);
+      const auto direction = m_direction(m_transformation.reconstruction().solver());
+      report.direction_norm = direction.norm;
+      report.remaining_share = direction.share;
       if (report.remaining_share <= m_options.direction_tolerance)
         report.stop = Flow_stop::direction_vanished;
       else
-        find_time_step(v, report, visitor);
+        find_time_step(direction.v, report, [&](const Eigen_progress& progress) {
+          visitor.on_iteration(progress);
+          return visitor.go_further();
+        });
     } catch (const Solver_error& error) {
       report.message = error.what();
       report.stop = Flow_stop::step_failed;
@@ -141,31 +147,22 @@ class Conformal_willmore_flow {
 
   double energy_of(const Mesh_view& mesh) const
   {
-    if constexpr (internal::Has_energy<Direction>::value)
-      return m_direction.unconstrained().energy(mesh);
-    else
-      return willmore_energy(mesh);
+    return internal::energy_of(m_direction.unconstrained(), mesh);
   }
 
-  /// the direction of the next step
-  Eigen::VectorXd direction(Flow_step_report& report)
-  {
-    auto result = m_direction(m_transformation.reconstruction().solver());
-    report.direction_norm = result.norm;
-    report.remaining_share = result.share;
-    return std::move(result.v);
-  }
+  // A type of its own for each visitor would have the eigensolver compiled for each.
+  using Go_further = std::function<bool(const Eigen_progress&)>;
 
   /// Tries time steps until one is accepted or none is left.
-  template <class Visitor>
-  void find_time_step(const Eigen::VectorXd& v, Flow_step_report& report, Visitor&& visitor)
+  void find_time_step(const Eigen::VectorXd& v, Flow_step_report& report,
+                      const Go_further& go_further)
   {
     const double first = m_time_step.value();
     const Eigen::VectorXd back = m_direction.closing_part(m_balance.potential(m_mesh));
     for (int slight_rises = 0; !report.accepted && report.stop == Flow_stop::none;) {
       const double tau = report.time_step = m_time_step.value();
       ++report.trials;
-      const Verdict verdict = try_step(tau * v + tau / first * back, report, visitor);
+      const Verdict verdict = try_step(tau * v + tau / first * back, report, go_further);
       slight_rises += verdict == Verdict::rises_slightly;
       if (verdict == Verdict::cancelled)
         report.stop = Flow_stop::cancelled;
@@ -181,13 +178,9 @@ class Conformal_willmore_flow {
   }
 
   /// Transforms the surface, and moves the object there if the result is good.
-  template <class Visitor>
-  Verdict try_step(const Eigen::VectorXd& rho, Flow_step_report& report, Visitor&& visitor)
+  Verdict try_step(const Eigen::VectorXd& rho, Flow_step_report& report,
+                   const Go_further& go_further)
   {
-    const auto go_further = [&](const Eigen_progress& progress) {
-      visitor.on_iteration(progress);
-      return visitor.go_further();
-    };
     try {
       Spin_result result = m_transformation.transform(Curvature_potential::on_vertices(rho),
                                                       m_options.dirac, go_further);
@@ -210,7 +203,7 @@ class Conformal_willmore_flow {
     m_next.set_positions(std::move(result.positions));
     const double energy = energy_of(m_next), rise = energy - m_energy;
     if (!std::isfinite(energy)) return reject("the energy is not finite", report);
-    if (m_options.backtracking && internal::Has_energy<Direction>::value && !(rise < 0)) {
+    if (must_fall() && !(rise < 0)) {
       (void)reject("the energy rises by " + std::to_string(rise / m_energy) + " of it", report);
       return is_small(rise, report.time_step) ? Verdict::rises_slightly : Verdict::bad;
     }
@@ -220,16 +213,22 @@ class Conformal_willmore_flow {
   /// \brief balances the surface that comes next, and returns its energy.
   ///
   /// Inversions keep the energy up to O(h^2). They are left out where that is more than the step
-  /// has gained, so that the energy falls in every step.
+  /// has gained, so that an energy that must fall does.
   double balanced(double energy)
   {
     if (!m_balance.is_by_inversion()) return energy;
     const Points before = m_next.positions();
     m_next.set_positions(m_balance.inverted(m_next));
     const double after = energy_of(m_next);
-    if (after < m_energy) return after;
+    if (after < m_energy || !must_fall()) return after;
     m_next.set_positions(before);
     return energy;
+  }
+
+  /// whether steps that raise the energy are refused
+  bool must_fall() const
+  {
+    return m_options.backtracking && internal::Has_energy<Direction>::value;
   }
 
   static Verdict reject(const std::string& message, Flow_step_report& report)

@@ -63,11 +63,31 @@ class Constrained_direction {
   /// \brief the direction of the mesh as it is now.
   /// \param laplacian solves with its Laplacian
   /// \throw Precondition_error if the direction is not one finite number per vertex
-  /// \throw Solver_error if a factorization fails, or a solve
+  /// \throw Solver_error if a factorization fails, or a solve, or the surface has degenerated so
+  /// far that its constraints make no sense
   Result operator()(const Grounded_solver<SolverTraits>& laplacian)
   {
     const Eigen::VectorXd raw = m_direction(m_mesh);
     require_one_per_vertex(raw);
+    try {
+      return constrained(raw, laplacian);
+    } catch (const Precondition_error& error) {
+      throw Solver_error(error.function(), error.message());
+    }
+  }
+
+  /// what a change of curvature may keep if the surface is to close
+  Eigen::VectorXd closing_part(const Eigen::VectorXd& rho) const
+  {
+    return rho.isZero(0) ? rho : closing_basis().project_out(rho);
+  }
+
+  /// `Closing_constraints::defect()`
+  double period_defect(const Eigen::MatrixX3d& edges) const { return m_closing.defect(edges); }
+
+ private:
+  Result constrained(const Eigen::VectorXd& raw, const Grounded_solver<SolverTraits>& laplacian)
+  {
     m_closing.update(laplacian);
     const Constraint_basis closing = closing_basis();
     Constraint_basis all = closing;
@@ -79,16 +99,6 @@ class Constrained_direction {
     return result;
   }
 
-  /// what a change of curvature may keep if the surface is to close
-  Eigen::VectorXd closing_part(const Eigen::VectorXd& rho) const
-  {
-    return closing_basis().project_out(rho);
-  }
-
-  /// `Closing_constraints::defect()`
-  double period_defect(const Eigen::MatrixX3d& edges) const { return m_closing.defect(edges); }
-
- private:
   Constraint_basis closing_basis() const
   {
     Constraint_basis basis(vertex_areas(m_mesh));

@@ -37,6 +37,16 @@ template <class Direction>
 struct Has_energy<Direction, std::void_t<decltype(std::declval<const Direction&>().energy(
                                  std::declval<const Mesh_view&>()))>> : std::true_type {};
 
+/// the energy of the direction, Willmore's if it has none
+template <class Direction>
+double energy_of(const Direction& direction, const Mesh_view& mesh)
+{
+  if constexpr (Has_energy<Direction>::value)
+    return direction.energy(mesh);
+  else
+    return willmore_energy(mesh);
+}
+
 }  // namespace internal
 }  // namespace Conformal_geometry_processing
 

@@ -38,7 +38,10 @@
   X(one_form_generators)                                \
   X(filter_weight)                                      \
   X(filter_order)                                       \
-  X(balance)
+  X(balance)                                            \
+  X(balancing)                                          \
+  X(vertex_target_area_map)                             \
+  X(curvature_direction)
 
 // Those of CGAL 5.5 to 6 that we understand: the tag in CGAL::internal_np without its _t, the name.
 #define CONFORMAL_GEOMETRY_PROCESSING_CGAL_PARAMETERS(X) \

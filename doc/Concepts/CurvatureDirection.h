@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/// \ingroup PkgConcepts
+/// \cgalConcept
+///
+/// \brief where a flow of curvature leads: the rate at which the curvature of a surface should
+/// change. Constraints, filter and step size are the business of the flow.
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{`Conformal_geometry_processing::Willmore_direction`}
+/// \cgalHasModelsEnd
+class CurvatureDirection {
+ public:
+  /// one finite number per vertex, in 1/length of the mesh: the rate of change of H |df|, by |df|
+  Eigen::VectorXd operator()(const Conformal_geometry_processing::Mesh_view& mesh) const;
+
+  /// what decreases along the direction, a positive number. Need not be there: then any step is
+  /// accepted that is conformal enough, and the Willmore energy is reported.
+  double energy(const Conformal_geometry_processing::Mesh_view& mesh) const;
+};

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_WILLMORE_FLOW_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_WILLMORE_FLOW_H
+
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+#include <Conformal_geometry_processing/flow/Flow_visitor.h>
+#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/geometry_traits.h>
+#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/mesh/write_points.h>
+
+#include <CGAL/number_utils.h>
+
+#include <string>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+template <class NamedParameters>
+Flow_options flow_options(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Flow_options o;
+  o.time_step = choose_parameter(get_parameter(np, internal_np::time_step), o.time_step);
+  o.max_steps = static_cast<int>(
+      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_steps));
+  o.energy_tolerance =
+      choose_parameter(get_parameter(np, internal_np::tolerance), o.energy_tolerance);
+  o.exactness = choose_parameter(get_parameter(np, internal_np::exactness), o.exactness);
+  o.filter_weight =
+      choose_parameter(get_parameter(np, internal_np::filter_weight), o.filter_weight);
+  o.filter_order = static_cast<int>(
+      choose_parameter(get_parameter(np, internal_np::filter_order), o.filter_order));
+  o.balance = choose_parameter(get_parameter(np, internal_np::balance), o.balance);
+  o.balancing = choose_parameter(get_parameter(np, internal_np::balancing), o.balancing);
+  o.dirac.random_seed = static_cast<unsigned>(
+      choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.dirac.random_seed));
+  return o;
+}
+
+/// takes the target areas from their map, if there is one
+template <class TriangleMesh, class NamedParameters>
+void read_target_areas(const Graph_view<TriangleMesh>& graph, const NamedParameters& np,
+                       Flow_options& options)
+{
+  if constexpr (has_parameter<NamedParameters, internal_np::vertex_target_area_map_t>) {
+    auto areas = CGAL::parameters::get_parameter(np, internal_np::vertex_target_area_map);
+    options.balance = Balance::prescribed;
+    options.target_areas.resize(graph.view().size_of_vertices());
+    for (int v = 0; v < options.target_areas.size(); ++v)
+      options.target_areas[v] = CGAL::to_double(get(areas, graph.vertex(v)));
+  }
+}
+
+}  // namespace internal
+
+/// \ingroup PkgEntryPoints
+/// \brief makes a closed surface as smooth as its conformal class allows, in a handful of large
+/// steps that keep angles, and so textures and the shapes of triangles [CGP 6.4].
+///
+/// Each step is a spin transformation by rho = -tau H; spheres become round, tori become tori of
+/// Clifford's kind. Surfaces of any genus stay closed. Area and centroid stay. The energy, the
+/// integral of H^2, falls in every step: a step that would raise it is tried again with half of
+/// tau.
+///
+/// It is no tool against noise as fine as the mesh, which hardly takes part, nor for long thin
+/// limbs, which would have to shrink to nothing: there it stops and says why.
+///
+/// Computes in double precision whatever the kernel. Each step factors a sparse quaternionic matrix
+/// on the vertices (two if there are handles); orderings and symbolic factorizations are found
+/// once. Use `Conformal_willmore_flow` to go step by step.
+///
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the surface, oriented; its points are overwritten
+/// \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{time_step}
+///     \cgalParamDescription{tau in rho = -tau H: stable below 2 on every mesh, and 1 takes high
+///                           frequencies away in one step}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{how many steps at most}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{100}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tolerance}
+///     \cgalParamDescription{the flow stops where the energy changes by less than this share of it,
+///                           in a time of 1}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-4}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{filter_weight}
+///     \cgalParamDescription{sigma > 0 keeps the shape on the whole and smoothes details, see
+///                           `Curvature_filter`; zero is no filter}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{filter_order}
+///     \cgalParamDescription{how sharply the filter divides frequencies, if there is one}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{1}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{balance}
+///     \cgalParamDescription{towards which areas of the vertices the surface is led among its
+///                           Moebius transforms, which curvature cannot tell apart}
+///     \cgalParamType{`Balance`}
+///     \cgalParamDefault{`Balance::none`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{balancing}
+///     \cgalParamDescription{how balance is kept}
+///     \cgalParamType{`Balancing`}
+///     \cgalParamDefault{`Balancing::inversion`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_target_area_map}
+///     \cgalParamDescription{areas to balance towards, of which only the ratios matter}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key; its value
+///                    converts by `CGAL::to_double()`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{exactness}
+///     \cgalParamDescription{how surfaces with handles are kept closed}
+///     \cgalParamType{`Exactness`}
+///     \cgalParamDefault{`Exactness::adjoint`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{curvature_direction}
+///     \cgalParamDescription{another flow of curvature by the same machinery}
+///     \cgalParamType{a model of `CurvatureDirection`}
+///     \cgalParamDefault{`Willmore_direction`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told of every step and may stop the flow}
+///     \cgalParamType{a `std::reference_wrapper` of a model of `FlowVisitor`}
+///     \cgalParamDefault{`Flow_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices; read, and written unless
+///                           `output_vertex_point_map` is given}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{output_vertex_point_map}
+///     \cgalParamDescription{where the new points go}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{the vertex point map}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
+///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_solver}
+///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
+///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
+///     \cgalParamDefault{`Default_solver_traits`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{eigenvalue_solver}
+///     \cgalParamDescription{which eigenvalue solver to use; its type matters, not its value}
+///     \cgalParamType{a model of `SparseHermitianEigensolverTraits`}
+///     \cgalParamDefault{`Lobpcg_eigensolver_traits`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{of the second start vector of the eigenvalue solver}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the report, which tells why the flow has stopped, and converts to `true` if it arrived
+/// or made the steps it was asked for. Whatever the reason, the points are those of the last
+/// complete step.
+/// \throw Precondition_error if the mesh is not a closed, connected, oriented triangle mesh with
+/// finite coordinates and positive areas, or a parameter is out of its range; the message names the
+/// element
+/// \throw Solver_error if the analysis fails. Whatever is thrown, also by the visitor, the mesh is
+/// as it was.
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Flow_report conformal_willmore_flow(TriangleMesh& mesh,
+                                    const NamedParameters& np = parameters::default_values())
+{
+  static_assert(
+      internal::only_known_parameters<
+          NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
+          CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
+          CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
+          internal_np::sparse_solver_t, internal_np::eigenvalue_solver_t, internal_np::time_step_t,
+          internal_np::tolerance_t, internal_np::filter_weight_t, internal_np::filter_order_t,
+          internal_np::balance_t, internal_np::balancing_t, internal_np::vertex_target_area_map_t,
+          internal_np::exactness_t, internal_np::curvature_direction_t>,
+      "conformal_willmore_flow(): unknown named parameter, see the manual for those it accepts");
+  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
+                                                 Default_solver_traits>;
+  using Eigensolver_traits =
+      internal::Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t,
+                               Lobpcg_eigensolver_traits>;
+  using Direction = internal::Parameter_type<NamedParameters, internal_np::curvature_direction_t,
+                                             Willmore_direction>;
+
+  const std::string function = "conformal_willmore_flow";
+  const Graph_view<TriangleMesh> graph(mesh, np, function);
+  Flow_options options = internal::flow_options(np);
+  internal::read_target_areas(graph, np, options);
+  Flow_visitor silent;
+  auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
+  Conformal_willmore_flow<Solver_traits, Eigensolver_traits, Direction> flow(
+      graph.view(), options,
+      internal::parameter_or(np, internal_np::curvature_direction, Willmore_direction()), function);
+  Flow_report report = flow.run(visitor);
+  internal::write_points(mesh, graph, flow.mesh().positions(), np);
+  return report;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

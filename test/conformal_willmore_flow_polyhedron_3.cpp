@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/conformal_willmore_flow.h
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+
+#include "conformal_willmore_flow_checks.h"
+
+namespace {
+
+using namespace cgp_test;
+using Surface = CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
+
+}  // namespace
+
+TEST(Conformal_willmore_flow_of_a_Polyhedron_3, is_that_of_its_triangles)
+{
+  expect_flow(to_cgal_mesh<Surface>(bumpy_sphere(2)), 1e-14);
+}
