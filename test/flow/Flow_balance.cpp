@@ -126,6 +126,7 @@ TEST(Flow_balance, refuses_areas_that_are_none)
 
 TEST(Flow_balance, refuses_the_canonical_metric_of_a_sphere)
 {
-  EXPECT_NE(refusal(icosphere(1), options_for(Balance::canonical)).find("f: the surface is a sphere"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal(icosphere(1), options_for(Balance::canonical)).find("f: the surface is a sphere"),
+      std::string::npos);
 }
