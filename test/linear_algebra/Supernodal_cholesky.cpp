@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <limits>
 #include <new>
+#include <vector>
 
 #include "linear_algebra/solver_laws.h"
 
@@ -203,6 +204,25 @@ TYPED_TEST(Supernodal_cholesky, overwrites_its_right_hand_side_if_asked_to)
   const Eigen::MatrixXd expected = solution(this->solver, b);
   ASSERT_EQ(this->solver.solve(b, b), Solver_status::success);
   EXPECT_EQ(real_columns(b), expected);
+}
+
+TYPED_TEST(Supernodal_cholesky, gives_a_column_the_same_bits_alone_and_among_others)
+{
+  using Scalar = typename TypeParam::Scalar;
+  for (const Pattern& pattern : {full_pattern(90), grid_pattern(12, 12)}) {
+    const auto A = random_definite<Scalar>(pattern, 25);
+    ASSERT_EQ(this->solver.analyze(*pattern), Solver_status::success);
+    ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
+    const auto b = random_block<Scalar>(A.size(), 13, 26);
+    std::vector<Eigen::MatrixXd> alone;
+    for (Eigen::Index c = 0; c < b.cols(); ++c)
+      alone.push_back(solution(this->solver, CGP::Block<Scalar>(b.col(c))));
+    for (Eigen::Index columns = 2; columns <= b.cols(); ++columns) {
+      const Eigen::MatrixXd x = solution(this->solver, CGP::Block<Scalar>(b.leftCols(columns)));
+      for (Eigen::Index c = 0; c < columns; ++c)
+        EXPECT_EQ(x.col(c), alone[at(static_cast<int>(c))].col(0)) << c << " of " << columns;
+    }
+  }
 }
 
 TYPED_TEST(Supernodal_cholesky, leaves_the_solution_alone_where_the_right_hand_side_is_not_finite)

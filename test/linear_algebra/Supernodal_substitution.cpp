@@ -10,6 +10,7 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <cmath>
+#include <complex>
 #include <memory>
 #include <vector>
 
@@ -21,16 +22,31 @@
 namespace cgp_test {
 namespace {
 
+template <class Kind, int numbers_>
+struct With_numbers : Kind {
+  static constexpr int numbers = numbers_;
+};
+using Kinds_with_numbers =
+    testing::Types<With_numbers<Kind<double, double>, 4>, With_numbers<Kind<double, float>, 4>,
+                   With_numbers<Kind<std::complex<double>, double>, 4>,
+                   With_numbers<Kind<std::complex<double>, float>, 4>,
+                   With_numbers<Kind<Quaternion<double>, double>, 4>,
+                   With_numbers<Kind<Quaternion<double>, float>, 4>,
+                   With_numbers<Kind<double, double>, 8>,
+                   With_numbers<Kind<std::complex<double>, double>, 8>,
+                   With_numbers<Kind<Quaternion<double>, double>, 8>,
+                   With_numbers<Kind<Quaternion<double>, float>, 8>>;
+
 template <class Kind>
 class Supernodal_substitution : public testing::Test {
  protected:
   using Scalar = typename Kind::Scalar;
   using Real = typename Kind::Real;
   using Factor = CGP::Supernodal_factor<Scalar, Real>;
-  using Substitution = CGP::Supernodal_substitution<Scalar, Real>;
+  using Substitution = CGP::Supernodal_substitution<Scalar, Real, Kind::numbers>;
   static constexpr int planes = Kind::Kernels::planes;
 
-  // As many right-hand sides as fill four numbers per row, compared with dense elimination.
+  // As many right-hand sides as fill the numbers per row, compared with dense elimination.
   static void expect_solution(const Pattern& pattern, const CGP::Ordering& order)
   {
     const auto A = random_definite<Scalar>(pattern, 5);
@@ -58,7 +74,7 @@ class Supernodal_substitution : public testing::Test {
     EXPECT_LE((real_columns(x) - expected).norm(), Kind::precision * expected.norm());
   }
 };
-TYPED_TEST_SUITE(Supernodal_substitution, Kinds);
+TYPED_TEST_SUITE(Supernodal_substitution, Kinds_with_numbers);
 
 TYPED_TEST(Supernodal_substitution, solves_as_dense_elimination_does)
 {
@@ -80,7 +96,7 @@ TYPED_TEST(Supernodal_substitution, gives_the_same_bits_for_any_number_of_thread
   typename TestFixture::Factor factor(std::make_shared<CGP::Supernodal_structure>(
       *pattern, CGP::sweep_nested_dissection(*pattern, mesh.positions())));
   ASSERT_EQ(factor.factorize(random_definite<typename TypeParam::Scalar>(pattern, 8), {}), -1);
-  std::vector<typename TypeParam::Real> b(at(4 * pattern->size()));
+  std::vector<typename TypeParam::Real> b(at(TypeParam::numbers * pattern->size()));
   for (std::size_t i = 0; i < b.size(); ++i)
     b[i] = static_cast<typename TypeParam::Real>(std::sin(double(i)));
   auto expected = b;
@@ -99,6 +115,7 @@ TYPED_TEST(Supernodal_substitution, goes_through_kept_rows_in_two_halves)
 {
   using Number = typename TypeParam::Scalar;
   using Stored = typename TypeParam::Real;
+  constexpr int parts = TestFixture::planes, numbers_per_row = TypeParam::numbers;
   const int n = 48, kept = 17, columns = TestFixture::Substitution::columns;
   const Pattern pattern = random_pattern(n, 9);
   const auto A = random_definite<Number>(pattern, 10);
@@ -112,15 +129,15 @@ TYPED_TEST(Supernodal_substitution, goes_through_kept_rows_in_two_halves)
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) P(i, j) = A.coefficient(order[at(i)], order[at(j)]);
   const Eigen::MatrixXd all = dense(P), b = all * real_columns(x);
-  const Eigen::Index size = 4 / columns * kept;
+  const Eigen::Index size = parts * kept;
   const Eigen::MatrixXd complement = all.inverse().bottomRightCorner(size, size).inverse();
 
   const auto numbers = [&](const Eigen::MatrixXd& block) {  // [row][column][component]
     std::vector<Stored> result;
     for (int i = 0; i < n; ++i)
       for (int c = 0; c < columns; ++c)
-        for (int q = 0; q < 4 / columns; ++q)
-          result.push_back(static_cast<Stored>(block(4 / columns * i + q, c)));
+        for (int q = 0; q < parts; ++q)
+          result.push_back(static_cast<Stored>(block(parts * i + q, c)));
     return result;
   };
   const auto expect_near = [&](const Stored* from, const Stored* expected, int count) {
@@ -132,15 +149,17 @@ TYPED_TEST(Supernodal_substitution, goes_through_kept_rows_in_two_halves)
   const std::vector<Stored> solution = numbers(real_columns(x)), expected = numbers(left);
   typename TestFixture::Substitution substitution(factor);
   substitution.forward(y.data());
-  expect_near(&y[at(4 * (n - kept))], &expected[at(4 * (n - kept))], 4 * kept);
-  std::copy(solution.end() - 4 * kept, solution.end(), y.end() - 4 * kept);
+  expect_near(&y[at(numbers_per_row * (n - kept))], &expected[at(numbers_per_row * (n - kept))],
+              numbers_per_row * kept);
+  std::copy(solution.end() - numbers_per_row * kept, solution.end(),
+            y.end() - numbers_per_row * kept);
   substitution.backward(y.data());
-  expect_near(y.data(), solution.data(), 4 * n);
+  expect_near(y.data(), solution.data(), numbers_per_row * n);
 }
 
-TYPED_TEST(Supernodal_substitution, takes_four_numbers_per_row)
+TYPED_TEST(Supernodal_substitution, takes_as_many_right_hand_sides_as_fill_a_row)
 {
-  EXPECT_EQ(TestFixture::Substitution::columns * TypeParam::Kernels::planes, 4);
+  EXPECT_EQ(TestFixture::Substitution::columns * TypeParam::Kernels::planes, TypeParam::numbers);
 }
 
 }  // namespace

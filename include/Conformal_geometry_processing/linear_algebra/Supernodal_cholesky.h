@@ -118,19 +118,15 @@ class Supernodal_cholesky {
       if (!m_is_factorized || b.rows() != size()) return Solver_status::wrong_state;
       // Solved in one go, x of the right size takes the solution itself.
       const bool is_direct =
-          b.cols() <= Substitution::columns && x.rows() == b.rows() && x.cols() == b.cols();
+          b.cols() <= columns_of<wide> && x.rows() == b.rows() && x.cols() == b.cols();
       Block<Scalar> other;
       if (!is_direct) other.resize(b.rows(), b.cols());
       Block<Scalar>& solution = is_direct ? x : other;
-      Substitution substitution(*m_factor);
-      Aligned_array<Real> packed;
-      packed.resize(static_cast<std::int64_t>(size()) * Substitution::numbers);
-      for (Eigen::Index c = 0; c < b.cols(); c += Substitution::columns) {
-        pack(b, c, packed.data());
-        substitution.solve(packed.data());
-        if (!is_finite(packed)) return Solver_status::numerical_issue;
-        unpack(packed.data(), c, solution);
-      }
+      const Eigen::Index rest = b.cols() % columns_of<wide>,
+                         first = b.cols() - (rest <= columns_of<narrow> ? rest : 0);
+      if (!substitute<wide>(b, 0, first, solution) ||
+          !substitute<narrow>(b, first, b.cols(), solution))
+        return Solver_status::numerical_issue;
       if (!is_direct) x = std::move(other);
       return Solver_status::success;
     });
@@ -148,8 +144,12 @@ class Supernodal_cholesky {
 
  private:
   using Factor = Supernodal_factor<Scalar, Real>;
-  using Substitution = Supernodal_substitution<Scalar, Real>;
   static constexpr int planes = Scalar_planes<Scalar>::size;
+
+  // Numbers per row: twice as many in one go cost little more, for the factor comes from memory.
+  static constexpr int narrow = 4, wide = 8;
+  template <int numbers>
+  static constexpr int columns_of = Supernodal_substitution<Scalar, Real, numbers>::columns;
 
   Solver_status adopt(const Sparse_pattern& pattern,
                       std::shared_ptr<const Supernodal_structure> structure)
@@ -179,11 +179,29 @@ class Supernodal_cholesky {
     return is_finite;
   }
 
-  // Columns c, c + 1, ... of b in the order of elimination; columns that do not exist are zero.
-  void pack(const Block<Scalar>& b, Eigen::Index c, Real* to) const
+  // Solves for the columns begin <= c < end; false if the solution is not finite.
+  template <int numbers>
+  bool substitute(const Block<Scalar>& b, Eigen::Index begin, Eigen::Index end,
+                  Block<Scalar>& x) const
+  {
+    if (begin == end) return true;
+    Supernodal_substitution<Scalar, Real, numbers> substitution(*m_factor);
+    Aligned_array<Real> packed;
+    packed.resize(static_cast<std::int64_t>(size()) * numbers);
+    for (Eigen::Index c = begin; c < end; c += columns_of<numbers>) {
+      pack(b, c, columns_of<numbers>, packed.data());
+      substitution.solve(packed.data());
+      if (!is_finite(packed)) return false;
+      unpack(packed.data(), c, columns_of<numbers>, x);
+    }
+    return true;
+  }
+
+  // So many columns of b, from c on, in the order of elimination; those that do not exist are zero.
+  void pack(const Block<Scalar>& b, Eigen::Index c, int columns, Real* to) const
   {
     for (int k : m_factor->structure().order())
-      for (int i = 0; i < Substitution::columns; ++i, to += planes) {
+      for (int i = 0; i < columns; ++i, to += planes) {
         FT s[planes] = {};
         if (c + i < b.cols()) Scalar_planes<Scalar>::get(b(k, c + i), s);
         for (int q = 0; q < planes; ++q) to[q] = static_cast<Real>(s[q]);
@@ -198,10 +216,10 @@ class Supernodal_cholesky {
     return is_finite;
   }
 
-  void unpack(const Real* from, Eigen::Index c, Block<Scalar>& x) const
+  void unpack(const Real* from, Eigen::Index c, int columns, Block<Scalar>& x) const
   {
     for (int k : m_factor->structure().order())
-      for (int i = 0; i < Substitution::columns; ++i, from += planes) {
+      for (int i = 0; i < columns; ++i, from += planes) {
         if (c + i >= x.cols()) continue;
         FT s[planes];
         for (int q = 0; q < planes; ++q) s[q] = from[q];

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_SUPERNODAL_SUBSTITUTION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_SUPERNODAL_SUBSTITUTION_H
 
+#include <Conformal_geometry_processing/linear_algebra/Substitution_kernels.h>
 #include <Conformal_geometry_processing/linear_algebra/Supernodal_factor.h>
 
 #include <algorithm>
@@ -13,27 +14,31 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solves L L^H x = b for right-hand sides of four numbers per row: four real ones, two
-/// complex ones or one of quaternions, which fill the registers equally well.
+/// \brief solves L L^H x = b for right-hand sides of four or eight numbers per row: so many real
+/// ones, half as many complex ones or a quarter of quaternions, which fill the registers equally
+/// well.
+///
+/// The factor comes from memory, so eight numbers take little longer than four. A right-hand side
+/// has the same solution to the bit, whatever the others beside it and their number.
 ///
 /// Forward, each front hands the sums for the rows below to its parent, as the factorization does;
 /// backward, it reads the rows below. So subtrees are tasks for several threads, with the same
 /// results to the bit.
 ///
 /// The vector is stored [row][right-hand side][component], rows in the order of elimination.
-template <class Scalar, class Real>
+///
+/// \tparam numbers_ per row, 4 or 8
+template <class Scalar, class Real, int numbers_ = 4>
 class Supernodal_substitution {
   using Factor = Supernodal_factor<Scalar, Real>;
-  using Planes = Scalar_planes<Scalar>;
-  using Simd = Simd_lanes<Real>;
-  using Register = typename Simd::Register;
-  static constexpr int lanes = Factor::Kernels::lanes, cell = Factor::Kernels::cell;
-  static constexpr int planes = Planes::size;
-  static constexpr int line = 64 / static_cast<int>(sizeof(Real));  // numbers in a cache line
+  using Kernels = Substitution_kernels<Scalar, Real, numbers_>;
+  using Accumulators = typename Kernels::Accumulators;
+  static constexpr int lanes = Kernels::lanes, cell = Kernels::cell, wide = Kernels::wide;
 
  public:
-  static constexpr int numbers = 4;                 ///< per row
-  static constexpr int columns = numbers / planes;  ///< right-hand sides at once
+  static constexpr int numbers = numbers_;          ///< per row
+  static constexpr int columns = Kernels::columns;  ///< right-hand sides at once
+  static_assert(numbers == 4 || numbers == 8);
 
   /// \throw std::bad_alloc
   explicit Supernodal_substitution(const Factor& factor)
@@ -49,27 +54,18 @@ class Supernodal_substitution {
   /// b, `numbers` * |V| of them, becomes x
   void solve(Real* x)
   {
-    const auto up = [&](const Elimination_tasks::Task& task, Task_pool&) {
-      for (int s = task.begin; s < task.end; ++s) forward(s, x);
-    };
-    const auto down = [&](const Elimination_tasks::Task& task, Task_pool&) {
-      for (int s = task.end - 1; s >= task.begin; --s) backward(s, x);
-    };
-    if (m_threads > 1) return m_factor.tasks().run(m_threads, up, down);
-    for (int s = 0; s < S.size(); ++s) forward(s, x);
-    for (int s = S.size() - 1; s >= 0; --s) backward(s, x);
+    if (m_threads > 1) return m_factor.tasks().run(m_threads, up(x), down(x));
+    forward(0, S.size(), x);
+    backward(0, S.size(), x);
   }
 
   /// \brief the first half: b becomes the right-hand side of the kept rows, and L^-1 b above.
   void forward(Real* x)
   {
-    const auto up = [&](const Elimination_tasks::Task& task, Task_pool&) {
-      for (int s = task.begin; s < task.end; ++s) forward(s, x);
-    };
     if (m_threads > 1)
-      m_factor.tasks().run(m_threads, up);
+      m_factor.tasks().run(m_threads, up(x));
     else
-      for (int s = 0; s < S.size(); ++s) forward(s, x);
+      forward(0, S.size(), x);
     for (int s = 0; s < S.size(); ++s)
       if (S.parent(s) < 0)
         for (int i = 0; i < S.height(s); ++i)
@@ -81,52 +77,28 @@ class Supernodal_substitution {
   void backward(Real* x) const
   {
     const auto nothing = [](const Elimination_tasks::Task&, Task_pool&) {};
-    const auto down = [&](const Elimination_tasks::Task& task, Task_pool&) {
-      for (int s = task.end - 1; s >= task.begin; --s) backward(s, x);
-    };
-    if (m_threads > 1) return m_factor.tasks().run(m_threads, nothing, down);
-    for (int s = S.size() - 1; s >= 0; --s) backward(s, x);
+    if (m_threads > 1) return m_factor.tasks().run(m_threads, nothing, down(x));
+    backward(0, S.size(), x);
   }
 
  private:
-  static constexpr int wide = numbers * lanes;  // a row block of the vector, [number][lane]
   static constexpr int most_blocks = (max_supernode_width + lanes - 1) / lanes;
-  using Accumulators = Register[columns][planes];
 
-  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void load(const Real* from, Accumulators& acc)
+  auto up(Real* x)
   {
-#pragma GCC unroll 4
-    for (int i = 0; i < numbers; ++i) acc[i / planes][i % planes] = Simd::load(from + i * lanes);
+    return [this, x](const Elimination_tasks::Task& t, Task_pool&) { forward(t.begin, t.end, x); };
   }
-  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void store(Real* to, const Accumulators& acc)
+  auto down(Real* x) const
   {
-#pragma GCC unroll 4
-    for (int i = 0; i < numbers; ++i) Simd::store(to + i * lanes, acc[i / planes][i % planes]);
+    return [this, x](const Elimination_tasks::Task& t, Task_pool&) { backward(t.begin, t.end, x); };
   }
-  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void load(const Real* from, Register (&a)[planes])
+  void forward(int begin, int end, Real* x)
   {
-#pragma GCC unroll 4
-    for (int q = 0; q < planes; ++q) a[q] = Simd::load(from + q * lanes);
+    for (int s = begin; s < end; ++s) forward(s, x);
   }
-
-  // acc -= L y for one column of a row block
-  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void subtract(Accumulators& acc, const Real* L,
-                                                            const Real* y)
+  void backward(int begin, int end, Real* x) const
   {
-    Register a[planes];
-    load(L, a);
-#pragma GCC unroll 4
-    for (int c = 0; c < columns; ++c) Planes::subtract(acc[c], a, y + c * planes);
-  }
-
-  // acc += conjugate(L) y for one column of a row block
-  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void add_conjugate(Accumulators& acc, const Real* L,
-                                                                 const Accumulators& y)
-  {
-    Register a[planes];
-    load(L, a);
-#pragma GCC unroll 4
-    for (int c = 0; c < columns; ++c) Planes::add_conjugate(acc[c], a, y[c]);
+    for (int s = end - 1; s >= begin; --s) backward(s, x);
   }
 
   static CONFORMAL_GEOMETRY_PROCESSING_INLINE void add_row(Real* to, const Real* from)
@@ -167,9 +139,9 @@ class Supernodal_substitution {
         y[j * numbers + i] = block[diagonal * wide + i * lanes + j % lanes] * inverse;
       for (int b = diagonal; b < triangle; ++b) {
         Accumulators acc;
-        load(block + b * wide, acc);
-        subtract(acc, L + (b * k + j) * cell, y + j * numbers);
-        store(block + b * wide, acc);
+        Kernels::load(block + b * wide, acc);
+        Kernels::subtract(acc, L + (b * k + j) * cell, y + j * numbers);
+        Kernels::store(block + b * wide, acc);
       }
     }
     const Real* const below = L + static_cast<std::int64_t>(triangle) * k * cell;
@@ -179,28 +151,25 @@ class Supernodal_substitution {
   }
 
   // Calls visit(number of row blocks, where they begin, their first row) for the rows below, two
-  // blocks at a time: each right-hand side is loaded half as often, and latencies overlap.
+  // blocks at a time if the registers hold them: each right-hand side is loaded half as often, and
+  // latencies overlap. The order of operations is the same one by one.
   template <class Visitor>
   static void for_row_blocks(const Real* L, int k, int rows, Visitor visit)
   {
     int row = 0;
-    for (; row + lanes < rows; row += 2 * lanes, L += std::int64_t(2) * k * cell)
-      visit(std::integral_constant<int, 2>(), L, row);
-    if (row < rows) visit(std::integral_constant<int, 1>(), L, row);
-  }
-
-  // The factor is read once, so it comes from memory: each cell asks for one further on.
-  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void prefetch(const Real* L)
-  {
-#pragma GCC unroll 4
-    for (int i = 0; i < cell; i += line) __builtin_prefetch(L + i);
+    if constexpr (Kernels::blocks_at_once > 1)
+      for (; row + lanes < rows; row += 2 * lanes, L += std::int64_t(2) * k * cell)
+        visit(std::integral_constant<int, 2>(), L, row);
+    for (; row < rows; row += lanes, L += std::int64_t(k) * cell)
+      visit(std::integral_constant<int, 1>(), L, row);
   }
 
   // The beginning of a panel that follows against the direction of the memory.
   void prefetch_panel(int s) const
   {
     const std::int64_t size = m_factor.panel(s + 1) - m_factor.panel(s);
-    for (std::int64_t i = 0; i < std::min(size, std::int64_t(64) * line); i += line)
+    for (std::int64_t i = 0; i < std::min(size, std::int64_t(64) * Kernels::line);
+         i += Kernels::line)
       __builtin_prefetch(m_factor.panel(s) + i);
     __builtin_prefetch(S.rows(s));
   }
@@ -213,11 +182,11 @@ class Supernodal_substitution {
     for (int j = 0; j < k; ++j, L += cell)
 #pragma GCC unroll 2
       for (int b = 0; b < blocks; ++b) {
-        prefetch(L + (blocks + b) * stride);
-        subtract(acc[b], L + b * stride, y + j * numbers);
+        Kernels::prefetch(L + (blocks + b) * stride);
+        Kernels::subtract(acc[b], L + b * stride, y + j * numbers);
       }
     alignas(64) Real sums[blocks * wide];
-    for (int b = 0; b < blocks; ++b) store(sums + b * wide, acc[b]);
+    for (int b = 0; b < blocks; ++b) Kernels::store(sums + b * wide, acc[b]);
     for (int l = 0; l < std::min(count, blocks * lanes); ++l)
       for (int i = 0; i < numbers; ++i)
         to[l * numbers + i] += sums[l / lanes * wide + i * lanes + l % lanes];
@@ -235,23 +204,21 @@ class Supernodal_substitution {
     for_row_blocks(below, k, S.height(s), [&](auto blocks, const Real* from, int row) {
       backward_below<blocks>(from, k, S.rows(s) + row, S.height(s) - row, x, sums);
     });
-    alignas(64) Real block[most_blocks * wide] = {};
-    for (int j = k - 1; j >= 0; --j) {
-      const int diagonal = j / lanes;
-      Accumulators acc, z;
-      load(sums + j * wide, acc);
-      for (int b = diagonal; b < triangle; ++b) {
-        load(block + b * wide, z);
-        add_conjugate(acc, L + (b * k + j) * cell, z);
+    alignas(64) Real block[most_blocks * wide];
+    for (int own = triangle - 1; own >= 0; --own) {
+      Accumulators z = {};  // the row block of column j, as far as it is solved
+      for (int j = std::min(k, (own + 1) * lanes) - 1; j >= own * lanes; --j) {
+        Accumulators acc, later;
+        Kernels::load(sums + j * wide, acc);
+        for (int b = triangle - 1; b > own; --b) {
+          Kernels::load(block + b * wide, later);
+          Kernels::add_conjugate(acc, L + (b * k + j) * cell, later);
+        }
+        Kernels::add_conjugate(acc, L + (own * k + j) * cell, z);
+        Kernels::solve_row(acc, 1 / L[(own * k + j) * cell + j % lanes], y + j * numbers);
+        Kernels::set_lane(z, j % lanes, y + j * numbers);
       }
-      const Real inverse = 1 / L[(diagonal * k + j) * cell + j % lanes];
-      for (int i = 0; i < numbers; ++i) {
-        Real sum = 0;
-        for (int l = 0; l < lanes; ++l) sum += acc[i / planes][i % planes][l];
-        Real& value = y[j * numbers + i];
-        value = (value - sum) * inverse;
-        block[diagonal * wide + i * lanes + j % lanes] = value;
-      }
+      Kernels::store(block + own * wide, z);
     }
   }
 
@@ -267,15 +234,15 @@ class Supernodal_substitution {
         gathered[l / lanes * wide + i * lanes + l % lanes] =
             x[static_cast<std::int64_t>(rows[l]) * numbers + i];
     Accumulators z[blocks], acc;
-    for (int b = 0; b < blocks; ++b) load(gathered + b * wide, z[b]);
+    for (int b = 0; b < blocks; ++b) Kernels::load(gathered + b * wide, z[b]);
     for (int j = 0; j < k; ++j, L += cell) {
-      load(sums + j * wide, acc);
+      Kernels::load(sums + j * wide, acc);
 #pragma GCC unroll 2
       for (int b = 0; b < blocks; ++b) {
-        prefetch(L + (blocks + b) * stride);
-        add_conjugate(acc, L + b * stride, z[b]);
+        Kernels::prefetch(L + (blocks + b) * stride);
+        Kernels::add_conjugate(acc, L + b * stride, z[b]);
       }
-      store(sums + j * wide, acc);
+      Kernels::store(sums + j * wide, acc);
     }
   }
 
