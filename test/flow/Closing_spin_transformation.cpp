@@ -187,3 +187,14 @@ TEST(Closing_spin_transformation, refuses_rho_that_does_not_fit)
   EXPECT_THROW((void)transformed(mesh, rho), CGP::Precondition_error);
   EXPECT_THROW(Transformation(Mesh_view{}), CGP::Precondition_error);
 }
+
+TEST(Closing_spin_transformation, does_with_fewer_digits_where_there_are_slivers)
+{
+  const Mesh_view regular = torus(1, 0.4, 24, 12);
+  Points p = regular.positions();
+  p.col(1) = p.col(0) + 1e-7 * (p.col(1) - p.col(0));
+  const Mesh_view mesh(p, regular.corners());
+  const CGP::Spin_result result = transformed(mesh, wave(mesh, 0.5));
+  EXPECT_TRUE(result.report);
+  EXPECT_LE(result.report.period_defect, 0.02);
+}

@@ -66,8 +66,7 @@ class Dirac_energy_inverse {
     Conjugate_gradients_options options;
     options.tolerance = 1e-11;
     Vectors Y;
-    const auto result =
-        conjugate_gradients(block_operator(m_X), inverse_operator(m_solver), c, Y, options);
+    const auto result = conjugate_gradients(block_operator(m_X), precondition, c, Y, options);
     // Slivers leave fewer digits, after which the iterations break down.
     if (!result.converged && !(result.estimates.maxCoeff() <= worst_error))
       throw Solver_error("Dirac_energy_inverse", "the iterations do not converge");
