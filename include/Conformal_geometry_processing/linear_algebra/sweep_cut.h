@@ -88,12 +88,18 @@ class Sweep_cut {
     return {{1, 0, 0}, {1, t, 0}, {1, -t, 0}, {1, 0, t}, {1, 0, -t}};
   }
 
-  // False where all vertices lie in one plane across the direction.
-  bool sort_into_slabs(const Graph_region& region, const Eigen::Vector3f& direction)
+  // Where the vertices are along the direction.
+  void set_keys(const Graph_region& region, const Eigen::Vector3f& direction)
   {
     m_key = (region.positions.col(0) * direction[0] + region.positions.col(1) * direction[1] +
              region.positions.col(2) * direction[2])
                 .array();
+  }
+
+  // False where all vertices lie in one plane across the direction.
+  bool sort_into_slabs(const Graph_region& region, const Eigen::Vector3f& direction)
+  {
+    set_keys(region, direction);
     const float low = m_key.minCoeff(), high = m_key.maxCoeff();
     const float scale = static_cast<float>(slabs) / (high - low);
     if (!(scale < no_cut)) return false;
@@ -156,7 +162,7 @@ class Sweep_cut {
   // Where many vertices coincide no plane will do: half of them, equal ones by number.
   void halve(const Graph_region& region, const Eigen::Vector3f& direction)
   {
-    m_key = (region.positions * direction).array();
+    set_keys(region, direction);
     std::vector<int> order(m_sides.size());
     std::iota(order.begin(), order.end(), 0);
     const auto middle = order.begin() + region.size() / 2;
