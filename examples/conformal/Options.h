@@ -43,7 +43,7 @@ struct Spin_options {
   Rho_options rho;
   std::string lambda;  ///< the name of the vertex properties, none if empty
   bool generalized = false, force = false;
-  bool open_handles = false;  ///< rho is applied as it is, though handles are sheared
+  bool open_handles = false;      ///< rho is applied as it is, though handles are sheared
   std::string solver = "native";  // or cholmod, eigen
   Verification_limits limits;
 };
