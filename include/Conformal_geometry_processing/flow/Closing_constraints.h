@@ -3,12 +3,14 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLOSING_CONSTRAINTS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLOSING_CONSTRAINTS_H
 
+#include <Conformal_geometry_processing/flow/Constraint_basis.h>
 #include <Conformal_geometry_processing/forms/Dirac_energy_solver.h>
 #include <Conformal_geometry_processing/forms/Exactness_constraints.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/linear_algebra/Grounded_solver.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
 
@@ -65,6 +67,16 @@ class Closing_constraints {
   }
 
   int genus() const { return static_cast<int>(m_generators.cols()) / 2; }
+
+  /// \brief what rho must be orthogonal to: the constants, which have no effect, and `functions()`.
+  Constraint_basis basis() const
+  {
+    Constraint_basis basis(m_on == Curvature_potential::On::vertices ? vertex_areas(m_mesh)
+                                                                     : face_areas(m_mesh));
+    basis.add(Eigen::VectorXd::Ones(m_functions.rows()));
+    basis.add(m_functions);
+    return basis;
+  }
 
   /// |V| x 6G or |F| x 6G, or none
   const Eigen::MatrixXd& functions() const { return m_functions; }

@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLOSING_SPIN_TRANSFORMATION_H
 
 #include <Conformal_geometry_processing/flow/Closing_constraints.h>
-#include <Conformal_geometry_processing/flow/Constraint_basis.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/averaging.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -107,7 +106,7 @@ class Closing_spin_transformation {
   {
     for (double step = 1; step > 0;) {
       closing.update(m_transformation.reconstruction().solver());
-      const Eigen::VectorXd v = closable_part(closing);
+      const Eigen::VectorXd v = closing.basis().project_out(m_missing.values);
       const double rest = 1 - all.report.reached;
       const std::optional<Spin_result> next =
           largest_step(closing, v / rest, options, go_further, all.report, step);
@@ -121,15 +120,6 @@ class Closing_spin_transformation {
     all.report.reached = 1;  // but for rounding
   }
 
-  /// the missing rho, but what opens handles, and the mean, which has no effect
-  Eigen::VectorXd closable_part(const Closing& closing) const
-  {
-    Constraint_basis forbidden(areas());
-    forbidden.add(Eigen::VectorXd::Ones(m_missing.values.size()));
-    forbidden.add(closing.functions());
-    return forbidden.project_out(m_missing.values);
-  }
-
   /// root of the integral of rho squared, less its mean; does not depend on scale
   double norm(const Eigen::VectorXd& rho) const
   {
@@ -138,7 +128,7 @@ class Closing_spin_transformation {
     return std::sqrt(A.dot((rho.array() - mean).square().matrix()));
   }
 
-  /// \brief tries `step` times v and smaller steps, until one is good enough; moves nothing.
+  /// \brief tries `step` times v and smaller steps, until one is good enough to go there.
   /// \returns none if no step of the least size is, or the visitor said no
   template <class GoFurther>
   std::optional<Spin_result> largest_step(const Closing& closing, const Eigen::VectorXd& v,
@@ -153,11 +143,23 @@ class Closing_spin_transformation {
       }
       double& defect = next.report.period_defect;
       defect = closing.defect(transformed_edges(m_mesh, next.lambda));
-      if (next.report.converged && defect <= m_options.max_period_defect * step) return next;
+      const bool is_good = next.report.converged && defect <= m_options.max_period_defect * step;
+      if (is_good && can_go_on_from(next.positions)) return next;
       if (step <= m_options.min_step) return std::nullopt;
-      const double better = next.report.converged ? best_step(step, defect) : 0;
+      const double better = next.report.converged && !is_good ? best_step(step, defect) : 0;
       step = std::max(m_options.min_step, std::clamp(better, step / 8, step / 2));
     }
+  }
+
+  // A face that has shrunk to nothing is no fault of the caller's mesh.
+  bool can_go_on_from(const Points& positions)
+  {
+    try {
+      m_transformation.set_positions(positions);
+    } catch (const Precondition_error&) {
+      return false;
+    }
+    return true;
   }
 
   // Defects grow with the square of the step, the share of them that a step may have linearly.
@@ -174,14 +176,13 @@ class Closing_spin_transformation {
     return rest - better < m_options.min_step ? (rest < m_options.min_step / 2 ? 0 : rest) : better;
   }
 
-  /// \brief goes to the surface found, where rho becomes another one, as a density of lengths.
+  /// \brief counts from the surface found, where rho becomes another one, as a density of lengths.
   ///
   /// What was not closable before is given up: to try it again, with ever less of the way left to
   /// make up for it, would end in ever faster steps.
   void take(const Spin_result& next, const Eigen::VectorXd& v, double share)
   {
     const Eigen::ArrayXd before = areas();
-    m_transformation.set_positions(next.positions);
     m_mesh.set_positions(next.positions);
     const Eigen::VectorXd shrinking = (before / areas().array()).sqrt();
     m_left_out = shrinking.cwiseProduct(m_left_out + m_missing.values - v);

@@ -11,7 +11,6 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
 
 #include <Eigen/Core>
@@ -79,7 +78,7 @@ class Constrained_direction {
   /// what a change of curvature may keep if the surface is to close
   Eigen::VectorXd closing_part(const Eigen::VectorXd& rho) const
   {
-    return rho.isZero(0) ? rho : closing_basis().project_out(rho);
+    return rho.isZero(0) ? rho : m_closing.basis().project_out(rho);
   }
 
   /// `Closing_constraints::defect()`
@@ -89,22 +88,13 @@ class Constrained_direction {
   Result constrained(const Eigen::VectorXd& raw, const Grounded_solver<SolverTraits>& laplacian)
   {
     m_closing.update(laplacian);
-    const Constraint_basis closing = closing_basis();
-    Constraint_basis all = closing;
+    Constraint_basis all = m_closing.basis();
     all.add(vertex_normals(m_mesh, Normal_weight::angle).transpose());
     Result result;
     result.v = all.project_out(filtered(raw));
     result.norm = all.norm(result.v);
     result.share = all.norm(raw) > 0 ? result.norm / all.norm(raw) : 0;
     return result;
-  }
-
-  Constraint_basis closing_basis() const
-  {
-    Constraint_basis basis(vertex_areas(m_mesh));
-    basis.add(Eigen::MatrixXd::Ones(m_mesh.size_of_vertices(), 1));
-    basis.add(m_closing.functions());
-    return basis;
   }
 
   Eigen::VectorXd filtered(const Eigen::VectorXd& v)
