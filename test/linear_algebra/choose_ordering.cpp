@@ -64,6 +64,28 @@ TEST(Choose_ordering, keeps_minimum_degree_where_positions_mislead)
             operations(pattern, CGP::amd_ordering(pattern)));
 }
 
+TEST(Choose_ordering, dissects_large_meshes_at_once)
+{
+  const Mesh_view mesh = geodesic_sphere(20);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  CGP::Ordering_costs costs;
+  costs.large = 0;
+  costs.seconds_per_vertex = 1;  // else it would not be tried
+  EXPECT_EQ(operations(pattern, CGP::choose_ordering(pattern, &mesh.positions(), 1, costs)),
+            operations(pattern, CGP::sweep_nested_dissection(pattern, mesh.positions())));
+}
+
+TEST(Choose_ordering, tries_minimum_degree_on_large_meshes_where_positions_mislead)
+{
+  const Mesh_view mesh = geodesic_sphere(16);
+  CGP::Ordering_costs costs;
+  costs.large = 0;
+  const Eigen::Matrix3Xd nonsense = random_positions(mesh.size_of_vertices(), 3);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  EXPECT_EQ(operations(pattern, CGP::choose_ordering(pattern, &nonsense, 1000000, costs)),
+            operations(pattern, CGP::amd_ordering(pattern)));
+}
+
 TEST(Choose_ordering, permutes_any_graph)
 {
   for (const Named_graph& graph : graphs_of_all_kinds()) {

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <memory>
 
 namespace Conformal_geometry_processing {
@@ -24,31 +25,97 @@ struct Ordering_costs {
   /// of `sweep_nested_dissection()` and the analysis of what it finds
   double seconds_per_vertex = 1.4e-6;
 
-  /// the share of the operations that dissection saves on meshes where minimum degree does badly
+  /// the same of minimum degree
+  double seconds_per_vertex_by_degree = 0.4e-6;
+
+  /// the share of the operations that the better ordering saves where the other does badly
   double expected_saving = 0.45;
+
+  /// the number of vertices from where on dissection comes first
+  int large = 12000;
+
+  /// the range of operations / n^1.5 of dissection (32 on a sphere) where minimum degree has not
+  /// been seen to do better. Below it are collections of long limbs, above it no surfaces, or
+  /// positions that mislead.
+  double compact = 18, not_a_surface = 60;
 };
+
+namespace internal {
+
+// The structures that `choose_structure()` weighs against each other.
+class Structure_choice {
+  using Structure = std::shared_ptr<const Supernodal_structure>;
+
+ public:
+  Structure_choice(const Sparse_pattern& pattern, int factorizations, const Ordering_costs& costs)
+      : m_pattern(pattern), m_costs(costs), m_factorizations(factorizations)
+  {}
+
+  Structure by_degree() const
+  {
+    return std::make_shared<const Supernodal_structure>(m_pattern, amd_ordering(m_pattern));
+  }
+
+  Structure by_dissection(const Eigen::Matrix3Xd& positions) const
+  {
+    return std::make_shared<const Supernodal_structure>(
+        m_pattern, sweep_nested_dissection(m_pattern, positions));
+  }
+
+  // A trial that takes so long per vertex may save more than it costs.
+  bool may_save(const Structure& other, double seconds_per_vertex) const
+  {
+    return m_costs.expected_saving * m_factorizations * other->operations() *
+               m_costs.seconds_per_operation >
+           seconds_per_vertex * m_pattern.size();
+  }
+
+  bool is_compact_surface(const Structure& by_dissection) const
+  {
+    const double constant = by_dissection->operations() / std::pow(m_pattern.size(), 1.5);
+    return m_costs.compact < constant && constant < m_costs.not_a_surface;
+  }
+
+  static Structure better(Structure a, Structure b)
+  {
+    return b->operations() < a->operations() ? b : a;
+  }
+
+ private:
+  const Sparse_pattern& m_pattern;
+  const Ordering_costs& m_costs;
+  const int m_factorizations;
+};
+
+}  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
 /// \brief the structure of the factor for an ordering chosen automatically.
 ///
-/// Minimum degree comes first: it takes a quarter of the time of anything else, its analysis tells
-/// exactly how many operations a factorization will take, and on small or convoluted meshes it is
-/// as good as dissection. Only where the operations that dissection is expected to save take longer
-/// than dissection itself, it is tried too, and the structure with fewer operations is kept: one
-/// can never do worse than minimum degree, but for the time of the trial.
+/// On small meshes minimum degree comes first: it takes a quarter of the time of anything else, its
+/// analysis tells exactly how many operations a factorization will take, and it is often as good as
+/// dissection. On large ones dissection comes first, which saves half the operations of a compact
+/// mesh. The other is tried only where it may save more than the trial costs, and the structure
+/// with fewer operations is kept.
 /// \param positions 3 x n, or null: without positions the answer is minimum degree
 /// \param factorizations how many are expected to follow, each of the costs given
 inline std::shared_ptr<const Supernodal_structure> choose_structure(
     const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions, int factorizations = 1,
     const Ordering_costs& costs = {})
 {
-  auto by_degree = std::make_shared<const Supernodal_structure>(pattern, amd_ordering(pattern));
-  const double saving = costs.expected_saving * factorizations * by_degree->operations() *
-                        costs.seconds_per_operation;
-  if (positions == nullptr || saving <= costs.seconds_per_vertex * pattern.size()) return by_degree;
-  auto by_dissection = std::make_shared<const Supernodal_structure>(
-      pattern, sweep_nested_dissection(pattern, *positions));
-  return by_dissection->operations() < by_degree->operations() ? by_dissection : by_degree;
+  const internal::Structure_choice choice(pattern, factorizations, costs);
+  if (positions == nullptr) return choice.by_degree();
+  if (pattern.size() < costs.large) {
+    const auto first = choice.by_degree();
+    return choice.may_save(first, costs.seconds_per_vertex)
+               ? choice.better(first, choice.by_dissection(*positions))
+               : first;
+  }
+  const auto first = choice.by_dissection(*positions);
+  return !choice.is_compact_surface(first) &&
+                 choice.may_save(first, costs.seconds_per_vertex_by_degree)
+             ? choice.better(first, choice.by_degree())
+             : first;
 }
 
 /// \ingroup PkgLinearAlgebra
