@@ -19,6 +19,14 @@ namespace {
 // in the order of Projection
 const std::vector<std::string> projections = {"uv", "x", "y", "z", "sphere"};
 
+// in the order of Balance_choice
+const std::vector<std::string> balances = {"none", "initial", "canonical"};
+
+int place_of(const std::string& word, const std::vector<std::string>& words)
+{
+  return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
 std::string above_zero(const std::string& text)
 {
   char* end = nullptr;
@@ -41,6 +49,7 @@ class Parser {
     m_app.set_version_flag("--version", versions);
     add_info();
     add_spin();
+    add_flow();
     add_harmonic();
     add_compare();
   }
@@ -100,11 +109,53 @@ class Parser {
     command->add_option("--solver", m_solver, "native, cholmod (where it was built in) or eigen")
         ->check(CLI::IsMember({"native", "cholmod", "eigen"}))
         ->capture_default_str();
-    command->add_option("--seed", m_common.seed, "of random start vectors")->capture_default_str();
-    command->add_option("--tolerance", m_common.tolerance, "of the eigenvector")
+    add_eigenvector(*command);
+    add_limits(*command, m_spin.limits, m_spin.force);
+  }
+
+  void add_flow()
+  {
+    CLI::App* command = add_command("flow", about_flow);
+    command->add_option("input", m_flow.input, "mesh file, - for standard input")->required();
+    command->add_option("-o,--output", m_common.output, "where the result goes")->required();
+    command->add_option("--steps", m_flow.steps, "how many steps at most")
         ->check(above_zero)
         ->capture_default_str();
-    add_limits(*command);
+    command
+        ->add_option("--time-step", m_flow.time_step,
+                     "the largest; 1 goes furthest, 2 is the limit of stability")
+        ->check(above_zero)
+        ->capture_default_str();
+    command
+        ->add_option("--filter-weight", m_flow.filter_weight,
+                     "keeps the large features; detail finer than this to the power "
+                     "1/(2 order), in radii of the sphere of the same area, is smoothed")
+        ->check(above_zero);
+    command->add_option("--filter-order", m_flow.filter_order, "sharpness of the filter, 0 to 3")
+        ->check(CLI::Range(0, 3))
+        ->needs("--filter-weight")
+        ->capture_default_str();
+    command
+        ->add_option("--balance", m_balance,
+                     "undoes drift by sphere inversions: towards the initial areas, or those of "
+                     "the canonical metric (genus > 0)")
+        ->check(CLI::IsMember(balances))
+        ->capture_default_str();
+    command
+        ->add_option("--every", m_flow.every,
+                     "write every so many steps a snapshot, OUTPUT with the number of the step: "
+                     "bear_0005.ply")
+        ->check(above_zero);
+    add_eigenvector(*command);
+    add_limits(*command, m_flow.limits, m_flow.force);
+  }
+
+  void add_eigenvector(CLI::App& command)
+  {
+    command.add_option("--seed", m_common.seed, "of random start vectors")->capture_default_str();
+    command.add_option("--tolerance", m_common.tolerance, "of the eigenvector")
+        ->check(above_zero)
+        ->capture_default_str();
   }
 
   void add_rho(CLI::App& command)
@@ -132,20 +183,20 @@ class Parser {
         ->check(CLI::IsMember({"vertices", "faces"}));
   }
 
-  void add_limits(CLI::App& command)
+  static void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
   {
-    command.add_option("--max-closure", m_spin.limits.closure, "largest closure residual")
+    command.add_option("--max-closure", limits.closure, "largest closure residual")
         ->check(above_zero)
         ->capture_default_str();
     command
-        .add_option("--max-quasi-conformal", m_spin.limits.quasi_conformal,
+        .add_option("--max-quasi-conformal", limits.quasi_conformal,
                     "largest mean quasi-conformal error")
         ->check(above_zero)
         ->capture_default_str();
-    command.add_option("--max-flipped", m_spin.limits.flipped, "largest share of flipped faces")
+    command.add_option("--max-flipped", limits.flipped, "largest share of flipped faces")
         ->check(finite)
         ->capture_default_str();
-    command.add_flag("--force", m_spin.force, "write also what does not verify");
+    command.add_flag("--force", force, "write also what does not verify");
   }
 
   void add_harmonic()
@@ -170,8 +221,8 @@ class Parser {
     if (name.empty() || name[0] == '-') return;
     const auto has_name = [&](const CLI::App* command) { return command->get_name() == name; };
     if (m_app.get_subcommands(has_name).empty())
-      throw Failure(Exit_code::usage,
-                    "unknown command '" + name + "'; try: info, spin, harmonic, compare or --help");
+      throw Failure(Exit_code::usage, "unknown command '" + name +
+                                          "'; try: info, spin, flow, harmonic, compare or --help");
   }
 
   // Of `--wrong 3 input`, where 3 was taken for the input, the option is what is wrong.
@@ -204,10 +255,11 @@ class Parser {
     if (line.command == "info") line.options = m_info;
     if (line.command == "harmonic") line.options = m_harmonic;
     if (line.command == "compare") line.options = m_compare;
+    m_flow.balance = static_cast<Balance_choice>(place_of(m_balance, balances));
+    if (line.command == "flow") line.options = m_flow;
     if (line.command != "spin") return line;
     if (!m_on.empty()) m_spin.rho.on_faces = m_on == "faces";
-    const auto projection = std::find(projections.begin(), projections.end(), m_projection);
-    m_spin.rho.projection = static_cast<Projection>(projection - projections.begin());
+    m_spin.rho.projection = static_cast<Projection>(place_of(m_projection, projections));
     m_spin.generalized = m_problem == "generalized";
     m_spin.solver = m_solver;
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
@@ -222,9 +274,11 @@ class Parser {
   Common_options m_common;
   Info_options m_info;
   Spin_options m_spin;
+  Flow_options m_flow;
   Harmonic_options m_harmonic;
   Compare_options m_compare;
-  std::string m_on, m_problem = "standard", m_solver = "native", m_projection = "uv";
+  std::string m_on, m_problem = "standard", m_solver = "native", m_projection = "uv",
+                    m_balance = "none";
   CLI::App m_app;
 };
 

@@ -48,6 +48,20 @@ struct Spin_options {
   Verification_limits limits;
 };
 
+enum class Balance_choice { none, initial, canonical };
+
+struct Flow_options {
+  std::string input;
+  int steps = 10;
+  double time_step = 1;  ///< the largest; 2 is the limit of stability
+  double filter_weight = 0;
+  int filter_order = 1;
+  Balance_choice balance = Balance_choice::none;
+  int every = 0;  ///< steps from a snapshot to the next; none if zero
+  bool force = false;
+  Verification_limits limits;
+};
+
 struct Harmonic_options {
   std::string input;
   std::optional<int> form;  ///< the only one to be written

@@ -34,6 +34,10 @@ class Session {
   /// Begins a stage whose seconds the report has from elsewhere.
   void begin_stage() { m_watch.lap(); }
 
+  /// Has the report written though the run was interrupted, for it tells about a result.
+  void keep_report() { m_keeps_report = true; }
+  bool keeps_report() const { return m_keeps_report; }
+
   /// the report, finished: notes, total time and how the run ended (no error: an empty string)
   std::string json(const std::string& error);
 
@@ -41,6 +45,7 @@ class Session {
   const Common_options& m_options;
   Report m_report;
   std::vector<std::string> m_notes;
+  bool m_keeps_report = false;
   Conformal_geometry_processing::Stopwatch m_watch, m_total;
 };
 

@@ -29,6 +29,16 @@ inline constexpr const char* about_spin =
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply";
 
+inline constexpr const char* about_flow =
+    "Smooths a closed surface by the conformal Willmore flow: as smooth as its conformal class\n"
+    "allows, a sphere where there are no handles. Area, centroid and triangle quality stay. The\n"
+    "output has the vertex property quality (quasi-conformal error against the input, 1 is\n"
+    "perfect). The flow stops early where the energy has settled, or no step lowers it.\n"
+    "When interrupted (Ctrl-C, SIGTERM), it writes the surface after the last complete step, and\n"
+    "ends with exit code 130 or 143; a second signal ends it at once.\n"
+    "A result that does not verify is not written, and the exit code is 1.\n"
+    "Example: conformal flow bear.off -o bear_flow.ply --json bear.json";
+
 inline constexpr const char* about_harmonic =
     "Finds the harmonic 1-forms of a closed surface with handles, two for each, and their tangent\n"
     "fields; of a torus also the conformal modulus. -o writes a PLY file with the fields as\n"

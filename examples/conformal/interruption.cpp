@@ -12,7 +12,7 @@
 namespace conformal {
 namespace {
 
-volatile std::sig_atomic_t received = 0;
+volatile std::sig_atomic_t received = 0, is_patient = 0;
 
 [[noreturn]] void end_at_once(int number)
 {
@@ -25,7 +25,7 @@ extern "C" void on_signal(int number)
 {
   if (number == SIGALRM || received != 0) end_at_once(received != 0 ? received : number);
   received = number;
-  ::alarm(1);
+  if (is_patient == 0) ::alarm(1);
 }
 
 }  // namespace
@@ -44,11 +44,23 @@ int signal_received()
   return received;
 }
 
-void throw_if_interrupted()
+Patience::Patience()
+{
+  is_patient = 1;
+  ::alarm(0);  // of a signal that has just come
+}
+
+Patience::~Patience()
+{
+  is_patient = 0;
+  if (received != 0) ::alarm(1);
+}
+
+void throw_if_interrupted(const std::string& consequence)
 {
   if (received == 0) return;
   throw Failure(received == SIGINT ? Exit_code::interrupted : Exit_code::terminated,
-                "interrupted; nothing was written");
+                "interrupted; " + consequence);
 }
 
 }  // namespace conformal

@@ -3,6 +3,8 @@
 #ifndef CONFORMAL_INTERRUPTION_H
 #define CONFORMAL_INTERRUPTION_H
 
+#include <string>
+
 namespace conformal {
 
 /// \brief From now on SIGINT and SIGTERM are heard: the first one asks the work to end, which it
@@ -13,8 +15,18 @@ void listen_to_signals();
 /// the signal that has come, or zero
 int signal_received();
 
+/// \brief While one lives, the first signal waits for the work however long it takes, because there
+/// is something to be written. A second one still ends the program at once.
+class Patience {
+ public:
+  Patience();
+  ~Patience();
+  Patience(const Patience&) = delete;
+  Patience& operator=(const Patience&) = delete;
+};
+
 /// \throws Failure if a signal has come
-void throw_if_interrupted();
+void throw_if_interrupted(const std::string& consequence = "nothing was written");
 
 }  // namespace conformal
 

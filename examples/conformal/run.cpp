@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "Session.h"
 #include "compare.h"
+#include "flow.h"
 #include "harmonic.h"
 #include "info.h"
 #include "interruption.h"
@@ -62,6 +63,7 @@ void dispatch(const Command_line& line, Session& session)
 {
   if (const auto* options = std::get_if<Info_options>(&line.options)) info(*options, session);
   if (const auto* options = std::get_if<Spin_options>(&line.options)) spin(*options, session);
+  if (const auto* options = std::get_if<Flow_options>(&line.options)) flow(*options, session);
   if (const auto* options = std::get_if<Harmonic_options>(&line.options))
     harmonic(*options, session);
   if (const auto* options = std::get_if<Compare_options>(&line.options)) compare(*options, session);
@@ -84,9 +86,10 @@ Outcome run_command(const Command_line& line)
     dispatch(line, session);
     flush_output();
   });
-  if (!json || outcome.code >= Exit_code::interrupted) return outcome;
+  const bool is_interrupted = outcome.code >= Exit_code::interrupted;
+  if (!json || (is_interrupted && !session.keeps_report())) return outcome;
   const Outcome written = carry_out([&] {
-    json->write(session.json(outcome.error));
+    json->write(session.json(is_interrupted ? "" : outcome.error));
     json->commit();
   });
   return outcome.code == Exit_code::done ? written : outcome;

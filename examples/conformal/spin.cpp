@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "spin.h"
 
-#include "Defects.h"
 #include "Failure.h"
 #include "Progress.h"
-#include "info.h"
+#include "closed_surface.h"
 #include "interruption.h"
 #include "io/write_surface.h"
 #include "rho.h"
@@ -18,17 +17,6 @@
 
 namespace conformal {
 namespace {
-
-Surface_input read_closed_surface(const Spin_options& options, Session& session)
-{
-  Surface_input input = read_surface_input(options.input);
-  session.end_stage("read");
-  session.note_all(input.notes);
-  report_input(input, session.report());
-  if (session.options().strict) require_untouched(input);
-  require_closed_surface(input);
-  return input;
-}
 
 Spin_solution solve(const Surface_input& input, const CGP::Curvature_potential& rho,
                     const Spin_options& options, const Common_options& common)
@@ -67,7 +55,7 @@ void verify(const Surface_input& input, const Spin_solution& solution, const Spi
 void spin(const Spin_options& options, Session& session)
 {
   require_writable(session.options().output);
-  const Surface_input input = read_closed_surface(options, session);
+  const Surface_input input = read_closed_surface(options.input, session);
   const CGP::Curvature_potential rho = read_rho(input, options.rho);
   if (options.generalized && rho.on == CGP::Curvature_potential::On::vertices)
     throw Failure(Exit_code::usage, "--problem generalized wants rho on faces; try: --on faces");

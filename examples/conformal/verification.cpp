@@ -7,7 +7,7 @@
 namespace conformal {
 
 std::string objection(const CGP::Spin_report& report, const CGP::Points& positions, int faces,
-                      const Verification_limits& limits)
+                      const Verification_limits& limits, const std::string& easier)
 {
   const CGP::Conformality& map = report.conformality;
   const auto exceeds = [](const std::string& what, double value, double limit) {
@@ -19,20 +19,20 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
   // Written so that what is not a number is objected to.
   if (!report.converged)
     return "the eigenvector did not converge: residual " + text_of(report.residual, 3) + " after " +
-           count_of(static_cast<std::size_t>(report.iterations), "iteration") +
-           "; try: a weaker rho, or a larger --tolerance";
-  if (!positions.allFinite()) return "coordinates are not finite; try: a weaker rho";
+           count_of(static_cast<std::size_t>(report.iterations), "iteration") + "; try: " + easier +
+           ", or a larger --tolerance";
+  if (!positions.allFinite()) return "coordinates are not finite; try: " + easier;
   if (!(report.closure_residual <= limits.closure))
     return exceeds("the closure residual", report.closure_residual, limits.closure) +
-           ": the surface does not close up; try: a weaker rho, or --max-closure";
+           ": the surface does not close up; try: " + easier + ", or --max-closure";
   if (!(map.quasi_conformal.mean <= limits.quasi_conformal))
     return exceeds("the mean quasi-conformal error", map.quasi_conformal.mean,
                    limits.quasi_conformal) +
-           "; try: a weaker rho, a finer mesh, or --max-quasi-conformal";
+           "; try: " + easier + ", a finer mesh, or --max-quasi-conformal";
   const double share = static_cast<double>(map.flipped_faces) / faces;
   if (!(share <= limits.flipped))
-    return exceeds("the share of flipped faces", share, limits.flipped) +
-           "; try: a weaker rho, a finer mesh, or --max-flipped";
+    return exceeds("the share of flipped faces", share, limits.flipped) + "; try: " + easier +
+           ", a finer mesh, or --max-flipped";
   return {};
 }
 

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_FLOW_WATCH_H
+#define CONFORMAL_FLOW_WATCH_H
+
+#include "Progress.h"
+#include "Session.h"
+#include "Surface_input.h"
+#include "interruption.h"
+
+#include <Conformal_geometry_processing/flow/Flow_visitor.h>
+
+#include <optional>
+#include <string>
+
+namespace conformal {
+
+/// \brief Watches a flow: shows how far it is, writes snapshots, ends it when a signal comes, and
+/// gathers the evidence of its steps. Once there is a complete step, a signal no longer ends the
+/// program by force, for there is something to write.
+class Flow_watch : public CGP::Flow_visitor {
+ public:
+  Flow_watch(const Surface_input& input, const Flow_options& options, Session& session);
+
+  void on_flow_begin(const CGP::Mesh_view& mesh, double energy);
+  void on_iteration(const CGP::Eigen_progress& progress);
+  bool go_further() { return signal_received() == 0; }
+  void on_step_end(const CGP::Flow_step_report& step, const CGP::Mesh_view& mesh);
+
+  /// The flow is over: the line of progress goes away.
+  void end() { m_progress.clear(); }
+
+  /// of all steps so far: sums of what was spent, and of evidence the worst
+  const CGP::Spin_report& evidence() const { return m_evidence; }
+
+ private:
+  void show(double share_of_step, const std::string& more);
+  void write_snapshot(int step, const CGP::Mesh_view& mesh);
+
+  const Surface_input& m_input;
+  const Flow_options& m_options;
+  Session& m_session;
+  Progress m_progress;
+  CGP::Spin_report m_evidence;
+  double m_energy = 0;
+  int m_steps = 0;
+  std::optional<Patience> m_patience;
+};
+
+/// `output` with the number of a step before its extension: `bear_0005.ply`
+std::string snapshot_path(const std::string& output, int step);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "flow.h"
+
+#include "Failure.h"
+#include "closed_surface.h"
+#include "flow_report.h"
+#include "io/write_surface.h"
+#include "verification.h"
+#include "write_result.h"
+
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <optional>
+
+namespace conformal {
+namespace {
+
+const char* const easier = "fewer --steps";
+
+void require_handles_for_canonical_metric(const Surface_input& input, const Flow_options& options)
+{
+  if (options.balance == Balance_choice::canonical && CGP::topology(input.mesh).genus == 0)
+    throw unsuitable(options.input,
+                     "has genus 0 and so no canonical metric; try: --balance initial");
+}
+
+std::string stopped_after(const CGP::Flow_report& report, const Flow_options& options)
+{
+  return "stopped after " + std::to_string(report.steps.size()) + " of " +
+         count_of(static_cast<std::size_t>(options.steps), "step") + ": " + reason(report);
+}
+
+/// What is wrong with the result, or nothing.
+std::string fault_of(const Flow_solution& solution, CGP::Spin_report evidence,
+                     const Surface_input& input, const Flow_options& options)
+{
+  const CGP::Flow_report& report = solution.report;
+  if (report.steps.empty())
+    return report ? "" : stopped_after(report, options) + "; try: a smaller --time-step";
+  evidence.conformality = report.conformality;
+  return objection(evidence, solution.positions, input.mesh.size_of_faces(), options.limits,
+                   easier);
+}
+
+void verify(const Flow_solution& solution, const CGP::Spin_report& evidence,
+            const Surface_input& input, const Flow_options& options, Session& session)
+{
+  const std::string fault = fault_of(solution, evidence, input, options);
+  session.report().set("verified", fault.empty());
+  if (!fault.empty()) {
+    if (!options.force) throw Failure(Exit_code::failed, options.input + ": " + fault);
+    session.note("written all the same, as --force says: " + fault);
+  } else if (!solution.report && signal_received() == 0) {
+    session.note(stopped_after(solution.report, options));
+  }
+}
+
+void write(const Flow_solution& solution, const Surface_input& input, Session& session)
+{
+  Surface_file file = moved(input, solution.positions);
+  set_quality(input, solution.positions, file);
+  session.note_all(write_surface(session.options().output, file));
+  session.end_stage("write");
+}
+
+void tell_if_interrupted(const Flow_solution& solution, Session& session)
+{
+  if (signal_received() == 0) return;
+  session.keep_report();
+  throw_if_interrupted("the surface after " + count_of(solution.report.steps.size(), "step") +
+                       " was written to " + session.options().output);
+}
+
+}  // namespace
+
+void flow(const Flow_options& options, Session& session)
+{
+  require_writable(session.options().output);
+  const Surface_input input = read_closed_surface(options.input, session);
+  require_handles_for_canonical_metric(input, options);
+  session.end_stage("prepare");
+  Flow_watch watch(input, options, session);
+  const Flow_solution solution = run_flow(input.mesh, options, session.options(), watch);
+  watch.end();
+  if (solution.report.steps.empty()) throw_if_interrupted();
+  session.end_stage("flow");
+  report_flow(solution, input.mesh, watch.evidence(), session.report());
+  session.print(step_grid(solution.report).text() + "\n" +
+                flow_table(solution, input.mesh, watch.evidence()).text());
+  verify(solution, watch.evidence(), input, options, session);
+  write(solution, input, session);
+  tell_if_interrupted(solution, session);
+}
+
+}  // namespace conformal

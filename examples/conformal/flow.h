@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_FLOW_H
+#define CONFORMAL_FLOW_H
+
+#include "Session.h"
+
+namespace conformal {
+
+/// Smooths a closed surface by the conformal Willmore flow: `conformal flow`. When a signal comes,
+/// the surface after the last complete step is written, and the failure thrown.
+/// \throws Failure if the input is unsuitable, no step can be made, the result does not verify, or
+/// a signal has come, and what the readers, the library and the writers throw
+void flow(const Flow_options& options, Session& session);
+
+}  // namespace conformal
+
+#endif

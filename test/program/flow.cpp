@@ -1,0 +1,219 @@
+// Tests examples/conformal/flow.cpp examples/conformal/flow_report.cpp
+// Tests examples/conformal/Flow_watch.cpp examples/conformal/run_flow.cpp
+// Tests examples/conformal/Grid.cpp examples/conformal/closed_surface.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "program/support.h"
+#include "support/spheres.h"
+#include "support/tori.h"
+
+#include "conformal/io/read_surface.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace {
+
+using namespace program_test;
+using conformal::read_surface;
+
+class Flow : public Program {
+ protected:
+  nlohmann::json json(const std::string& name) const
+  {
+    return nlohmann::json::parse(content(path(name)));
+  }
+};
+
+/// the standard deviation of the distances from the mean point by their mean, of even meshes
+double unroundness(const conformal::Surface_file& file)
+{
+  const auto n = static_cast<Eigen::Index>(file.points.size());
+  Eigen::Matrix3Xd p(3, n);
+  for (Eigen::Index v = 0; v < n; ++v)
+    for (Eigen::Index i = 0; i < 3; ++i)
+      p(i, v) = file.points[static_cast<std::size_t>(v)][static_cast<std::size_t>(i)];
+  const Eigen::Vector3d center = p.rowwise().mean();
+  const Eigen::ArrayXd r = (p.colwise() - center).colwise().norm();
+  return std::sqrt((r - r.mean()).square().mean()) / r.mean();
+}
+
+TEST_F(Flow, makes_a_bumpy_sphere_round_and_keeps_the_numbering)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(3)));
+  const Program_run r = run("flow a.off --steps 5 -o b.ply --json b.json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const auto a = read_surface(path("a.off")), b = read_surface(path("b.ply"));
+  EXPECT_EQ(a.polygons.corners, b.polygons.corners);
+  EXPECT_GT(unroundness(a), 0.02);
+  EXPECT_LT(unroundness(b), 0.005);
+  EXPECT_NE(find_property(b.vertices, "quality"), nullptr);
+  EXPECT_LT(json("b.json")["result"]["radius"]["deviation"], 0.005);
+  EXPECT_NE(r.out.find("radius, deviation / mean"), std::string::npos) << r.out;
+}
+
+TEST_F(Flow, report_has_a_step_for_each_step_with_falling_energies)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(3)));
+  ASSERT_EQ(run("flow -q a.off --steps 3 --time-step 0.5 -o b.ply --json b.json").code, 0);
+  const auto report = json("b.json");
+  EXPECT_EQ(report["command"], "flow");
+  EXPECT_TRUE(report["verified"]);
+  EXPECT_EQ(report["result"]["stop"], "all steps are done");
+  ASSERT_EQ(report["steps"].size(), 3u);
+  double energy = report["result"]["energy"]["initial"];
+  for (const auto& step : report["steps"]) {
+    EXPECT_LT(step["energy"], energy);
+    energy = step["energy"];
+    EXPECT_EQ(step["time_step"], 0.5);
+    EXPECT_EQ(step["trials"], 1);
+    EXPECT_EQ(step["period_defect"], 0);
+    for (const char* place : {"gamma", "closure_residual", "quasi_conformal/step/mean",
+                              "quasi_conformal/total/max", "seconds"})
+      EXPECT_TRUE(step.at(nlohmann::json::json_pointer(std::string("/") + place)).is_number())
+          << place;
+  }
+  EXPECT_EQ(report["result"]["energy"]["final"], energy);
+  EXPECT_EQ(report["result"]["steps"], 3);
+  for (const char* stage : {"read", "flow", "write", "total"})
+    EXPECT_TRUE(report["seconds"].at(stage).is_number()) << stage;
+}
+
+TEST_F(Flow, makes_ten_steps_if_not_told_otherwise)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(2)));
+  ASSERT_EQ(run("flow -q a.off --time-step 0.1 -o b.ply --json b.json").code, 0);
+  EXPECT_EQ(json("b.json")["result"]["steps"], 10);
+  EXPECT_EQ(json("b.json")["result"]["stop"], "all steps are done");
+}
+
+TEST_F(Flow, says_in_words_why_it_stops_early)
+{
+  write("round.off", off(cgp_test::icosphere(3)));
+  const Program_run r = run("flow round.off --steps 50 -o b.ply --json b.json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const std::string stop = json("b.json")["result"]["stop"];
+  EXPECT_TRUE(stop == "the energy has settled" || stop == "nothing is left of the direction")
+      << stop;
+  EXPECT_TRUE(json("b.json")["result"]["converged"]);
+  EXPECT_NE(r.out.find("stopped because"), std::string::npos) << r.out;
+  EXPECT_LT(unroundness(read_surface(path("b.ply"))), 1e-4);
+}
+
+TEST_F(Flow, keeps_handles_closed)
+{
+  write("a.off", off(cgp_test::storus(24)));
+  ASSERT_EQ(run("flow -q a.off --steps 2 -o b.ply --json b.json").code, 0);
+  const auto report = json("b.json");
+  EXPECT_LT(report["result"]["energy"]["final"], report["result"]["energy"]["initial"]);
+  EXPECT_LT(report["result"]["quasi_conformal"]["mean"], 1.05);
+  EXPECT_GT(report["steps"][0]["period_defect"], 0);
+  EXPECT_LT(report["steps"][0]["period_defect"], 0.02);
+  EXPECT_FALSE(report["result"].contains("radius"));
+}
+
+TEST_F(Flow, filter_keeps_large_features)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(3)));
+  ASSERT_EQ(run("flow -q a.off --steps 3 -o b.ply").code, 0);
+  ASSERT_EQ(run("flow -q a.off --steps 3 --filter-weight 0.001 --filter-order 2 -o c.ply").code, 0);
+  EXPECT_GT(unroundness(read_surface(path("c.ply"))), 3 * unroundness(read_surface(path("b.ply"))));
+  EXPECT_TRUE(fails(run("flow a.off --steps 3 --filter-order 2 -o d.ply"), 2, "--filter-weight"));
+}
+
+TEST_F(Flow, balance_brings_areas_back)
+{
+  write("a.off", off(cgp_test::storus(24)));
+  for (const std::string balance : {"none", "initial", "canonical"})
+    EXPECT_EQ(run("flow -q a.off --steps 2 --balance " + balance + " -o " + balance + ".ply").code,
+              0);
+  EXPECT_NE(content(path("none.ply")), content(path("canonical.ply")));
+  write("sphere.off", off(cgp_test::bumpy_sphere(2)));
+  EXPECT_EQ(run("flow -q sphere.off --steps 2 --balance initial -o b.ply").code, 0);
+  EXPECT_TRUE(fails(run("flow sphere.off --steps 2 --balance canonical -o c.ply"), 4,
+                    "no canonical metric; try: --balance initial"));
+  EXPECT_FALSE(has("c.ply"));
+}
+
+TEST_F(Flow, snapshots_are_the_surfaces_on_the_way)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(2)));
+  ASSERT_EQ(run("flow -q a.off --steps 5 --time-step 0.2 --every 2 -o b.ply").code, 0);
+  ASSERT_EQ(run("flow -q a.off --steps 2 --time-step 0.2 -o c.ply").code, 0);
+  EXPECT_EQ(content(path("b_0002.ply")), content(path("c.ply")));
+  EXPECT_TRUE(has("b_0004.ply"));
+  for (const char* name : {"b_0000.ply", "b_0001.ply", "b_0003.ply", "b_0005.ply"})
+    EXPECT_FALSE(has(name)) << name;
+  EXPECT_EQ(temporary_files(), 0u);
+}
+
+TEST_F(Flow, what_does_not_verify_is_written_only_by_force)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(2)));
+  const std::string flow =
+      "flow a.off --steps 2 --every 1 -o b.ply --json b.json --max-quasi-conformal 1.0001";
+  const Program_run r = run(flow);
+  EXPECT_TRUE(fails(r, 1, "mean quasi-conformal error is"));
+  EXPECT_NE(r.err.find("b_0001.ply is not written"), std::string::npos) << r.err;
+  EXPECT_FALSE(has("b.ply") || has("b_0001.ply") || has("b_0002.ply"));
+  EXPECT_FALSE(json("b.json")["verified"]);
+  EXPECT_EQ(json("b.json")["steps"].size(), 2u);
+  EXPECT_EQ(run(flow + " --force").code, 0);
+  EXPECT_TRUE(has("b.ply") && has("b_0001.ply"));
+}
+
+TEST_F(Flow, without_a_single_step_it_fails)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(2)));
+  EXPECT_TRUE(fails(run("flow -q a.off --steps 2 --tolerance 1e-30 -o b.ply"), 1,
+                    "stopped after 0 of 2 steps"));
+  EXPECT_FALSE(has("b.ply"));
+}
+
+TEST_F(Flow, interrupted_it_leaves_the_last_complete_step)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(4)));
+  for (const auto& [signal, code] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
+    // The first snapshot tells that there is a complete step; thousands would follow.
+    const Program_run r =
+        shell("rm -f b*.ply b.json; " CGP_CONFORMAL_PROGRAM
+              " flow -q a.off --steps 9999 --time-step 1e-5 --every 1 -o b.ply --json b.json & "
+              "while [ ! -e b_0001.ply ]; do sleep 0.01; done; kill -" +
+              std::string(signal) + " $!; wait $!");
+    EXPECT_TRUE(fails(r, code, "steps were written to b.ply") ||
+                fails(r, code, "was written to b.ply"))
+        << r.err;
+    const auto report = json("b.json");
+    const int steps = report["result"]["steps"];
+    EXPECT_GE(steps, 1);
+    EXPECT_LT(steps, 9999);
+    EXPECT_EQ(report["result"]["stop"], "interrupted");
+    EXPECT_TRUE(report["verified"]);
+    std::string number = std::to_string(steps);
+    number.insert(0, 4 - number.size(), '0');
+    EXPECT_EQ(content(path("b.ply")), content(path("b_" + number + ".ply")));
+    EXPECT_EQ(temporary_files(), 0u);
+  }
+}
+
+TEST_F(Flow, nonsense_is_refused)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  for (const std::string option :
+       {"--steps 0", "--steps -3", "--steps 2 --time-step 0", "--steps 2 --filter-weight -1",
+        "--steps 2 --every 0", "--steps 2 --filter-weight 1 --filter-order 4",
+        "--steps 2 --balance much", "--steps many"})
+    EXPECT_EQ(run("flow a.off -o b.ply " + option).code, 2) << option;
+  EXPECT_TRUE(fails(run("flow a.off --steps 2 -o b.stl"), 5, "b.stl"));
+}
+
+TEST_F(Flow, help_tells_about_signals)
+{
+  const Program_run r = run("flow --help");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.out.find("130 or 143"), std::string::npos);
+  EXPECT_NE(r.out.find("Example: conformal flow"), std::string::npos);
+}
+
+}  // namespace
