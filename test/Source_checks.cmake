@@ -17,7 +17,7 @@ else()
              ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_${what}.py ${${what}_arguments})
   endforeach()
 
-  # Every example succeeds on a sphere.
+  # Every example succeeds on a generated surface.
   file(GLOB examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.cpp)
   foreach(example IN LISTS examples)
     cmake_path(GET example STEM name)

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""An example runs on a generated sphere: it succeeds and writes as many vertices as it read.
+"""An example runs on a generated surface: it succeeds and writes as many vertices as it read.
 
 usage: check_example.py PROGRAM   (which takes INPUT OUTPUT.ply)
 """
 
+import itertools
 import math
 import pathlib
 import re
@@ -36,6 +37,26 @@ def sphere(subdivisions):
     return [tuple(x / math.hypot(*p) for x in p) for p in points], faces
 
 
+def torus(n):
+    """(points, faces) of a torus with bumps, n vertices each way."""
+    turn = 2 * math.pi / n
+    points = []
+    for i, j in itertools.product(range(n), repeat=2):
+        u, v = i * turn, j * turn
+        tube = 0.5 + 0.06 * math.cos(2 * u + v) + 0.04 * math.sin(3 * v)
+        radius = 1 + tube * math.cos(v)
+        points.append((radius * math.cos(u), radius * math.sin(u), tube * math.sin(v)))
+    faces = []
+    for i, j in itertools.product(range(n), repeat=2):
+        a, b = i * n + j, (i + 1) % n * n + j
+        c, d = (i + 1) % n * n + (j + 1) % n, i * n + (j + 1) % n
+        faces += [(a, b, c), (a, c, d)]
+    return points, faces
+
+
+HANDLES_WANTED = {"uncurl_a_torus"}
+
+
 def write_off(path, points, faces):
     lines = ["OFF", f"{len(points)} {len(faces)} 0"]
     lines += [" ".join(map(repr, map(float, point))) for point in points]
@@ -44,9 +65,10 @@ def write_off(path, points, faces):
 
 
 def main():
-    points, faces = sphere(4)
+    wants_handles = pathlib.Path(sys.argv[1]).stem in HANDLES_WANTED
+    points, faces = torus(48) if wants_handles else sphere(4)
     with tempfile.TemporaryDirectory() as folder:
-        source, target = (pathlib.Path(folder) / name for name in ("sphere.off", "result.ply"))
+        source, target = (pathlib.Path(folder) / name for name in ("surface.off", "result.ply"))
         write_off(source, points, faces)
         result = subprocess.run([sys.argv[1], str(source), str(target)], check=False)
         if result.returncode != 0:

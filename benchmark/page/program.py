@@ -1,0 +1,22 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Runs the command-line program and reads its report."""
+
+import json
+import subprocess
+import time
+
+
+def run(program, arguments, report, limit):
+    """The exit code, the report if there is one, the last line of stderr, and the seconds."""
+    report.unlink(missing_ok=True)
+    start = time.monotonic()
+    try:
+        process = subprocess.run([program, *arguments, "--json", report, "--quiet"], text=True,
+                                 capture_output=True, timeout=limit)
+        code, message = process.returncode, process.stderr.strip()
+    except subprocess.TimeoutExpired:
+        code, message = -1, f"stopped after {limit} seconds"
+    seconds = time.monotonic() - start
+    content = json.loads(report.read_text(encoding="utf-8")) if report.exists() else {}
+    return code, content, message.splitlines()[-1] if message else "", seconds
