@@ -125,6 +125,7 @@ class Parser {
         ->add_option("--time-step", m_flow.time_step,
                      "the largest; 1 goes furthest, 2 is the limit of stability")
         ->check(above_zero)
+        ->check(CLI::Range(0., 2.))
         ->capture_default_str();
     command
         ->add_option("--filter-weight", m_flow.filter_weight,

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <system_error>
 
 namespace conformal {
 
@@ -64,6 +65,9 @@ void Flow_watch::write_snapshot(int step, const CGP::Mesh_view& mesh)
   const std::string fault =
       objection(report, mesh.positions(), mesh.size_of_faces(), m_options.limits, "fewer --steps");
   m_progress.clear();
+  std::error_code ignored;
+  if (std::filesystem::equivalent(path, m_options.input, ignored))
+    return m_session.note(path + " is not written: it is the input");
   if (!fault.empty() && !m_options.force) return m_session.note(path + " is not written: " + fault);
   Surface_file file = moved(m_input, mesh.positions());
   set_quality(m_input, mesh.positions(), file);
@@ -74,11 +78,8 @@ std::string snapshot_path(const std::string& output, int step)
 {
   std::string number = std::to_string(step);
   number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
-  const std::filesystem::path path(output);
-  std::filesystem::path name = path.stem();
-  name += "_" + number;
-  name += path.extension();
-  return (path.parent_path() / name).string();
+  const std::size_t dot = output.rfind('.');
+  return output.substr(0, dot) + "_" + number + output.substr(dot);
 }
 
 }  // namespace conformal

@@ -48,6 +48,7 @@ class Flow_watch : public CGP::Flow_visitor {
 };
 
 /// `output` with the number of a step before its extension: `bear_0005.ply`
+/// \pre `output` has an extension
 std::string snapshot_path(const std::string& output, int step);
 
 }  // namespace conformal

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "harmonic.h"
 
-#include "Defects.h"
 #include "Failure.h"
 #include "Table.h"
-#include "info.h"
+#include "closed_surface.h"
 #include "interruption.h"
 #include "io/write_surface.h"
 #include "write_result.h"
@@ -27,12 +26,7 @@ namespace {
 
 Surface_input read_surface_with_handles(const Harmonic_options& options, Session& session)
 {
-  Surface_input input = read_surface_input(options.input);
-  session.end_stage("read");
-  session.note_all(input.notes);
-  report_input(input, session.report());
-  if (session.options().strict) require_untouched(input);
-  require_closed_surface(input);
+  Surface_input input = read_closed_surface(options.input, session);
   const int genus = CGP::topology(input.mesh).genus;
   if (genus == 0)
     throw unsuitable(options.input, "has genus 0 and so no harmonic fields, wanted handles");

@@ -34,7 +34,8 @@ Outcome outcome_of(const CGP::Solver_error& error)
 {
   if (error.message().find("out of memory") != std::string::npos)
     return {Exit_code::out_of_memory, error.message() + "; try: a coarser mesh"};
-  return {Exit_code::failed, error.message() + "; try: a weaker rho, or a mesh without slivers"};
+  return {Exit_code::failed,
+          error.message() + "; try: less of a change, or a mesh without slivers"};
 }
 
 Outcome carry_out(const std::function<void()>& work)

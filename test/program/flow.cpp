@@ -148,6 +148,29 @@ TEST_F(Flow, snapshots_are_the_surfaces_on_the_way)
   EXPECT_EQ(temporary_files(), 0u);
 }
 
+TEST_F(Flow, snapshots_have_their_number_before_the_extension)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(2)));
+  ASSERT_EQ(run("flow -q a.off --steps 1 --every 1 -o .off").code, 0);
+  EXPECT_TRUE(has("_0001.off"));
+  ASSERT_EQ(shell("mkdir b.c && " CGP_CONFORMAL_PROGRAM
+                  " flow -q a.off --steps 1 --every 1 -o ./b.c/d.e.off")
+                .code,
+            0);
+  EXPECT_TRUE(has("b.c/d.e_0001.off"));
+}
+
+TEST_F(Flow, a_snapshot_does_not_replace_the_input)
+{
+  write("a_0001.off", off(cgp_test::bumpy_sphere(2)));
+  const std::string before = content(path("a_0001.off"));
+  const Program_run r = run("flow a_0001.off --steps 2 --every 1 -o a.off");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.err.find("a_0001.off is not written: it is the input"), std::string::npos) << r.err;
+  EXPECT_EQ(content(path("a_0001.off")), before);
+  EXPECT_TRUE(has("a_0002.off"));
+}
+
 TEST_F(Flow, what_does_not_verify_is_written_only_by_force)
 {
   write("a.off", off(cgp_test::bumpy_sphere(2)));
@@ -201,9 +224,9 @@ TEST_F(Flow, nonsense_is_refused)
 {
   write("a.off", off(cgp_test::icosphere(1)));
   for (const std::string option :
-       {"--steps 0", "--steps -3", "--steps 2 --time-step 0", "--steps 2 --filter-weight -1",
-        "--steps 2 --every 0", "--steps 2 --filter-weight 1 --filter-order 4",
-        "--steps 2 --balance much", "--steps many"})
+       {"--steps 0", "--steps -3", "--steps 2 --time-step 0", "--time-step 2.1",
+        "--steps 2 --filter-weight -1", "--steps 2 --every 0",
+        "--steps 2 --filter-weight 1 --filter-order 4", "--steps 2 --balance much", "--steps many"})
     EXPECT_EQ(run("flow a.off -o b.ply " + option).code, 2) << option;
   EXPECT_TRUE(fails(run("flow a.off --steps 2 -o b.stl"), 5, "b.stl"));
 }
