@@ -86,6 +86,7 @@ Canonical_metric_report canonical_metric(const TriangleMesh& mesh, DensityMap de
   const Normalized_frame frame(graph.view().positions());
   Mesh_view view = graph.view();
   view.set_positions(frame.to_frame(view.positions()));
+  require_closed(view, "canonical_metric");
   const double unit_area = frame.unit() * frame.unit();
   const Hodge_decomposition<Solver_traits> forms(view, "canonical_metric");
   const Eigen::VectorXd u = canonical_area_density(forms.harmonic_basis(), "canonical_metric");

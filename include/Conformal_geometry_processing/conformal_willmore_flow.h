@@ -9,6 +9,7 @@
 #include <Conformal_geometry_processing/mesh/geometry_traits.h>
 #include <Conformal_geometry_processing/mesh/named_parameters.h>
 #include <Conformal_geometry_processing/mesh/write_points.h>
+#include <Conformal_geometry_processing/spin/boundary_parameters.h>
 
 #include <CGAL/number_utils.h>
 
@@ -57,7 +58,7 @@ void read_target_areas(const Graph_view<TriangleMesh>& graph, const NamedParamet
 }  // namespace internal
 
 /// \ingroup PkgEntryPoints
-/// \brief makes a closed surface as smooth as its conformal class allows, in a handful of large
+/// \brief makes a surface as smooth as its conformal class allows, in a handful of large
 /// steps that keep angles, and so textures and the shapes of triangles [CGP 6.4].
 ///
 /// Each step is a spin transformation by rho = -tau H; spheres become round, tori become tori of
@@ -124,8 +125,20 @@ void read_target_areas(const Graph_view<TriangleMesh>& graph, const NamedParamet
 ///                    converts by `CGAL::to_double()`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{boundary_direction}
+///     \cgalParamDescription{which direction of the boundary frame is kept or prescribed}
+///     \cgalParamType{`Boundary_direction`, not the normal}
+///     \cgalParamDefault{the tangent, if there is a `boundary_direction_map`; else none, and the
+///                       boundary is free}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{boundary_direction_map}
+///     \cgalParamDescription{what it becomes, for each vertex on the boundary}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
+///                    vector, not zero, as value}
+///     \cgalParamDefault{what it is in the beginning}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{exactness}
-///     \cgalParamDescription{how surfaces with handles are kept closed}
+///     \cgalParamDescription{how surfaces are kept closed around handles and holes}
 ///     \cgalParamType{`Exactness`}
 ///     \cgalParamDefault{`Exactness::adjoint`}
 ///   \cgalParamNEnd
@@ -174,7 +187,7 @@ void read_target_areas(const Graph_view<TriangleMesh>& graph, const NamedParamet
 /// \returns the report, which tells why the flow has stopped, and converts to `true` if it arrived
 /// or made the steps it was asked for. Whatever the reason, the points are those of the last
 /// complete step.
-/// \throw Precondition_error if the mesh is not a closed, connected, oriented triangle mesh with
+/// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
 /// finite coordinates and positive areas, or a parameter is out of its range; the message names the
 /// element
 /// \throw Solver_error if the analysis fails. Whatever is thrown, also by the visitor, the mesh is
@@ -191,7 +204,8 @@ Flow_report conformal_willmore_flow(TriangleMesh& mesh,
           internal_np::sparse_solver_t, internal_np::eigenvalue_solver_t, internal_np::time_step_t,
           internal_np::tolerance_t, internal_np::filter_weight_t, internal_np::filter_order_t,
           internal_np::balance_t, internal_np::balancing_t, internal_np::vertex_target_area_map_t,
-          internal_np::exactness_t, internal_np::curvature_direction_t>,
+          internal_np::exactness_t, internal_np::curvature_direction_t,
+          internal_np::boundary_direction_t, internal_np::boundary_direction_map_t>,
       "conformal_willmore_flow(): unknown named parameter, see the manual for those it accepts");
   using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
                                                  Default_solver_traits>;
@@ -205,6 +219,7 @@ Flow_report conformal_willmore_flow(TriangleMesh& mesh,
   const Graph_view<TriangleMesh> graph(mesh, np, function);
   Flow_options options = internal::flow_options(np);
   internal::read_target_areas(graph, np, options);
+  options.boundary = internal::boundary_condition(graph, np, function);
   Flow_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
   Conformal_willmore_flow<Solver_traits, Eigensolver_traits, Direction> flow(

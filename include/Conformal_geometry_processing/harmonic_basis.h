@@ -34,7 +34,6 @@ Harmonic_basis harmonic_basis_from(const Mesh_view& mesh, One_form_generators ge
   if (generators == One_form_generators::tree_cotree)
     return Hodge_decomposition<SolverTraits>(mesh, function).harmonic_basis();
   require_surface(mesh, function);
-  require_closed(mesh, function);
   const auto pattern = vertex_graph(mesh);
   Grounded_solver<SolverTraits> laplacian(pattern);
   laplacian.factorize(cotan_laplacian(mesh, pattern));
@@ -46,19 +45,21 @@ Harmonic_basis harmonic_basis_from(const Mesh_view& mesh, One_form_generators ge
 }  // namespace internal
 
 /// \ingroup PkgEntryPoints
-/// \brief finds the harmonic 1-forms of a closed surface and their tangent fields: 2G of them for
-/// genus G, orthonormal [CGP 6.4.5.1].
+/// \brief finds the harmonic 1-forms of a surface and their tangent fields, orthonormal: 2G of them
+/// for genus G, and 2G + L - 1 where L loops bound it [CGP 6.4.5.1].
 ///
 /// Harmonic forms are closed and co-closed: they integrate to zero around each face, and their
-/// weighted sum around each vertex is zero. They tell what surfaces of genus > 0 have in addition
-/// to functions: the directions along their handles and holes. A sphere has none.
+/// weighted sum around each vertex is zero. At a boundary this makes their fields tangent to it
+/// (forms of Neumann type). They tell what a surface has in addition to functions: the directions
+/// along its handles and around its holes. Spheres and disks have none.
 ///
 /// Computes in double precision whatever the kernel. Takes one factorization of the Laplacian and
-/// 4G solves. Which orthonormal basis it is, depends on the order of the vertices and faces.
+/// two solves per form. Which orthonormal basis it is, depends on the order of the vertices and
+/// faces.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-/// \param mesh a closed surface
+/// \param mesh the surface
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
@@ -89,9 +90,9 @@ Harmonic_basis harmonic_basis_from(const Mesh_view& mesh, One_form_generators ge
 /// \cgalNamedParamsEnd
 ///
 /// \returns the forms; vectors are those of the kernel of the points, or Eigen's if they have none
-/// \throw Precondition_error if the mesh is not a closed, connected, oriented triangle mesh with
-/// finite coordinates and positive areas, or if random generators meet a cotan weight of zero; the
-/// message names the element
+/// \throw Precondition_error if the mesh is not a connected, oriented triangle mesh with finite
+/// coordinates and positive areas, or if random generators meet a cotan weight of zero; the message
+/// names the element
 /// \throw Solver_error if the Laplacian cannot be factored
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 auto harmonic_basis(const TriangleMesh& mesh,

@@ -11,6 +11,7 @@
 #include <Conformal_geometry_processing/mesh/write_points.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/Spin_visitor.h>
+#include <Conformal_geometry_processing/spin/boundary_parameters.h>
 
 #include <CGAL/number_utils.h>
 
@@ -56,6 +57,9 @@ Dirac_options dirac_options(const NamedParameters& np)
       get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_iterations));
   o.max_substeps = static_cast<int>(
       choose_parameter(get_parameter(np, internal_np::maximum_number_of_substeps), o.max_substeps));
+  o.kernel_tolerance =
+      choose_parameter(get_parameter(np, internal_np::kernel_tolerance), o.kernel_tolerance);
+  o.branch = choose_parameter(get_parameter(np, internal_np::branch), o.branch);
   o.random_seed = static_cast<unsigned>(
       choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.random_seed));
   return o;
@@ -88,7 +92,7 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 }  // namespace internal
 
 /// \ingroup PkgEntryPoints
-/// \brief deforms a closed surface conformally so that its mean curvature changes as prescribed
+/// \brief deforms a surface conformally so that its mean curvature changes as prescribed
 /// [CGP (5.3)-(5.5)].
 ///
 /// Solves (D - rho) lambda = gamma lambda for the spins lambda and integrates the new edges
@@ -100,6 +104,11 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 /// the part that does not is left out, and strong ones are reached in several steps. The report
 /// tells what was left out (`missing_share`), how many `steps` it took and which share of the way
 /// was `reached`.
+///
+/// At a boundary the new directions of its tangents, its binormals or of anything between them and
+/// the normals can be prescribed, or where its points come to lie. A free boundary moves as little
+/// as it can. Data that no surface has are refused: the report is `false` and names the
+/// `boundary_fault`.
 ///
 /// Computes in double precision whatever the kernel. The sparse factorization of a quaternionic
 /// matrix on the vertices, and some ten solves with it, dominate time and memory. Use
@@ -157,6 +166,49 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 ///     \cgalParamType{`Exactness`, or `std::nullopt`}
 ///     \cgalParamDefault{`Exactness::adjoint`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{boundary_direction}
+///     \cgalParamDescription{which direction of the boundary frame is prescribed}
+///     \cgalParamType{`Boundary_direction`, not the normal}
+///     \cgalParamDefault{the tangent, if there is a `boundary_direction_map`; else none, and the
+///                       boundary is free}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{boundary_direction_map}
+///     \cgalParamDescription{what it becomes, for each vertex on the boundary}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
+///                    vector, not zero, as value}
+///     \cgalParamDefault{what it is}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_target_point_map}
+///     \cgalParamDescription{where the vertices on the boundary shall be; cannot be combined with
+///                           directions}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key; without
+///                    `vertex_normal_map` it has points for all vertices}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_normal_map}
+///     \cgalParamDescription{normals of the surface sought at prescribed boundary points}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
+///                    vector as value}
+///     \cgalParamDefault{those of the surface made by the target points of all vertices}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_is_constrained_map}
+///     \cgalParamDescription{which vertices have target points; must be true on all of the
+///     boundary} \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key
+///     and `bool`
+///                    as value}
+///     \cgalParamDefault{true on the boundary}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{kernel_tolerance}
+///     \cgalParamDescription{with directions: singular values of D - rho up to it, in 1/length,
+///                           count as zero, and of their surfaces the nearest one is taken}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0: the surface of one singular vector is taken}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{branch}
+///     \cgalParamDescription{with directions: which singular vector of D - rho is taken}
+///     \cgalParamType{`Branch`}
+///     \cgalParamDefault{`Branch::nearest`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
 ///     \cgalParamDescription{of the error estimate of lambda}
 ///     \cgalParamType{`double`}
@@ -186,8 +238,9 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 ///
 /// \returns the report, which converts to `true` if the equation was solved. Otherwise (no
 /// convergence, cancelled) nothing has been written.
-/// \throw Precondition_error if the mesh is not a closed, connected, oriented triangle mesh with
-/// finite coordinates and positive areas, or rho is not finite; the message names the element
+/// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
+/// finite coordinates and positive areas, if rho is not finite, or if what is prescribed at the
+/// boundary does not fit it; the message names the element
 /// \throw Solver_error if a factorization fails
 template <class TriangleMesh, class CurvaturePotentialMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -201,7 +254,11 @@ Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
           CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
           internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
           internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::exactness_t,
-          internal_np::tolerance_t, internal_np::maximum_number_of_substeps_t>,
+          internal_np::tolerance_t, internal_np::maximum_number_of_substeps_t,
+          internal_np::boundary_direction_t, internal_np::boundary_direction_map_t,
+          internal_np::vertex_target_point_map_t, internal_np::kernel_tolerance_t,
+          internal_np::branch_t, CGAL::internal_np::vertex_is_constrained_t,
+          CGAL::internal_np::vertex_normal_map_t>,
       "spin_transform(): unknown named parameter, see the manual for those it accepts");
   using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
                                                  Default_solver_traits>;
@@ -218,7 +275,8 @@ Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
     return visitor.go_further();
   };
   Closing_spin_transformation<Solver_traits, Eigensolver_traits> transformation(
-      graph.view(), internal::closing_options(np), "spin_transform");
+      graph.view(), internal::closing_options(np),
+      internal::boundary_condition(graph, np, "spin_transform"), "spin_transform");
   const Spin_result result =
       std::move(transformation).transform(potential, internal::dirac_options(np), go_further);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);

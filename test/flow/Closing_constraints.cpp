@@ -22,7 +22,7 @@ struct Followed {
   explicit Followed(const Mesh_view& surface, std::optional<Exactness> version = Exactness::adjoint)
       : mesh(surface),
         transformation(surface),
-        constraints(mesh, transformation.dirac_equation().problem().solver(), version)
+        constraints(mesh, transformation.dirac_equation(), version)
   {
     follow();
   }

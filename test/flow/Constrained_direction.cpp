@@ -26,13 +26,14 @@ template <class Direction>
 struct Directed {
   Directed(const Mesh_view& mesh, Direction direction, const CGP::Flow_options& options = {})
       : transformation(mesh),
-        constrained(mesh, direction, options, transformation.dirac_equation().problem(), "f"),
+        constrained(mesh, direction, options, transformation.dirac_equation(), "f"),
         areas(CGP::vertex_areas(mesh))
   {}
   auto operator()() { return constrained(transformation.reconstruction().solver()); }
 
   CGP::Spin_transformation<> transformation;
-  CGP::Constrained_direction<CGP::Default_solver_traits, Direction> constrained;
+  CGP::Constrained_direction<CGP::Default_solver_traits, CGP::Lobpcg_eigensolver_traits, Direction>
+      constrained;
   Eigen::VectorXd areas;
 };
 
@@ -98,7 +99,7 @@ TEST(Constrained_direction, is_orthogonal_to_what_opens_handles)
   Directed<CGP::Willmore_direction> directed(mesh, {});
   const auto result = directed();
   CGP::Closing_constraints<> closing(
-      mesh, directed.transformation.dirac_equation().problem().solver(), CGP::Exactness::adjoint);
+      mesh, directed.transformation.dirac_equation(), CGP::Exactness::adjoint);
   closing.update(directed.transformation.reconstruction().solver());
   const Eigen::VectorXd products =
       closing.functions().transpose() * directed.areas.cwiseProduct(result.v);

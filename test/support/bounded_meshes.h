@@ -4,9 +4,11 @@
 #define TEST_SUPPORT_BOUNDED_MESHES_H
 
 #include <cmath>
+#include <complex>
+#include <cstdint>
 #include <utility>
 
-#include "support/mesh_tools.h"
+#include "support/random.h"
 
 /// Surfaces with boundary. Flat ones lie in the plane z = 0 with normals +z.
 namespace cgp_test {
@@ -102,6 +104,27 @@ inline Mesh_view disk(int n)
       }
   }
   return {std::move(p), std::move(corners)};
+}
+
+/// the unit disk with faces that grow towards x = -1: `disk(n)` moved by z -> (z + .4)/(1 + .4 z)
+inline Mesh_view moved_disk(int n)
+{
+  return mapped(disk(n), [](const Eigen::Vector3d& p) {
+    const std::complex<double> z(p.x(), p.y()), w = (z + .4) / (1. + .4 * z);
+    return Eigen::Vector3d(w.real(), w.imag(), 0);
+  });
+}
+
+/// `disk(n)` with every vertex moved in the plane by up to the share `amount` of an edge, on the
+/// boundary along the circle
+inline Mesh_view jittered_disk(int n, double amount, std::uint64_t seed = 1)
+{
+  Random random(seed);
+  return mapped(disk(n), [&](const Eigen::Vector3d& p) {
+    const double x = amount / n * random.number(), y = amount / n * random.number();
+    const Eigen::Vector3d q = p + Eigen::Vector3d(x, y, 0);
+    return Eigen::Vector3d(p.norm() > 1 - 1e-9 ? q.normalized() : q);
+  });
 }
 
 /// the conformal (stereographic) image of a plane disk: the spherical cap of polar angle alpha

@@ -4,6 +4,7 @@
 #define TEST_SUPPORT_MESH_TOOLS_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/mean_edge_length.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -72,13 +73,7 @@ inline Mesh_view scaled_to_area(const Mesh_view& mesh, double wanted)
   return scaled(mesh, std::sqrt(wanted / area(mesh)));
 }
 
-inline double mean_edge_length(const Mesh_view& mesh)
-{
-  double sum = 0;
-  for (int k = 0; k < mesh.size_of_edges(); ++k)
-    sum += (mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0])).norm();
-  return sum / mesh.size_of_edges();
-}
+using Conformal_geometry_processing::mean_edge_length;
 
 /// the same surface with its normals turned around
 inline Mesh_view with_reversed_faces(const Mesh_view& mesh)

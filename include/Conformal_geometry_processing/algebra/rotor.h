@@ -8,6 +8,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cmath>
+
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
@@ -26,6 +28,19 @@ Quaternion<FT> rotor(const Eigen::Matrix<FT, 3, 1>& U, const Eigen::Matrix<FT, 3
   const FT length = norm(q);
   if (length < almost_antipodal) return imaginary(U.unitOrthogonal());
   return q / length;
+}
+
+/// \ingroup PkgAlgebra
+/// \brief the quaternion q with conjugate(q) v q = scale R v, |q|^2 = scale, for a rotation R; of
+/// its two signs, one with a positive real part if that is not small. \pre R is a rotation, scale
+/// is positive
+template <class FT>
+Quaternion<FT> spin_of(const Eigen::Matrix<FT, 3, 3>& R, FT scale)
+{
+  using std::sqrt;
+  // Eigen has q v conjugate(q).
+  const Eigen::Quaternion<FT> r(R);
+  return Quaternion<FT>{r.w(), -r.x(), -r.y(), -r.z()} * sqrt(scale);
 }
 
 }  // namespace Conformal_geometry_processing

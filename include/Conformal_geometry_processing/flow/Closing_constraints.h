@@ -11,6 +11,7 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Surface_dirac_equation.h>
 
 #include <Eigen/Core>
 
@@ -20,29 +21,31 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// \brief what a moving surface with handles needs to stay closed: harmonic forms, the functions
-/// that rho must be orthogonal to, and how far a transformation was from closing up [CGP 4.5.2].
+/// \brief what a moving surface with handles or holes needs so that its edges keep fitting together
+/// around them: harmonic forms, the functions that rho must be orthogonal to, and how far a
+/// transformation was from closing up [CGP 4.5.2].
 ///
-/// The loops around the handles are found once. For every new geometry `update()` costs 4G solves
-/// with a Laplacian that is factored already, a factorization of the Dirac matrix, and 2G systems
-/// with it. Spheres have no handles, and cost nothing.
+/// The loops around handles and holes are found once. For every new geometry `update()` costs 4G
+/// solves with a Laplacian that is factored already, a factorization of the Dirac matrix, and 2G
+/// systems with it. Spheres and disks have none, and cost nothing.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
+/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
+template <class SolverTraits = Default_solver_traits,
+          class EigensolverTraits = Lobpcg_eigensolver_traits>
 class Closing_constraints {
  public:
-  using Dirac_solver = typename SolverTraits::template Solver<Quaternion<double>>;
+  using Equation = Surface_dirac_equation<SolverTraits, EigensolverTraits>;
 
   /// \param mesh its positions may change; must outlive the object
-  /// \param analyzed a solver whose analysis of `vertex_graph(mesh)` is shared; must outlive the
-  /// object \param version none if there shall be no functions
+  /// \param equation that of the mesh; must outlive the object
+  /// \param version none if there shall be no functions
   /// \param on where the curvature lives that is to be constrained
-  /// \pre `require_surface(mesh)` and `require_closed(mesh)` hold
-  Closing_constraints(const Mesh_view& mesh, const Dirac_solver& analyzed,
-                      std::optional<Exactness> version,
+  /// \pre `require_surface(mesh)` holds
+  Closing_constraints(const Mesh_view& mesh, Equation& equation, std::optional<Exactness> version,
                       Curvature_potential::On on = Curvature_potential::On::vertices)
       : m_mesh(mesh),
-        m_analyzed(analyzed),
+        m_equation(equation),
         m_version(version),
         m_on(on),
         m_generators(closed_generators(mesh)),
@@ -59,30 +62,28 @@ class Closing_constraints {
     if (m_generators.cols() == 0) return;
     m_basis = Hodge_decomposition<SolverTraits>(m_mesh, m_generators, laplacian).harmonic_basis();
     if (!m_version) return;
-    if (m_inverse)
-      m_inverse->update_geometry();
-    else
-      m_inverse.emplace(m_mesh, m_analyzed);
-    m_functions = exactness_constraints(m_mesh, m_basis, *m_inverse, m_on, *m_version);
+    m_functions = m_equation.is_closed() ? closed_functions() : bounded_functions();
   }
 
-  int genus() const { return static_cast<int>(m_generators.cols()) / 2; }
+  /// the number of loops around handles and holes, 2G or 2G + number of holes - 1
+  int size_of_loops() const { return static_cast<int>(m_generators.cols()); }
 
-  /// \brief what rho must be orthogonal to: the constants, which have no effect, and `functions()`.
+  /// \brief what rho must be orthogonal to: `functions()`, and the constants, which have no effect
+  /// but where a boundary is free or has prescribed tangents.
   Constraint_basis basis() const
   {
     Constraint_basis basis(m_on == Curvature_potential::On::vertices ? vertex_areas(m_mesh)
                                                                      : face_areas(m_mesh));
-    basis.add(Eigen::VectorXd::Ones(m_functions.rows()));
+    if (m_equation.is_self_adjoint()) basis.add(Eigen::VectorXd::Ones(m_functions.rows()));
     basis.add(m_functions);
     return basis;
   }
 
-  /// |V| x 6G or |F| x 6G, or none
+  /// three for each loop; |V| or |F| rows
   const Eigen::MatrixXd& functions() const { return m_functions; }
 
   /// \brief the norm of the harmonic part of new edge vectors by their norm: zero where they close
-  /// up around the handles; always zero for spheres.
+  /// up around the handles; always zero for spheres and disks.
   /// \param edges |E| x 3, of a transformation of the mesh as it was in `update()`
   double defect(const Eigen::MatrixX3d& edges) const
   {
@@ -94,11 +95,26 @@ class Closing_constraints {
   }
 
  private:
+  Eigen::MatrixXd closed_functions()
+  {
+    if (m_inverse)
+      m_inverse->update_geometry();
+    else
+      m_inverse.emplace(m_mesh, m_equation.problem().solver());
+    return exactness_constraints(m_mesh, m_basis, *m_inverse, m_on, *m_version);
+  }
+
+  Eigen::MatrixXd bounded_functions()
+  {
+    const auto respond = [&](const Block<Quaternion<double>>& c) { return m_equation.response(c); };
+    return bounded_exactness_constraints(m_mesh, m_basis, respond, m_on);
+  }
+
   const Mesh_view& m_mesh;
-  const Dirac_solver& m_analyzed;
+  Equation& m_equation;
   std::optional<Exactness> m_version;
   Curvature_potential::On m_on;
-  Eigen::MatrixXd m_generators;  // |E| x 2G
+  Eigen::MatrixXd m_generators;  // |E| x number of loops
   Harmonic_basis m_basis;
   std::optional<Dirac_energy_solver<SolverTraits>> m_inverse;
   Eigen::MatrixXd m_functions;

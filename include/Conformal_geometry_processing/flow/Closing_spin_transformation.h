@@ -31,8 +31,8 @@ struct Closing_options {
 };
 
 /// \ingroup PkgFlow
-/// \brief spin transformations of closed surfaces of any genus by any rho: applies the part of rho
-/// with which the surface stays closed around its handles, in as many steps as that takes
+/// \brief spin transformations of surfaces with any number of handles and holes by any rho: applies
+/// the part of rho with which the surface stays closed around them, in as many steps as that takes
 /// [CGP 4.5.2].
 ///
 /// The edges of a transformed surface have periods along the 2G loops of its handles, and where a
@@ -42,8 +42,8 @@ struct Closing_options {
 /// surface found towards the curvature that is missing: rho |df|, rho as a density of lengths, is
 /// what adds up over transformations.
 ///
-/// On spheres it does what `Spin_transformation` does, and nothing else. Otherwise a step costs a
-/// second factorization, of the matrix for rho = 0, and 10G solves or so.
+/// On spheres and disks it does what `Spin_transformation` does, and nothing else. Otherwise a step
+/// costs a second factorization, of the matrix for rho = 0, and 10G solves or so.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
@@ -57,7 +57,13 @@ class Closing_spin_transformation {
   /// \throw Solver_error if the analysis fails
   explicit Closing_spin_transformation(const Mesh_view& mesh, const Closing_options& options = {},
                                        const std::string& function = "Closing_spin_transformation")
-      : m_options(options), m_transformation(mesh, function), m_initial(mesh)
+      : Closing_spin_transformation(mesh, options, Boundary_condition(), function)
+  {}
+
+  /// the same with a condition for the boundary
+  Closing_spin_transformation(const Mesh_view& mesh, const Closing_options& options,
+                              const Boundary_condition& condition, const std::string& function)
+      : m_options(options), m_transformation(mesh, condition, function), m_initial(mesh)
   {}
 
   /// \brief transforms the mesh; the object is used up.
@@ -72,11 +78,10 @@ class Closing_spin_transformation {
                         GoFurther go_further = {}) &&
   {
     m_transformation.require_potential(rho);
-    if (!m_options.exactness || genus() == 0)
+    if (!m_options.exactness || !has_loops())
       return std::move(m_transformation).transform(rho, options, go_further);
     m_mesh = m_initial;
-    Closing closing(m_mesh, m_transformation.dirac_equation().problem().solver(),
-                    m_options.exactness, rho.on);
+    Closing closing(m_mesh, m_transformation.dirac_equation(), m_options.exactness, rho.on);
     m_missing = rho;
     m_left_out = Eigen::VectorXd::Zero(rho.values.size());
     const double wanted = norm(rho.values);
@@ -91,13 +96,15 @@ class Closing_spin_transformation {
   }
 
  private:
-  using Closing = Closing_constraints<SolverTraits>;
+  using Closing = Closing_constraints<SolverTraits, EigensolverTraits>;
 
-  // By Euler's formula for a closed and connected surface.
-  int genus() const
+  // Of what must close, there is nothing on a sphere, a disk, or between given positions.
+  bool has_loops()
   {
     const Mesh_view& mesh = m_initial;
-    return 1 - (mesh.size_of_vertices() - mesh.size_of_edges() + mesh.size_of_faces()) / 2;
+    const int chi = mesh.size_of_vertices() - mesh.size_of_edges() + mesh.size_of_faces();
+    const bool is_closed = m_transformation.dirac_equation().is_closed();
+    return chi < (is_closed ? 2 : 1) && !m_transformation.dirac_equation().positions();
   }
 
   template <class GoFurther>

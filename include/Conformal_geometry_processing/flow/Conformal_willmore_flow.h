@@ -31,12 +31,14 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// \brief the conformal Willmore flow of a closed surface: a sequence of spin transformations that
-/// makes it as smooth as its conformal class allows [CGP 6.4].
+/// \brief the conformal Willmore flow of a surface: a sequence of spin transformations that makes
+/// it as smooth as its conformal class allows, and its boundary [CGP 6.4].
 ///
 /// Each step takes the direction v (-H for the Willmore flow), removes from it what the constraints
-/// forbid, and transforms by rho = tau v. The constants are forbidden, for they change nothing, and
-/// the components of the normals, which belong to sphere inversions. Area and centroid stay.
+/// forbid, and transforms by rho = tau v. On closed surfaces the constants are forbidden, for they
+/// change nothing, and the components of the normals, which belong to sphere inversions. With a
+/// free boundary, or prescribed tangents, nothing is forbidden; with prescribed binormals the
+/// constants are, so that the flow ends at constant mean curvature. Area and centroid stay.
 ///
 /// A step is accepted if its equation is solved, the energy falls, and it is conformal enough;
 /// otherwise it is tried again with half of tau. So the surface in this object is always that of
@@ -54,7 +56,7 @@ class Conformal_willmore_flow {
  public:
   /// \param mesh is copied
   /// \param function named in exceptions
-  /// \throw Precondition_error if the mesh is not a closed, connected, oriented manifold with
+  /// \throw Precondition_error if the mesh is not a connected, oriented manifold with
   /// finite coordinates and positive areas, or an option is out of its range
   /// \throw Solver_error if the analysis fails
   explicit Conformal_willmore_flow(const Mesh_view& mesh, const Flow_options& options = {},
@@ -62,12 +64,12 @@ class Conformal_willmore_flow {
                                    std::string function = "Conformal_willmore_flow")
       : m_function(std::move(function)),
         m_options(checked(options, m_function)),
-        m_transformation(mesh, m_function),
+        m_transformation(mesh, options.boundary, m_function),
         m_initial(mesh),
         m_mesh(mesh),
         m_next(mesh),
-        m_direction(m_mesh, std::move(direction), options,
-                    m_transformation.dirac_equation().problem(), m_function),
+        m_direction(m_mesh, std::move(direction), options, m_transformation.dirac_equation(),
+                    m_function),
         m_balance(
             mesh,
             options, [&]() -> const auto& { return m_transformation.reconstruction().solver(); },
@@ -283,7 +285,7 @@ class Conformal_willmore_flow {
   Flow_options m_options;
   Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
   Mesh_view m_initial, m_mesh, m_next;  // m_next: room for trials
-  Constrained_direction<SolverTraits, Direction> m_direction;
+  Constrained_direction<SolverTraits, EigensolverTraits, Direction> m_direction;
   Flow_balance m_balance;
   double m_energy;
   Time_step m_time_step;

@@ -11,7 +11,7 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
+#include <Conformal_geometry_processing/spin/Surface_dirac_equation.h>
 
 #include <Eigen/Core>
 
@@ -26,15 +26,18 @@ namespace Conformal_geometry_processing {
 /// \brief what becomes of the direction of a flow before it may move the surface: it is filtered,
 /// and loses what the constraints forbid [CGP 6.4.4].
 ///
-/// Forbidden are the constants, which change nothing; the functions of `Closing_constraints`; and
-/// the components of the normals, which belong to sphere inversions: curvature has no part along
-/// them, but its filtered part has, and would set the surface drifting.
+/// Forbidden are the constants, where they change nothing; the functions of `Closing_constraints`;
+/// and on closed surfaces the components of the normals, which belong to sphere inversions:
+/// curvature has no part along them, but its filtered part has, and would set the surface drifting.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
 /// \tparam Direction a model of `CurvatureDirection`
-template <class SolverTraits, class Direction>
+template <class SolverTraits, class EigensolverTraits, class Direction>
 class Constrained_direction {
  public:
+  using Equation = Surface_dirac_equation<SolverTraits, EigensolverTraits>;
+
   /// of one surface
   struct Result {
     Eigen::VectorXd v;  ///< |V| numbers in 1/length
@@ -43,18 +46,18 @@ class Constrained_direction {
   };
 
   /// \param mesh its positions may change; must outlive the object, and so must `equation`
-  /// \param equation a `Dirac_eigenproblem` of the mesh, whose analysis is shared
-  template <class Eigenproblem>
+  /// \param equation that of the mesh, whose analysis is shared
   Constrained_direction(const Mesh_view& mesh, Direction direction, const Flow_options& options,
-                        const Eigenproblem& equation, std::string function)
+                        Equation& equation, std::string function)
       : m_mesh(mesh),
         m_direction(std::move(direction)),
-        m_closing(mesh, equation.solver(), options.exactness),
+        m_closing(mesh, equation, options.exactness),
+        m_is_closed(equation.is_closed()),
         m_function(std::move(function))
   {
     if (options.filter_weight > 0)
       m_filter.emplace(mesh, options.filter_weight, options.filter_order,
-                       equation.matrix().shared_pattern(), equation.solver());
+                       equation.problem().matrix().shared_pattern(), equation.problem().solver());
   }
 
   const Direction& unconstrained() const { return m_direction; }
@@ -89,7 +92,7 @@ class Constrained_direction {
   {
     m_closing.update(laplacian);
     Constraint_basis all = m_closing.basis();
-    all.add(vertex_normals(m_mesh, Normal_weight::angle).transpose());
+    if (m_is_closed) all.add(vertex_normals(m_mesh, Normal_weight::angle).transpose());
     Result result;
     result.v = all.project_out(filtered(raw));
     result.norm = all.norm(result.v);
@@ -118,7 +121,8 @@ class Constrained_direction {
 
   const Mesh_view& m_mesh;
   Direction m_direction;
-  Closing_constraints<SolverTraits> m_closing;
+  Closing_constraints<SolverTraits, EigensolverTraits> m_closing;
+  bool m_is_closed;
   std::optional<Curvature_filter<SolverTraits>> m_filter;
   std::string m_function;
 };

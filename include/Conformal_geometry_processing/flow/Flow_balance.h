@@ -10,6 +10,7 @@
 #include <Conformal_geometry_processing/linear_algebra/Grounded_solver.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
@@ -35,6 +36,7 @@ class Flow_balance {
       : m_way(options.balancing)
   {
     if (options.balance == Balance::none) return;
+    require_closed(mesh, function);
     m_balancing.emplace(target_areas(mesh, options, laplacian, function), function);
     (void)m_balancing->imbalance(mesh);  // finds out about a wrong number of areas
   }

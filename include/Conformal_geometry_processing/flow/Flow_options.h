@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/Exactness_constraints.h>
+#include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
 #include <Eigen/Core>
@@ -66,6 +67,9 @@ struct Flow_options {
   Balancing balancing = Balancing::inversion;
   Eigen::VectorXd target_areas;  ///< of `Balance::prescribed`, |V| positive numbers
 
+  /// what is kept or prescribed at the boundary of a surface that has one; directions, or nothing
+  Boundary_condition boundary;
+
   Dirac_options dirac;
 };
 
@@ -86,6 +90,8 @@ inline const Flow_options& checked(const Flow_options& o, const std::string& fun
   require(o.filter_weight >= 0 && std::isfinite(o.filter_weight),
           "a filter weight of " + std::to_string(o.filter_weight),
           "zero or a positive number is needed");
+  require(o.boundary.kind != Boundary_condition::Kind::positions,
+          "positions are prescribed at the boundary", "a flow can keep directions only");
   return o;
 }
 

@@ -22,6 +22,7 @@ namespace Conformal_geometry_processing {
 /// on the conformal structure alone: conformally equivalent surfaces have the same u dA, and any
 /// other orthonormal basis gives the same u. Costs O(G |F|).
 ///
+/// \param basis that of a closed surface
 /// \param function named in the exception
 /// \throw Precondition_error on a sphere, which has no harmonic forms
 inline Eigen::VectorXd canonical_area_density(

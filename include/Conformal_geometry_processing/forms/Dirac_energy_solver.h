@@ -55,8 +55,7 @@ class Dirac_energy_solver {
   {
     const double pi = std::acos(-1.);
     m_areas = vertex_areas(m_mesh);
-    const auto none = Eigen::VectorXd::Zero(m_mesh.size_of_vertices());
-    assemble_dirac_energy(m_mesh, Curvature_potential::on_vertices(none), m_X);
+    assemble_dirac_energy(m_mesh, no_potential(m_mesh), m_X);
     const double unit = 4 * pi / m_areas.sum();  // the size of the low eigenvalues
     Solver_status status = m_solver.factorize(m_X, 1e-5 * unit * m_areas);
     if (status == Solver_status::not_positive_definite)  // to rounding, where there are slivers

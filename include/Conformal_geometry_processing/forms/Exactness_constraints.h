@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 
 namespace Conformal_geometry_processing {
@@ -123,6 +124,36 @@ Eigen::MatrixXd exactness_constraints(const Mesh_view& mesh, const Harmonic_basi
       z.middleCols<3>(3 * i) = own;
   }
   return z;
+}
+
+/// \ingroup PkgForms
+/// \brief the same functions on a surface with boundary, 3 for each harmonic form, as
+/// `Exactness::adjoint` has them.
+///
+/// With directions prescribed at the boundary the spins are a space over the real numbers only, so
+/// that each axis of space needs a solve of its own. [CGP 6.4.5], D Z = v, is no derivative of the
+/// periods there and leaves them of first order.
+/// \param basis of Neumann type, as `Hodge_decomposition` gives it
+/// \param inverse a callable `Block<Quaternion<double>>` -> the same: the change of lambda that
+/// answers to sources c, (D^H M_F D) y = c in the space that the boundary condition allows
+template <class Inverse>
+Eigen::MatrixXd bounded_exactness_constraints(const Mesh_view& mesh, const Harmonic_basis& basis,
+                                              const Inverse& inverse, Curvature_potential::On on)
+{
+  const Block<Quaternion<double>> sources = internal::adjoint_sources(mesh, basis);
+  const std::array<Quaternion<double>, 3> axes = {{{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+  Block<Quaternion<double>> c(sources.rows(), 3 * sources.cols());
+  for (Eigen::Index i = 0; i < c.cols(); ++i)
+    for (Eigen::Index v = 0; v < c.rows(); ++v)
+      c(v, i) = sources(v, i / 3) * conjugate(axes[static_cast<std::size_t>(i % 3)]);
+  const Block<Quaternion<double>> Y = inverse(c);
+  const Quaternionic_sparse_matrix<double> D = dirac(mesh);
+  Eigen::MatrixXd z(mesh.size_of_faces(), c.cols());
+  for (Eigen::Index i = 0; i < c.cols(); ++i)
+    z.col(i) = components(Quaternion_vector<double>(D * Quaternion_vector<double>(Y.col(i))))
+                   .row(0)
+                   .transpose();
+  return on == Curvature_potential::On::vertices ? internal::vertex_means(mesh, z) : z;
 }
 
 }  // namespace Conformal_geometry_processing

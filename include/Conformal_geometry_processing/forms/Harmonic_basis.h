@@ -17,19 +17,19 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgForms
-/// \brief the harmonic 1-forms of a closed surface, 2G of them for genus G, orthonormal with
-/// respect to sum_e w_e omega_e omega'_e.
+/// \brief the harmonic 1-forms of a surface, 2G of them for genus G, and 2G + loops - 1 where it
+/// has a boundary; orthonormal with respect to sum_e w_e omega_e omega'_e.
 ///
-/// They are closed, d1 omega = 0, and co-closed, d0^T w omega = 0. Which basis of their space it
-/// is, depends on the numbering of the mesh.
+/// They are closed, d1 omega = 0, and co-closed, d0^T w omega = 0, which at a boundary makes their
+/// fields tangent to it. Which basis of their space it is, depends on the numbering of the mesh.
 struct Harmonic_basis {
-  Eigen::MatrixXd one_forms;   ///< |E| x 2G, along each edge i -> j, i < j; dimensionless
-  std::vector<Points> fields;  ///< 2G times 3 x |F|: `tangent_field()` of each, in 1/length
+  Eigen::MatrixXd one_forms;   ///< |E| x `size()`, along each edge i -> j, i < j; dimensionless
+  std::vector<Points> fields;  ///< each 3 x |F|: `tangent_field()` of the forms, in 1/length
 
   int size() const { return static_cast<int>(one_forms.cols()); }
-  int genus() const { return size() / 2; }
+  int genus() const { return size() / 2; }  ///< of closed surfaces
 
-  /// \brief <omega_i, alpha> for the forms of the basis and those given: 2G x k.
+  /// \brief <omega_i, alpha> for the forms of the basis and those given: `size()` x k.
   ///
   /// The harmonic part of alpha is `one_forms * coefficients(w, alpha)`, and what the coefficients
   /// square and sum up to is its squared norm.

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/forms/tangent_field.h>
 #include <Conformal_geometry_processing/mesh/Associated_property_map.h>
 #include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -99,9 +100,9 @@ class Harmonic_forms {
       : m_data(std::make_shared<const Data>(mesh, graph, std::move(basis), scale))
   {}
 
-  /// 2 `genus()`
+  /// 2 `genus()`, and with a boundary one more for each of its loops but one
   int size() const { return static_cast<int>(m_data->fields.size()); }
-  int genus() const { return size() / 2; }
+  int genus() const { return m_data->genus; }
 
   /// form i, 0 <= i < `size()`; dimensionless. The sum of w_e omega_i(e) omega_j(e) over the edges,
   /// with cotan weights, is 1 for i = j and 0 otherwise.
@@ -115,18 +116,17 @@ class Harmonic_forms {
   struct Data {
     Data(const TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph, Harmonic_basis basis,
          double scale)
-        : halfedges(halfedges_of(mesh, graph)),
+        : genus(topology(graph.view()).genus),
+          halfedges(halfedges_of(mesh, graph)),
           faces(faces_of(graph)),
-          along_halfedges(graph.view().size_of_halfedges(), basis.size()),
+          along_halfedges(values_along(graph.view(), basis)),
           fields(std::move(basis.fields))
     {
       for (Points& v : fields) v *= scale;
-      for (int i = 0; i < basis.size(); ++i)
-        for (int h = 0; h < graph.view().size_of_halfedges(); ++h)
-          along_halfedges(h, i) = along_halfedge(graph.view(), basis.one_forms.col(i), h);
     }
 
-    /// in the order of the view, whose halfedge 3 f + c is opposite corner c
+    /// in the order of the view, whose halfedge 3 f + c is opposite corner c; those of the border
+    /// come last
     static std::vector<halfedge_descriptor> halfedges_of(const TriangleMesh& mesh,
                                                          const Graph_view<TriangleMesh>& graph)
     {
@@ -136,7 +136,27 @@ class Harmonic_forms {
         const auto first = next(last, mesh);
         list.insert(list.end(), {first, next(first, mesh), last});
       }
+      for (int h = 0; h < graph.view().size_of_halfedges(); ++h)
+        if (graph.view().twin(h) < 0)
+          list.push_back(opposite(list[static_cast<std::size_t>(h)], mesh));
       return list;
+    }
+
+    /// in the same order
+    static Eigen::MatrixXd values_along(const Mesh_view& view, const Harmonic_basis& basis)
+    {
+      std::vector<int> border;
+      for (int h = 0; h < view.size_of_halfedges(); ++h)
+        if (view.twin(h) < 0) border.push_back(h);
+      const int inside = view.size_of_halfedges(), all = inside + static_cast<int>(border.size());
+      Eigen::MatrixXd values(all, basis.size());
+      for (int i = 0; i < basis.size(); ++i) {
+        for (int h = 0; h < inside; ++h)
+          values(h, i) = along_halfedge(view, basis.one_forms.col(i), h);
+        for (int h = inside; h < all; ++h)
+          values(h, i) = -values(border[static_cast<std::size_t>(h - inside)], i);
+      }
+      return values;
     }
 
     static std::vector<face_descriptor> faces_of(const Graph_view<TriangleMesh>& graph)
@@ -146,10 +166,11 @@ class Harmonic_forms {
       return list;
     }
 
+    int genus;
     Element_numbering<halfedge_descriptor> halfedges;
     Element_numbering<face_descriptor> faces;
-    Eigen::MatrixXd along_halfedges;  // 3|F| x 2G
-    std::vector<Points> fields;       // 2G times 3 x |F|
+    Eigen::MatrixXd along_halfedges;  // number of halfedges x number of forms
+    std::vector<Points> fields;       // each 3 x |F|
   };
 
   std::shared_ptr<const Data> m_data;

@@ -30,15 +30,18 @@ struct Hodge_parts {
 };
 
 /// \ingroup PkgForms
-/// \brief splits 1-forms of a closed surface into exact, co-exact and harmonic parts, and finds a
-/// basis of the harmonic ones [CGP 6.4.5].
+/// \brief splits 1-forms of a surface into exact, co-exact and harmonic parts, and finds a basis of
+/// the harmonic ones [CGP 6.4.5].
+///
+/// At a boundary, co-exact and harmonic fields are tangent to it (forms of Neumann type), and the
+/// functions of exact ones are free.
 ///
 /// Orthogonal means sum_e w_e a_e b_e = 0 with cotan weights w, which may be negative. No weight is
 /// divided by, so right angles do no harm: the exact part is d0 u with L u = d0^T w omega, the
 /// harmonic part is found by the basis, and the rest is co-exact. The basis comes from closed
 /// generators in the same way: omega = eta - d0 u.
 ///
-/// Factors the Laplacian once, unless it is given; the basis takes 4G solves with it.
+/// Factors the Laplacian once, unless it is given; the basis takes two solves with it per form.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits = Default_solver_traits>
@@ -46,8 +49,8 @@ class Hodge_decomposition {
  public:
   /// \param mesh must outlive the object
   /// \param function named in exceptions
-  /// \throw Precondition_error if the mesh is not a closed, connected, oriented manifold with
-  /// finite coordinates and positive areas; the message names the first element in the way
+  /// \throw Precondition_error if the mesh is not a connected, oriented manifold with finite
+  /// coordinates and positive areas; the message names the first element in the way
   /// \throw Solver_error if the Laplacian cannot be factored
   explicit Hodge_decomposition(const Mesh_view& mesh,
                                const std::string& function = "Hodge_decomposition")
@@ -55,10 +58,11 @@ class Hodge_decomposition {
   {}
 
   /// \brief from given generators, with a given factor.
-  /// \param generators |E| x 2G closed forms, with no exact one among their combinations
+  /// \param generators closed forms, |E| x their number (see `closed_generators()`), with no exact
+  /// one among their combinations
   /// \param laplacian solves with the Laplacian of the mesh, as `Poisson_reconstruction::solver()`
   /// does; must outlive the object
-  /// \pre `require_surface(mesh)` and `require_closed(mesh)` hold
+  /// \pre `require_surface(mesh)` holds
   /// \throw Precondition_error if the generators are not independent
   Hodge_decomposition(const Mesh_view& mesh, const Eigen::MatrixXd& generators,
                       const Grounded_solver<SolverTraits>& laplacian)
@@ -92,7 +96,6 @@ class Hodge_decomposition {
     Checked_mesh(const Mesh_view& mesh_, const std::string& function) : mesh(mesh_)
     {
       require_surface(mesh, function);
-      require_closed(mesh, function);
     }
     const Mesh_view& mesh;
   };

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 #include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 
 #include <Eigen/Core>
@@ -59,9 +60,10 @@ inline std::complex<double> reduced_modulus(std::complex<double> tau)
 ///
 /// No solve: the harmonic parts of the generators are their coefficients in the basis.
 /// \pre `basis` is that of the mesh
-/// \throw Precondition_error if the genus is not one
+/// \throw Precondition_error if the surface has a boundary, or its genus is not one
 inline std::complex<double> conformal_modulus(const Mesh_view& mesh, const Harmonic_basis& basis)
 {
+  require_closed(mesh, "conformal_modulus");
   if (basis.genus() != 1)
     throw Precondition_error(
         "conformal_modulus",

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/exterior_derivative.h>
 
@@ -30,9 +31,9 @@ namespace Conformal_geometry_processing {
 /// regular up to the constants, though indefinite if weights are negative. A matrix on the faces
 /// is factored with pivoting: much slower than trees.
 ///
-/// \returns |E| x 2G; almost surely no combination is exact
+/// \returns |E| x 2G, or 2G + loops - 1 with a boundary; almost surely no combination is exact
 /// \param function named in the exception
-/// \pre `require_surface(mesh)` and `require_closed(mesh)` hold
+/// \pre `require_surface(mesh)` holds
 /// \throw Precondition_error if a weight is zero; the message names the first such edge
 inline Eigen::MatrixXd random_closed_forms(const Mesh_view& mesh, unsigned seed,
                                            const std::string& function = "random_closed_forms")
@@ -44,16 +45,19 @@ inline Eigen::MatrixXd random_closed_forms(const Mesh_view& mesh, unsigned seed,
       [&](int k) { return internal::name_of_edge(mesh, k); }, function,
       "#edge of cotan weight zero", "random 1-forms divide by the weights, take tree and cotree");
 
-  const int twice_genus = 2 - mesh.size_of_vertices() + mesh.size_of_edges() - mesh.size_of_faces();
+  const Topology t = topology(mesh);
+  const bool is_closed = t.boundary_loops == 0;
+  const int count = 2 * t.genus + (is_closed ? 0 : t.boundary_loops - 1);
   std::mt19937_64 random(seed);
-  Eigen::MatrixXd alpha(mesh.size_of_edges(), twice_genus);
-  if (twice_genus == 0) return alpha;
+  Eigen::MatrixXd alpha(mesh.size_of_edges(), count);
+  if (count == 0) return alpha;
   for (double& value : alpha.reshaped())
     value = std::ldexp(static_cast<double>(random() >> 11), -52) - 1;
 
   const Eigen::SparseMatrix<double> d1 = exterior_derivative_1(mesh);
-  // The sum of all rows is zero, and constants are the kernel: row and column 0 are left out.
-  const Eigen::SparseMatrix<double> part = d1.bottomRows(mesh.size_of_faces() - 1);
+  // Without boundary, the sum of all rows is zero, and constants are the kernel: row and column 0
+  // are left out.
+  const Eigen::SparseMatrix<double> part = d1.bottomRows(mesh.size_of_faces() - is_closed);
   const Eigen::SparseMatrix<double> laplacian =
       part * w.cwiseInverse().asDiagonal() * part.transpose();
   const Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(laplacian);

@@ -15,7 +15,9 @@ namespace Conformal_geometry_processing {
 namespace internal {
 
 /// A spanning tree of the faces by breadth-first search, which keeps the loops short, and the edges
-/// that neither it crosses nor a spanning tree of the vertices takes: 2G of them.
+/// that neither it crosses nor a spanning tree of the vertices takes. What is outside of a surface
+/// with boundary counts as one more face: so 2G + loops - 1 edges are left, and 2G without
+/// boundary.
 class Tree_cotree {
  public:
   explicit Tree_cotree(const Mesh_view& mesh) : m_mesh(mesh)
@@ -35,7 +37,7 @@ class Tree_cotree {
   {
     const int h = *m_mesh.halfedges_begin(k);
     visit(h, 1);
-    walk_to_root(Mesh_view::face(m_mesh.twin(h)), 1, visit);
+    walk_to_root(beyond(h), 1, visit);
     walk_to_root(Mesh_view::face(h), -1, visit);
   }
 
@@ -46,25 +48,45 @@ class Tree_cotree {
   void walk_to_root(int f, int sign, Visitor visit) const
   {
     for (int h = m_exit[at(f)]; h >= 0; h = m_exit[at(f)]) {
-      visit(h, sign);
-      f = Mesh_view::face(m_mesh.twin(h));
+      const bool is_outside = f == outside();
+      visit(h, is_outside ? -sign : sign);
+      f = is_outside ? Mesh_view::face(h) : beyond(h);
     }
+  }
+
+  int outside() const { return m_mesh.size_of_faces(); }
+
+  /// the face on the other side of a halfedge
+  int beyond(int h) const
+  {
+    const int g = m_mesh.twin(h);
+    return g < 0 ? outside() : Mesh_view::face(g);
+  }
+
+  /// the halfedges by which faces around f reach it
+  std::vector<int> halfedges_around(int f) const
+  {
+    if (f < outside()) return {3 * f, 3 * f + 1, 3 * f + 2};
+    std::vector<int> boundary;
+    for (int h = 0; h < m_mesh.size_of_halfedges(); ++h)
+      if (m_mesh.twin(h) < 0) boundary.push_back(h);
+    return boundary;
   }
 
   void grow_cotree()
   {
-    m_exit.assign(at(m_mesh.size_of_faces()), -1);
+    m_exit.assign(at(m_mesh.size_of_faces() + 1), -1);
     m_is_crossed.assign(at(m_mesh.size_of_edges()), 0);
     std::vector<char> is_met(m_exit.size(), 0);
     std::vector<int> queue = {0};
     is_met[0] = 1;
     for (std::size_t i = 0; i < queue.size(); ++i)
-      for (int h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
-        const int g = m_mesh.twin(h), f = Mesh_view::face(g);
+      for (int h : halfedges_around(queue[i])) {
+        const int f = queue[i] == outside() ? Mesh_view::face(h) : beyond(h);
         if (is_met[at(f)]) continue;
         is_met[at(f)] = 1;
-        m_exit[at(f)] = g;
-        m_is_crossed[at(m_mesh.edge(g))] = 1;
+        m_exit[at(f)] = m_mesh.twin(h) < 0 ? h : m_mesh.twin(h);
+        m_is_crossed[at(m_mesh.edge(h))] = 1;
         queue.push_back(f);
       }
   }
@@ -88,7 +110,9 @@ class Tree_cotree {
   }
 
   const Mesh_view& m_mesh;
-  std::vector<int> m_exit;         // |F|: the halfedge towards the root, -1 at the root
+  // |F| + 1, the last one the outside: the halfedge towards the root, -1 at the root. Boundary
+  // edges have one halfedge for both directions.
+  std::vector<int> m_exit;
   std::vector<char> m_is_crossed;  // |E|: by the tree of the faces
   std::vector<int> m_leftover;
 };
@@ -96,18 +120,21 @@ class Tree_cotree {
 }  // namespace internal
 
 /// \ingroup PkgForms
-/// \brief 2G closed 1-forms whose classes are a basis of the cohomology with integer coefficients:
-/// |E| x 2G whole numbers, mostly 0.
+/// \brief closed 1-forms whose classes are a basis of the cohomology with integer coefficients: 2G
+/// of them on a closed surface, 2G + loops - 1 on one with boundary. |E| x as many whole numbers,
+/// mostly 0.
 ///
 /// Tree-cotree decomposition: what is left of the edges when a spanning tree of the faces crosses
-/// some and a spanning tree of the vertices takes others are 2G edges. Across each, a loop closes
-/// in the tree of faces, and its form is 1 on the edges that it crosses from left to right (seen
-/// along the edge i -> j, i < j), -1 where from right to left. The sum around a face is zero
+/// some and a spanning tree of the vertices takes others are as many edges. Across each, a loop
+/// closes in the tree of faces, and its form is 1 on the edges that it crosses from left to right
+/// (seen along the edge i -> j, i < j), -1 where from right to left. The sum around a face is zero
 /// exactly, for the loop leaves it as often as it enters; the integral along a curve is the number
-/// of times that it meets the loop. Depends on the connectivity alone.
+/// of times that it meets the loop. Loops may lead through the outside, as if all holes were one
+/// face; the form is then one of a path from boundary to boundary. Depends on the connectivity
+/// alone.
 ///
 /// O(|V| + |F|) and the lengths of the loops.
-/// \pre `require_surface(mesh)` and `require_closed(mesh)` hold
+/// \pre `require_surface(mesh)` holds
 inline Eigen::MatrixXd closed_generators(const Mesh_view& mesh)
 {
   const internal::Tree_cotree trees(mesh);

@@ -91,7 +91,8 @@ class Eigen_convergence {
   {
     Vector<double> estimates(x.size());
     for (Eigen::Index j = 0; j < x.size(); ++j) {
-      const Quaternion<double> along = inner_product(x.nv.col(j), Tr.col(j));
+      const Quaternion<double> along =
+          reduced_to(x.coefficients, inner_product(x.nv.col(j), Tr.col(j)));
       const double squared =
           (inner_product(r.col(j), Tr.col(j)) - inner_product(r.col(j), x.v.col(j)) * along).w;
       estimates[j] = std::sqrt(std::max(squared, 0.0)) / m_options.scale;

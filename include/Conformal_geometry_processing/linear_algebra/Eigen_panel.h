@@ -17,8 +17,16 @@ namespace Conformal_geometry_processing {
 /// K x = N x theta combines, so that K and N are not applied again to combinations.
 struct Eigen_panel {
   Block<Quaternion<double>> v, kv, nv;
+  Coefficients coefficients = Coefficients::quaternions;
 
   Eigen::Index size() const { return v.cols(); }
+
+  /// A^H B, in which combinations are sought
+  Block<Quaternion<double>> gram(const Block<Quaternion<double>>& A,
+                                 const Block<Quaternion<double>>& B) const
+  {
+    return gram_matrix(A, B, coefficients);
+  }
 
   std::array<Block<Quaternion<double>>*, 3> parts() { return {&v, &kv, &nv}; }
 
@@ -49,9 +57,10 @@ void apply_operators(const K& apply_k, const N& apply_n, Eigen_panel& p)
 /// \relates Eigen_panel
 /// V with what K and N make of it
 template <class K, class N>
-Eigen_panel make_panel(const K& apply_k, const N& apply_n, Block<Quaternion<double>> v)
+Eigen_panel make_panel(const K& apply_k, const N& apply_n, Block<Quaternion<double>> v,
+                       Coefficients coefficients = Coefficients::quaternions)
 {
-  Eigen_panel p{std::move(v), {}, {}};
+  Eigen_panel p{std::move(v), {}, {}, coefficients};
   apply_operators(apply_k, apply_n, p);
   return p;
 }
@@ -74,7 +83,7 @@ inline void project_out(Eigen_panel& p, const Eigen_panel& base)
 {
   if (p.size() == 0 || base.size() == 0) return;
   for (int pass = 0; pass < 2; ++pass) {
-    const Block<Quaternion<double>> shadow = -gram_matrix(base.nv, p.v);
+    const Block<Quaternion<double>> shadow = -base.gram(base.nv, p.v);
     add_combination(p.v, base.v, shadow);
     add_combination(p.kv, base.kv, shadow);
     add_combination(p.nv, base.nv, shadow);
@@ -94,7 +103,8 @@ inline void project_column(Eigen_panel& p, Eigen::Index j)
 {
   for (int pass = 0; pass < 2; ++pass)
     for (Eigen::Index i = 0; i < j; ++i) {
-      const Quaternion<double> shadow = -inner_product(p.nv.col(i), p.v.col(j));
+      const Quaternion<double> shadow =
+          -reduced_to(p.coefficients, inner_product(p.nv.col(i), p.v.col(j)));
       for (auto* part : p.parts()) add_multiple(part->col(j), part->col(i), shadow);
     }
 }

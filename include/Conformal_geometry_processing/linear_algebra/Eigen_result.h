@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_EIGEN_RESULT_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_EIGEN_RESULT_H
 
-#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/linear_algebra/block_products.h>
 
 #include <optional>
 
@@ -18,6 +18,8 @@ struct Eigen_options {
   /// the square root of an eigenvalue of typical size, sqrt(4 pi / area) on a surface: makes the
   /// error estimate a pure number
   double scale = 1;
+  /// of combinations of vectors; `reals` where the vectors are a space over the reals only
+  Coefficients coefficients = Coefficients::quaternions;
 };
 
 /// \ingroup PkgLinearAlgebra

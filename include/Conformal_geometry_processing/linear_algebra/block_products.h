@@ -12,16 +12,34 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
+/// \brief what quaternionic vectors are combined with.
+///
+/// The vectors with prescribed directions at the boundary (`Reduced_basis`) are a space over the
+/// real numbers only: their inner product is the real part of the quaternionic one, and everything
+/// made from inner products is real as well.
+enum class Coefficients { quaternions, reals };
+
+/// \ingroup PkgLinearAlgebra
+/// \brief q, or its real part
+template <class FT>
+Quaternion<FT> reduced_to(Coefficients coefficients, const Quaternion<FT>& q)
+{
+  return coefficients == Coefficients::reals ? Quaternion<FT>{q.w, 0, 0, 0} : q;
+}
+
+/// \ingroup PkgLinearAlgebra
 /// \brief A^H B: the inner products of the columns of A with those of B.
 ///
 /// Written out because Eigen's dense products may exchange their factors, which quaternions do not
 /// allow.
 template <class FT>
-Block<Quaternion<FT>> gram_matrix(const Block<Quaternion<FT>>& A, const Block<Quaternion<FT>>& B)
+Block<Quaternion<FT>> gram_matrix(const Block<Quaternion<FT>>& A, const Block<Quaternion<FT>>& B,
+                                  Coefficients coefficients = Coefficients::quaternions)
 {
   Block<Quaternion<FT>> G(A.cols(), B.cols());
   for (Eigen::Index j = 0; j < B.cols(); ++j)
-    for (Eigen::Index i = 0; i < A.cols(); ++i) G(i, j) = inner_product(A.col(i), B.col(j));
+    for (Eigen::Index i = 0; i < A.cols(); ++i)
+      G(i, j) = reduced_to(coefficients, inner_product(A.col(i), B.col(j)));
   return G;
 }
 

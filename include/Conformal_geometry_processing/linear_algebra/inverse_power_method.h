@@ -29,7 +29,8 @@ Eigen_result inverse_power_method(const K& apply_k, const N& apply_n, const T& i
                                   GoFurther go_further = {})
 {
   Eigen_convergence convergence("inverse_power_method", options, x0);
-  Eigen_panel x = convergence.initial(make_panel(apply_k, apply_n, std::move(x0)));
+  Eigen_panel x =
+      convergence.initial(make_panel(apply_k, apply_n, std::move(x0), options.coefficients));
   Block<Quaternion<double>> r, Tr;
   while (true) {
     x.residual(r);

@@ -27,7 +27,13 @@
   X(output_vertex_point_map)                            \
   X(vertex_spin_map)                                    \
   X(vertex_initial_spin_map)                            \
+  X(boundary_direction)                                 \
   X(boundary_direction_map)                             \
+  X(vertex_target_point_map)                            \
+  X(kernel_tolerance)                                   \
+  X(branch)                                             \
+  X(vertex_scale_map)                                   \
+  X(blend)                                              \
   X(time_step)                                          \
   X(maximum_number_of_substeps)                         \
   X(tolerance)                                          \
@@ -38,6 +44,7 @@
   X(one_form_generators)                                \
   X(filter_weight)                                      \
   X(filter_order)                                       \
+  X(filter_amount)                                      \
   X(balance)                                            \
   X(balancing)                                          \
   X(vertex_target_area_map)                             \

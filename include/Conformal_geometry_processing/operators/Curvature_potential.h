@@ -42,6 +42,13 @@ struct Curvature_potential {
 };
 
 /// \ingroup PkgOperators
+/// rho = 0, on the vertices
+inline Curvature_potential no_potential(const Mesh_view& mesh)
+{
+  return Curvature_potential::on_vertices(Eigen::VectorXd::Zero(mesh.size_of_vertices()));
+}
+
+/// \ingroup PkgOperators
 /// \brief R: |F| x |V|, multiplication by rho [CGP 5.2]; in 1/length.
 ///
 /// R = P B for rho on faces and R = B P for rho on vertices, with P = diag(rho): the latter

@@ -71,14 +71,41 @@ class Dirac_eigenproblem {
   /// \throw Solver_error if X is not positive definite to rounding, or memory is short
   void set_potential(const Curvature_potential& rho, Dirac_solution::Seconds& seconds)
   {
+    assemble(rho, seconds);
     Stopwatch watch;
-    assemble_dirac_energy(m_mesh, rho, m_X);
-    seconds.assembly += watch.lap();
     Solver_status status = m_solver.factorize(m_X, 1e-3 * unit() * m_areas);
     if (status == Solver_status::not_positive_definite)
       status = m_solver.factorize(m_X, 1e-2 * unit() * m_areas);
     check("factorization", status);
     seconds.factorization += watch.lap();
+  }
+
+  /// \brief assembles X for rho and factors it with a given shift of its diagonal, |V|
+  /// \throw Solver_error as above
+  void set_potential(const Curvature_potential& rho, const Eigen::VectorXd& shift,
+                     Dirac_solution::Seconds& seconds)
+  {
+    assemble(rho, seconds);
+    Stopwatch watch;
+    check("factorization", m_solver.factorize(m_X, shift));
+    seconds.factorization += watch.lap();
+  }
+
+  /// assembles X for rho, and factors nothing
+  void assemble(const Curvature_potential& rho, Dirac_solution::Seconds& seconds)
+  {
+    Stopwatch watch;
+    assemble_dirac_energy(m_mesh, rho, m_X);
+    seconds.assembly += watch.lap();
+  }
+
+  /// \brief x with (X + shift) x = b
+  /// \pre `set_potential()` has been called
+  Vectors solve(const Vectors& b) const
+  {
+    Vectors x;
+    check("solution", m_solver.solve(b, x));
+    return x;
   }
 
   /// \brief the smallest eigenpairs, as many as `start` has columns; `wanted` of them converge.

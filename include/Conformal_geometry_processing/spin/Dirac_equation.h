@@ -44,11 +44,12 @@ class Dirac_equation {
       internal::Dirac_search<Eigenproblem_, Always_go_further>::same_branch;
 
   /// \param mesh must outlive the object
-  /// \pre `require_surface(mesh)` and `require_closed(mesh)` hold
+  /// \pre `require_surface(mesh)` holds, and before `solve()` `require_closed(mesh)`
   /// \throw Solver_error if the analysis fails
   explicit Dirac_equation(const Mesh_view& mesh) : m_problem(mesh) {}
 
   const Eigenproblem_& problem() const { return m_problem; }
+  Eigenproblem_& problem() { return m_problem; }
 
   /// the mesh has new positions
   void update_geometry() { m_problem.update_geometry(); }

@@ -15,6 +15,13 @@ enum class Eigenproblem {
 };
 
 /// \ingroup PkgSpin
+/// which eigenvector of D - rho is taken where directions are prescribed at a boundary
+enum class Branch {
+  nearest,  ///< to the spins that turn the boundary least, harmonic inside
+  smallest  ///< that of the smallest modulus of the eigenvalue
+};
+
+/// \ingroup PkgSpin
 /// how to solve the Dirac equation
 struct Dirac_options {
   Eigenproblem problem = Eigenproblem::standard;
@@ -22,6 +29,10 @@ struct Dirac_options {
   int max_iterations = 200;
   int max_substeps = 64;     ///< of the continuation, where one is needed
   unsigned random_seed = 0;  ///< of the second start vector
+  /// with prescribed directions at a boundary: singular values of D - rho up to it, in 1/length,
+  /// are taken for zero, and of their vectors the combination is taken that is nearest to the guide
+  double kernel_tolerance = 0;
+  Branch branch = Branch::nearest;
 };
 
 /// \ingroup PkgSpin

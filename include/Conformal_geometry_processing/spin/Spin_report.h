@@ -10,6 +10,31 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
+/// why a surface with what was prescribed at its boundary is not to be trusted
+enum class Boundary_fault {
+  none,
+  not_realizable,  ///< no conformal surface has it: the singular value of D - rho stays away from 0
+  does_not_close,  ///< the edges do not fit together
+  degenerate       ///< lambda nearly vanishes somewhere
+};
+
+/// \relates Spin_report
+inline const char* to_string(Boundary_fault fault)
+{
+  switch (fault) {
+    case Boundary_fault::not_realizable:
+      return "no surface conformally equivalent to this one has this curvature and this boundary";
+    case Boundary_fault::does_not_close:
+      return "the edges of the new surface do not fit together";
+    case Boundary_fault::degenerate:
+      return "the new surface shrinks to a point somewhere";
+    case Boundary_fault::none:
+      break;
+  }
+  return "none";
+}
+
+/// \ingroup PkgSpin
 /// \brief the result of a spin transformation in numbers, which are its proof.
 struct [[nodiscard]] Spin_report {
   bool converged = false;  ///< the Dirac equation is solved to the tolerance
@@ -33,6 +58,12 @@ struct [[nodiscard]] Spin_report {
                              ///< closed up, and that was left out, by that of rho
   double period_defect = 0;  ///< what was left of it, relative to the edges, sum of the steps
 
+  /// of prescribed directions at a boundary, radians: of those of the new surface to the targets
+  struct Direction_error {
+    double mean = 0, max = 0;
+  } direction_error;
+  Boundary_fault boundary_fault = Boundary_fault::none;
+
   double closure_residual = 0;  ///< how far the new edges are from closing up, relative
   Conformality conformality;    ///< of the map from the old surface to the new one
   double min_spin_ratio = 0;  ///< min |lambda| / max |lambda|; near zero where the map degenerates
@@ -45,8 +76,12 @@ struct [[nodiscard]] Spin_report {
     double certificate = 0;
   } seconds;
 
-  /// whether the transformation was carried out: solved, and every number of it finite
-  explicit operator bool() const { return converged && !cancelled; }
+  /// whether the transformation was carried out: solved, every number of it finite, and what was
+  /// asked for at a boundary possible
+  explicit operator bool() const
+  {
+    return converged && !cancelled && boundary_fault == Boundary_fault::none;
+  }
 };
 
 /// \relates Spin_report
@@ -67,6 +102,8 @@ inline void append(Spin_report& all, const Spin_report& next)
   all.is_generalized = next.is_generalized;
   all.generalized_eigenvalue = next.generalized_eigenvalue;
   all.steps += next.steps;
+  all.direction_error = next.direction_error;
+  all.boundary_fault = next.boundary_fault;
   all.closure_residual = std::max(all.closure_residual, next.closure_residual);
   all.period_defect += next.period_defect;
   all.seconds.setup = next.seconds.setup;

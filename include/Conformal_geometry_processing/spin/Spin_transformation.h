@@ -7,9 +7,12 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/spin/Dirac_equation.h>
+#include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
+#include <Conformal_geometry_processing/spin/Surface_dirac_equation.h>
+#include <Conformal_geometry_processing/spin/boundary_fault.h>
+#include <Conformal_geometry_processing/spin/restore_area.h>
 #include <Conformal_geometry_processing/spin/rotated_normals.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
@@ -31,14 +34,15 @@ struct Spin_result {
 };
 
 /// \ingroup PkgSpin
-/// \brief spin transformations of one closed surface: prescribes a change rho of its mean curvature
-/// and finds the conformally equivalent surface that has it [CGP (5.3)-(5.5)].
+/// \brief spin transformations of one surface: prescribes a change rho of its mean curvature, and
+/// on surfaces with boundary what becomes of that, and finds the conformally equivalent surface
+/// that has it [CGP (5.3)-(5.5), 5.7].
 ///
 /// H~ |lambda|^2 = H + rho + gamma, so positive rho bulges along the normals. The result has the
-/// area and the centroid of the mesh. All that depends on the mesh alone is done once: checks,
-/// ordering and symbolic analysis in the constructor, the factorization of the Laplacian when it is
-/// first needed. Every call of `transform()` costs one numeric factorization of the Dirac matrix,
-/// three to eight solves with it, and one with the Laplacian.
+/// area and the centroid of the mesh, unless positions are prescribed. All that depends on the mesh
+/// alone is done once: checks, ordering and symbolic analysis in the constructor, the factorization
+/// of the Laplacian when it is first needed. Every call of `transform()` costs one numeric
+/// factorization of the Dirac matrix, three to eight solves with it, and one with the Laplacian.
 ///
 /// Computes in a frame of unit size around the centre, so that neither scale nor position matter.
 ///
@@ -50,15 +54,23 @@ class Spin_transformation {
  public:
   /// \param mesh is copied
   /// \param function named in exceptions
-  /// \throw Precondition_error if the mesh is not a closed, connected, oriented manifold with
+  /// \throw Precondition_error if the mesh is not a connected, oriented manifold with
   /// finite coordinates and positive areas; the message names the first element in the way
   /// \throw Solver_error if the analysis fails
   explicit Spin_transformation(const Mesh_view& mesh,
                                const std::string& function = "Spin_transformation")
+      : Spin_transformation(mesh, Boundary_condition(), function)
+  {}
+
+  /// \brief the same with a condition for the boundary; the default is a free one.
+  /// \throw Precondition_error too if the condition does not fit the mesh, see
+  /// `require_condition()`
+  Spin_transformation(const Mesh_view& mesh, const Boundary_condition& condition,
+                      const std::string& function = "Spin_transformation")
       : m_function(function),
-        m_frame(checked(mesh, function).positions()),
+        m_frame(checked(mesh, condition, function).positions()),
         m_mesh(mesh),
-        m_dirac(in_frame(m_mesh, m_frame)),
+        m_dirac(in_frame(m_mesh, m_frame), in_frame(condition), function),
         m_setup_seconds(m_watch.lap())
   {}
 
@@ -71,10 +83,12 @@ class Spin_transformation {
   /// long as that pays.
   /// \param positions 3 x |V|
   /// \throw Precondition_error if their number is another, one is not finite or a face has area
-  /// zero; everything is as before then
+  /// zero, or the boundary has prescribed positions; everything is as before then
   void set_positions(const Points& positions)
   {
-    require_same_size(positions);
+    require_size(positions.cols(), "positions");
+    if (m_dirac.positions())
+      throw Precondition_error(m_function, "a surface with prescribed boundary cannot move");
     const Points before = m_mesh.positions();
     m_mesh.set_positions(positions);
     try {
@@ -90,8 +104,11 @@ class Spin_transformation {
     m_has_moved = true;
   }
 
+  using Dirac_equation_ = Surface_dirac_equation<SolverTraits, EigensolverTraits>;
+
   /// the Dirac equation of the mesh, in the frame of the computation
-  const Dirac_equation<SolverTraits, EigensolverTraits>& dirac_equation() const { return m_dirac; }
+  const Dirac_equation_& dirac_equation() const { return m_dirac; }
+  Dirac_equation_& dirac_equation() { return m_dirac; }
 
   /// \brief finds positions from edge vectors, in the frame of the computation.
   /// \throw Solver_error if the Laplacian cannot be factored
@@ -146,12 +163,38 @@ class Spin_transformation {
     return result;
   }
 
+  /// \brief the surface with given spins, whether they solve a Dirac equation or not.
+  ///
+  /// `report.closure_residual` tells how far they are from spins of a surface; `converged` whether
+  /// all numbers are finite.
+  /// \param lambda |V|
+  /// \throw Precondition_error if their number is another
+  /// \throw Solver_error if the Laplacian cannot be factored
+  Spin_result integrate(Quaternion_vector<double> lambda)
+  {
+    require_size(lambda.size(), "spins");
+    Spin_result result;
+    result.lambda = std::move(lambda);
+    result.report.converged = true;
+    reconstruct(result);
+    return result;
+  }
+
  private:
-  static const Mesh_view& checked(const Mesh_view& mesh, const std::string& function)
+  static const Mesh_view& checked(const Mesh_view& mesh, const Boundary_condition& condition,
+                                  const std::string& function)
   {
     require_surface(mesh, function);
-    require_closed(mesh, function);
+    require_condition(mesh, condition, function);
     return mesh;
+  }
+
+  /// positions in the frame; directions are the same there
+  Boundary_condition in_frame(Boundary_condition condition) const
+  {
+    if (condition.kind == Boundary_condition::Kind::positions)
+      condition.targets = m_frame.to_frame(std::move(condition.targets));
+    return condition;
   }
 
   static const Mesh_view& in_frame(Mesh_view& mesh, const Normalized_frame& frame)
@@ -160,20 +203,20 @@ class Spin_transformation {
     return mesh;
   }
 
-  void require_same_size(const Points& positions) const
+  void require_size(Eigen::Index size, const std::string& what) const
   {
-    if (positions.cols() != m_mesh.size_of_vertices())
-      throw Precondition_error(m_function, std::to_string(positions.cols()) +
-                                               " positions, one per vertex is needed: " +
+    if (size != m_mesh.size_of_vertices())
+      throw Precondition_error(m_function, std::to_string(size) + " " + what +
+                                               ", one per vertex is needed: " +
                                                std::to_string(m_mesh.size_of_vertices()));
   }
 
   /// lambda, with the part of the report that tells of it
   template <class GoFurther>
-  Spin_result solve(const Curvature_potential& rho, const Dirac_options& options,
-                    GoFurther go_further)
+  Spin_result solve(const Curvature_potential& rho, Dirac_options options, GoFurther go_further)
   {
     require_potential(rho);
+    options.kernel_tolerance *= m_frame.unit();
     const Curvature_potential rho_in_frame{rho.on, rho.values * m_frame.unit()};
     Dirac_solution s = m_dirac.solve(rho_in_frame, options, go_further);
     Spin_result result;
@@ -209,44 +252,36 @@ class Spin_transformation {
     Stopwatch watch;
     Spin_report& r = result.report;
     const Eigen::MatrixX3d edges = transformed_edges(m_mesh, result.lambda);
-    Points f = reconstruction().positions(edges);
+    Points f = m_dirac.positions() ? m_dirac.positions()->positions(edges)
+                                   : reconstruction().positions(edges);
     r.closure_residual = reconstruction().residual(f, edges);
     r.seconds.reconstruction = watch.lap();
-    restore_area(f, result.lambda);
+    if (!m_dirac.positions()) restore_area(m_mesh, f, result.lambda);
     r.conformality = conformality(m_mesh, f, rotated_normals(m_mesh, result.lambda));
     const auto size = components(result.lambda).colwise().norm();
     r.min_spin_ratio = size.minCoeff() / size.maxCoeff();
     r.converged = r.converged && f.allFinite();
+    if (!m_dirac.is_closed()) judge_boundary(f, r);
     result.positions = m_frame.from_frame(std::move(f));
     r.seconds.certificate = watch.lap();
   }
 
-  /// Scales positions and lambda together to the area of the mesh, and moves the centroid back.
-  void restore_area(Points& f, Quaternion_vector<double>& lambda) const
+  /// what came of the condition at the boundary
+  void judge_boundary(const Points& f, Spin_report& r) const
   {
-    const Eigen::VectorXd areas = face_areas(m_mesh);
-    Eigen::VectorXd new_areas(areas.size());
-    for (int i = 0; i < m_mesh.size_of_faces(); ++i)
-      new_areas[i] = m_mesh.double_area_vector(i, f).norm() / 2;
-    const double scale = std::sqrt(areas.sum() / new_areas.sum());
-    f *= scale;
-    components(lambda) *= std::sqrt(scale);
-    f.colwise() += centroid(m_mesh.positions(), areas) - centroid(f, new_areas);
-  }
-
-  Eigen::Vector3d centroid(const Points& f, const Eigen::VectorXd& areas) const
-  {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (int i = 0; i < m_mesh.size_of_faces(); ++i)
-      for (int v : m_mesh.corners(i)) sum += areas[i] / 3 * f.col(v);
-    return sum / areas.sum();
+    if (m_dirac.directions()) {
+      const Eigen::VectorXd errors = m_dirac.directions()->errors({f, m_mesh.corners()});
+      r.direction_error = {errors.mean(), errors.maxCoeff()};
+    }
+    const bool is_misfit = m_dirac.directions() && !m_dirac.is_self_adjoint();
+    r.boundary_fault = boundary_fault(m_mesh, is_misfit ? r.eigenvalue * m_frame.unit() : 0, r);
   }
 
   Stopwatch m_watch;  // started before everything else is constructed
   std::string m_function;
   Normalized_frame m_frame;
   Mesh_view m_mesh;  // in the frame
-  Dirac_equation<SolverTraits, EigensolverTraits> m_dirac;
+  Dirac_equation_ m_dirac;
   std::optional<Poisson_reconstruction<SolverTraits>> m_reconstruction;
   bool m_has_moved = false;  // since the Laplacian was assembled
   double m_setup_seconds;

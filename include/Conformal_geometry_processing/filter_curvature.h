@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FILTER_CURVATURE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FILTER_CURVATURE_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/flow/Curvature_filter.h>
+#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgEntryPoints
+/// \brief what `filter_curvature()` does to a function of frequencies l, with the response
+/// h = sigma l^k / (1 + sigma l^k) of the high ones
+enum class Curvature_band {
+  low,     ///< 1 - h: keeps the large features
+  high,    ///< h: keeps the small ones
+  unsharp  ///< 1 + amount h: lifts the small ones out
+};
+
+/// \ingroup PkgEntryPoints
+/// \brief filters a function on the vertices, such as rho or a height, by its frequencies on the
+/// surface: (id + sigma Delta^k)^-1 and what is made of it [CGP 6.2, 6.4.2.1].
+///
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
+/// \tparam VertexMap a model of `ReadWritePropertyMap` with the vertex descriptor as key and a
+/// number as value
+///
+/// \param mesh the surface, with boundary or without
+/// \param values are replaced by their filtered ones
+/// \param band which frequencies stay
+/// \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{filter_weight}
+///     \cgalParamDescription{sigma, on the surface scaled to the area 4 pi: features larger than
+///                           about sigma^(1/(2k)) are large}
+///     \cgalParamType{`double`, positive}
+///     \cgalParamDefault{0.01}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{filter_order}
+///     \cgalParamDescription{k, how sharp the cut is}
+///     \cgalParamType{`int`, 0 to 3}
+///     \cgalParamDefault{1}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{filter_amount}
+///     \cgalParamDescription{of `Curvature_band::unsharp`}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices}
+///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
+///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_solver}
+///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
+///     \cgalParamDefault{`Default_solver_traits`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
+/// finite coordinates and positive areas, a value is not finite, or a parameter out of its range;
+/// nothing is written then
+/// \throw Solver_error if a factorization fails
+template <class TriangleMesh, class VertexMap,
+          class NamedParameters = parameters::Default_named_parameters>
+void filter_curvature(const TriangleMesh& mesh, VertexMap values, Curvature_band band,
+                      const NamedParameters& np = parameters::default_values())
+{
+  static_assert(
+      internal::only_known_parameters<NamedParameters, CGAL::internal_np::vertex_point_t,
+                                      CGAL::internal_np::geom_traits_t,
+                                      internal_np::sparse_solver_t, internal_np::filter_weight_t,
+                                      internal_np::filter_order_t, internal_np::filter_amount_t>,
+      "filter_curvature(): unknown named parameter, see the manual for those it accepts");
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
+                                                 Default_solver_traits>;
+  using Value = typename boost::property_traits<VertexMap>::value_type;
+  const std::string function = "filter_curvature";
+  const Graph_view<TriangleMesh> graph(mesh, np, function);
+  require_surface(graph.view(), function);
+  Eigen::VectorXd v(graph.view().size_of_vertices());
+  for (int i = 0; i < v.size(); ++i) v[i] = CGAL::to_double(get(values, graph.vertex(i)));
+  internal::refuse_if_any(
+      static_cast<int>(v.size()), [&](int i) { return !std::isfinite(v[i]); },
+      internal::name_of_vertex, function, "#value not finite", "finite values are needed");
+
+  const Points& positions = graph.view().positions();
+  const Mesh_view in_frame(Normalized_frame(positions).to_frame(positions), graph.view().corners());
+  const Curvature_filter<Solver_traits> filter(
+      in_frame, choose_parameter(get_parameter(np, internal_np::filter_weight), 0.01),
+      choose_parameter(get_parameter(np, internal_np::filter_order), 1));
+  const Eigen::VectorXd high = filter(v);
+  const double amount = choose_parameter(get_parameter(np, internal_np::filter_amount), 1.);
+  if (band == Curvature_band::low)
+    v -= high;
+  else if (band == Curvature_band::high)
+    v = high;
+  else
+    v += amount * high;
+  for (int i = 0; i < v.size(); ++i) put(values, graph.vertex(i), Value(v[i]));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MINIMAL_SURFACE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MINIMAL_SURFACE_H
+
+#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/spin/boundary_parameters.h>
+#include <Conformal_geometry_processing/spin_transform.h>
+#include <Conformal_geometry_processing/surfaces/minimal_surface.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgEntryPoints
+/// \brief deforms a surface with boundary conformally into a minimal surface, by rho = -H in one
+/// solve [CGP 6.5.3].
+///
+/// What it looks like is up to the directions at its boundary: by default its tangents are kept. Of
+/// a flat mesh, tangents that stay in the plane give its conformal maps to other plane domains.
+///
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the surface; its points are overwritten
+/// \param np optional named parameters, as those of `spin_transform()`
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{boundary_direction}
+///     \cgalParamDescription{which direction of the boundary frame is kept or prescribed}
+///     \cgalParamType{`Boundary_direction`, not the normal}
+///     \cgalParamDefault{the tangent}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{boundary_direction_map}
+///     \cgalParamDescription{what it becomes, for each vertex on the boundary}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
+///                    vector, not zero, as value}
+///     \cgalParamDefault{what it is}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{kernel_tolerance}
+///     \cgalParamDescription{singular values of D - rho up to it, in 1/length, count as zero, and
+///                           of their surfaces the nearest one is taken}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`minimal_kernel_tolerance()`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the report, which converts to `true` if there is such a surface. Otherwise nothing has
+/// been written.
+/// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
+/// boundary, finite coordinates and positive areas, or the directions do not fit it
+/// \throw Solver_error if a factorization fails
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Spin_report minimal_surface(TriangleMesh& mesh,
+                            const NamedParameters& np = parameters::default_values())
+{
+  static_assert(
+      internal::only_known_parameters<
+          NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
+          CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
+          internal_np::output_vertex_point_map_t, internal_np::vertex_spin_map_t,
+          internal_np::sparse_solver_t, internal_np::tolerance_t, internal_np::kernel_tolerance_t,
+          internal_np::branch_t, internal_np::boundary_direction_t,
+          internal_np::boundary_direction_map_t>,
+      "minimal_surface(): unknown named parameter, see the manual for those it accepts");
+  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
+                                                 Default_solver_traits>;
+  const Graph_view<TriangleMesh> graph(mesh, np, "minimal_surface");
+  Boundary_condition condition = internal::boundary_condition(graph, np, "minimal_surface");
+  if (condition.kind == Boundary_condition::Kind::free) condition = Boundary_condition::tangents();
+  const Spin_result result = spin_to_minimal_surface<Solver_traits>(
+      graph.view(), condition, internal::dirac_options(np), "minimal_surface");
+  if (result.report) internal::write_spin_result(mesh, graph, result, np);
+  return result.report;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_NEAREST_SPIN_TRANSFORM_H
+#define CONFORMAL_GEOMETRY_PROCESSING_NEAREST_SPIN_TRANSFORM_H
+
+#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
+#include <Conformal_geometry_processing/spin_transform.h>
+
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// the report of `nearest_spin_transform()`
+struct [[nodiscard]] Nearest_spin_report : Spin_report {
+  double distance = 0;  ///< root mean square of the distances of the vertices from the target, by
+                        ///< the diagonal of its bounding box
+  int sign_conflicts = 0;  ///< see `make_consistent()`; of smooth deformations none
+};
+
+namespace internal {
+
+/// The coordinates of a point in a map for each vertex, 3 x |V|, by the traits of the mesh.
+template <class TriangleMesh, class PointMap, class NamedParameters>
+Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParameters& np,
+                   const char* function)
+{
+  return Graph_view<TriangleMesh>(mesh, points, geometry_traits<TriangleMesh>(np), function)
+      .view()
+      .positions();
+}
+
+}  // namespace internal
+
+/// \ingroup PkgEntryPoints
+/// \brief deforms a surface conformally, as nearly as it can in the way a given deformation does
+/// [CGP 5.9, 6.3].
+///
+/// The curvature of the deformation, and at a boundary its tangents, are kept; its shear is not. So
+/// an editor of any kind becomes a conformal one. The surface comes to lie as near to the target as
+/// it can by a similarity.
+///
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
+/// \tparam PointMap a model of `ReadablePropertyMap` with the vertex descriptor as key
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the surface; its points are overwritten
+/// \param target_points where the deformation takes each vertex
+/// \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices; read, and written unless
+///                           `output_vertex_point_map` is given}
+///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{output_vertex_point_map}
+///     \cgalParamDescription{where the new points go}
+///     \cgalParamDefault{the vertex point map}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_spin_map}
+///     \cgalParamDescription{receives lambda}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_scale_map}
+///     \cgalParamDescription{factors by which lengths are scaled beside}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
+///                    positive number as value}
+///     \cgalParamDefault{1}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{blend}
+///     \cgalParamDescription{t in (1 - t) lambda + t mu: 0 is conformal, 1 nearest to the target}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits, sparse_solver, eigenvalue_solver, eigenproblem, tolerance,
+///                    number_of_iterations, maximum_number_of_substeps, random_seed, visitor}
+///     \cgalParamDescription{as of `spin_transform()`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the report, which converts to `true` if the equation was solved. Otherwise nothing has
+/// been written.
+/// \throw Precondition_error if the mesh, or the target, is not a connected, oriented manifold
+/// triangle mesh with finite coordinates and positive areas, or a factor is not positive
+/// \throw Solver_error if a factorization fails
+template <class TriangleMesh, class PointMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_points,
+                                           const NamedParameters& np = parameters::default_values())
+{
+  static_assert(
+      internal::only_known_parameters<
+          NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
+          CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
+          CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
+          internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
+          internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::tolerance_t,
+          internal_np::maximum_number_of_substeps_t, internal_np::vertex_scale_map_t,
+          internal_np::blend_t>,
+      "nearest_spin_transform(): unknown named parameter, see the manual for those it accepts");
+  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
+                                                 Default_solver_traits>;
+  using Eigensolver_traits =
+      internal::Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t,
+                               Lobpcg_eigensolver_traits>;
+  const char* const function = "nearest_spin_transform";
+  const Graph_view<TriangleMesh> graph(mesh, np, function);
+  Nearest_spin_transformation<Solver_traits, Eigensolver_traits> nearest(
+      graph.view(), internal::read_points(mesh, target_points, np, function), function);
+  if constexpr (internal::has_parameter<NamedParameters, internal_np::vertex_scale_map_t>) {
+    const auto scales = CGAL::parameters::get_parameter(np, internal_np::vertex_scale_map);
+    Eigen::VectorXd factor(graph.view().size_of_vertices());
+    for (int v = 0; v < factor.size(); ++v)
+      factor[v] = CGAL::to_double(get(scales, graph.vertex(v)));
+    nearest.scale_lengths(graph.view(), factor);
+  }
+  Spin_visitor silent;
+  auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
+  Nearest_spin_result result =
+      nearest.transform(internal::dirac_options(np), [&](const Eigen_progress& progress) {
+        visitor.on_iteration(progress);
+        return visitor.go_further();
+      });
+  const double t = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, internal_np::blend), 0.);
+  if (t != 0 && result.report) result = nearest.blend(result, t);
+  if (result.report) internal::write_spin_result(mesh, graph, result, np);
+  Nearest_spin_report report;
+  static_cast<Spin_report&>(report) = result.report;
+  report.distance = result.distance;
+  report.sign_conflicts = nearest.sign_conflicts();
+  return report;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_FAULT_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_FAULT_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/mean_edge_length.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief whether what was prescribed at the boundary can be.
+///
+/// Of data that can, the singular value sigma of D - rho tends to zero with the length h of the
+/// edges; of data that cannot, it stays. The residual of the positions tends
+/// to zero with its square. \param sigma in 1/length, or zero where it is a true eigenvalue and no
+/// misfit \param report with what has been measured
+inline Boundary_fault boundary_fault(const Mesh_view& mesh, double sigma, const Spin_report& report)
+{
+  const double pi = std::acos(-1.), radius = std::sqrt(face_areas(mesh).sum() / pi);
+  const double h = mean_edge_length(mesh) / radius;
+  if (sigma * radius > std::max(0.05, 3 * h)) return Boundary_fault::not_realizable;
+  if (report.closure_residual > std::max(0.02, 3 * h * h)) return Boundary_fault::does_not_close;
+  if (report.min_spin_ratio < 0.02) return Boundary_fault::degenerate;
+  return Boundary_fault::none;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

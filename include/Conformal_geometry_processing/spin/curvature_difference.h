@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_DIFFERENCE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_DIFFERENCE_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief the rho that leads from a surface to a conformally equivalent one: the difference of their
+/// mean curvature half-densities, (H~ |df~| - H |df|) / |df| [CGP 4.4, (4.6)]; on vertices, in
+/// 1/length of the mesh.
+///
+/// Half-densities can be added: t rho leads to surfaces between the two and beyond, and rho of one
+/// pair changes a third surface of the same conformal class in the same way. The transformation by
+/// rho comes back to the other surface up to a similarity and O(h^2).
+/// \param positions of the other surface, 3 x |V|
+/// \throw Precondition_error if their number is another
+inline Curvature_potential curvature_difference(const Mesh_view& mesh, const Points& positions)
+{
+  if (positions.cols() != mesh.size_of_vertices())
+    throw Precondition_error("curvature_difference",
+                             std::to_string(positions.cols()) +
+                                 " positions, one per vertex is needed: " +
+                                 std::to_string(mesh.size_of_vertices()));
+  const Mesh_view other(positions, mesh.corners());
+  const Eigen::VectorXd change =
+      mean_curvature_half_density(other) - mean_curvature_half_density(mesh);
+  return Curvature_potential::on_vertices(change.cwiseQuotient(voronoi_areas(mesh).cwiseSqrt()));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

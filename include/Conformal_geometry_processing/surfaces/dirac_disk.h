@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DIRAC_DISK_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DIRAC_DISK_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSurfaces
+/// \brief the surface of the eigenvalue of D nearest to `wanted` with the binormals kept: for plane
+/// domains a Dirac surface, whose curvature half-density is a multiple of that of length
+/// [CGP 6.5.2].
+///
+/// Of a plane domain the eigenvalues are the roots of those of the Laplacian with Dirichlet and
+/// with Neumann conditions, of either sign: on the unit disk the zeros of Bessel's functions and of
+/// their derivatives.
+/// \param wanted in 1/length; the eigenvalue itself is `wanted` plus that of the report
+/// \throw Precondition_error if the mesh is unsuitable, or closed
+/// \throw Solver_error if a factorization fails
+template <class SolverTraits = Default_solver_traits>
+Spin_result dirac_disk(const Mesh_view& mesh, double wanted, Dirac_options options = {},
+                       const std::string& function = "dirac_disk")
+{
+  Spin_transformation<SolverTraits> transformation(mesh, Boundary_condition::binormals(), function);
+  options.branch = Branch::smallest;
+  const auto rho =
+      Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), wanted));
+  return std::move(transformation).transform(rho, options);
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

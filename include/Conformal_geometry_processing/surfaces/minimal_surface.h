@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_MINIMAL_SURFACE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_MINIMAL_SURFACE_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/mean_edge_length.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <cmath>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSurfaces
+/// \brief up to which value a singular value of D - rho counts as zero on surfaces with several
+/// boundary loops: 3 h / R^2 with the mean length h of the edges and pi R^2 the area, in 1/length.
+///
+/// On surfaces of revolution, rings between planes and catenoids are solutions for the same
+/// tangents; their singular values tend to zero with h.
+inline double minimal_kernel_tolerance(const Mesh_view& mesh)
+{
+  const double pi = std::acos(-1.);
+  return boundary_loops(mesh).size() > 1 ? 3 * mean_edge_length(mesh) * pi / face_areas(mesh).sum()
+                                         : 0;
+}
+
+/// \ingroup PkgSurfaces
+/// \brief the minimal surface conformally equivalent to a surface with boundary, by rho = -H in one
+/// solve [CGP 6.5.3].
+///
+/// With lambda = sqrt(F') it contains the holomorphic functions of plane domains, and with
+/// directions out of the plane Weierstrass' representation.
+/// \param condition usually the tangents or binormals that it shall have
+/// \throw Precondition_error if the mesh or the condition are unsuitable
+/// \throw Solver_error if a factorization fails
+template <class SolverTraits = Default_solver_traits>
+Spin_result spin_to_minimal_surface(
+    const Mesh_view& mesh, const Boundary_condition& condition = Boundary_condition::tangents(),
+    Dirac_options options = {}, const std::string& function = "spin_to_minimal_surface")
+{
+  Spin_transformation<SolverTraits> transformation(mesh, condition, function);
+  if (options.kernel_tolerance == 0) options.kernel_tolerance = minimal_kernel_tolerance(mesh);
+  const auto rho = Curvature_potential::on_vertices(-mean_curvature(mesh));
+  return std::move(transformation).transform(rho, options);
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

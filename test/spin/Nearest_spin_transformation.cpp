@@ -1,0 +1,157 @@
+// Tests include/Conformal_geometry_processing/spin/Nearest_spin_transformation.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
+
+#include <gtest/gtest.h>
+
+#include "support/bounded_meshes.h"
+#include "support/moebius.h"
+#include "support/polyhedra.h"
+#include "support/spheres.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+
+/// a beam 1 x 1 x 6 with n quads along its short edges
+Mesh_view beam(int n)
+{
+  return scaled(block(n, n, 6 * n), 1. / n);
+}
+
+/// rotations about the x axis by pi z / 6
+CGP::Quaternion_vector<double> bending_spins(const Mesh_view& mesh)
+{
+  CGP::Quaternion_vector<double> mu(mesh.size_of_vertices());
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    const double angle = pi * mesh.position(v).z() / 6;
+    mu[v] = {std::cos(angle / 2), -std::sin(angle / 2), 0, 0};
+  }
+  return mu;
+}
+
+/// a beam bent into an arc of a circle
+Mesh_view bent(const Mesh_view& mesh, double total)
+{
+  return mapped(mesh, [&](const Eigen::Vector3d& p) {
+    const double radius = 6 / total, angle = total * p.z() / 6, r = radius + p.y();
+    return Eigen::Vector3d(p.x(), r * std::cos(angle), r * std::sin(angle));
+  });
+}
+
+double mean_error(const CGP::Spin_result& result)
+{
+  return result.report.conformality.quasi_conformal.mean;
+}
+
+TEST(Nearest_spin_transformation, of_a_bend_is_conformal_where_the_bend_itself_never_becomes_so)
+{
+  const std::vector<double> direct = {1.1949, 1.1870}, nearest = {1.02661, 1.01320};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Mesh_view mesh = beam(i == 0 ? 4 : 8);
+    CGP::Nearest_spin_transformation<> near(mesh, bending_spins(mesh));
+    const CGP::Nearest_spin_result result = near.transform();
+    ASSERT_TRUE(result.report);
+    EXPECT_NEAR(mean_error(result) - 1, nearest[i] - 1, 0.02 * (nearest[i] - 1));
+    const CGP::Spin_result all = near.blend(result, 1);
+    EXPECT_NEAR(mean_error(all) - 1, direct[i] - 1, 0.02 * (direct[i] - 1));
+    EXPECT_EQ(near.sign_conflicts(), 0);
+  }
+}
+
+TEST(Nearest_spin_transformation, blends_from_the_conformal_surface_to_the_target)
+{
+  const Mesh_view mesh = beam(8);
+  CGP::Nearest_spin_transformation<> near(mesh, bending_spins(mesh));
+  const CGP::Nearest_spin_result result = near.transform();
+  const std::vector<double> expected = {1.049, 1.093, 1.139};
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(mean_error(near.blend(result, 0.25 * (i + 1))), expected[at(i)], 2e-3);
+  EXPECT_NEAR(mean_error(near.blend(result, 0)), mean_error(result), 1e-12);
+}
+
+TEST(Nearest_spin_transformation, bends_by_more_than_half_a_turn_without_flipping_a_face)
+{
+  const Mesh_view mesh = beam(4), target = bent(mesh, 324 * pi / 180);
+  CGP::Nearest_spin_transformation<> near(mesh, target.positions());
+  const CGP::Nearest_spin_result result = near.transform();
+  ASSERT_TRUE(result.report);
+  EXPECT_EQ(result.report.conformality.flipped_faces, 0);
+  EXPECT_LT(mean_error(result), 1.2);
+}
+
+TEST(Nearest_spin_transformation, of_a_conformal_map_is_that_map)
+{
+  std::vector<double> h, distances;
+  for (int level : {2, 3, 4}) {
+    const Mesh_view mesh = bumpy_sphere(level);
+    const Mesh_view target = inverted(mesh, Eigen::Vector3d(0.4, 0.3, 2.5));
+    CGP::Nearest_spin_transformation<> near(mesh, target.positions());
+    const CGP::Nearest_spin_result result = near.transform();
+    ASSERT_TRUE(result.report);
+    h.push_back(std::pow(2., -level));
+    distances.push_back(result.distance);
+  }
+  EXPECT_LT(distances[1], 0.003);
+  EXPECT_LT(distances[2], 0.0008);
+  EXPECT_GT(slope(h, distances), 1.7);
+}
+
+TEST(Nearest_spin_transformation, of_a_stretch_is_the_surface_itself)
+{
+  const Mesh_view mesh = beam(4);
+  const Mesh_view target = mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return {p.x(), p.y(), 1.5 * p.z()};
+  });
+  CGP::Nearest_spin_transformation<> near(mesh, target.positions());
+  EXPECT_LT(near.potential().values.cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT(mean_error(near.transform()), 1 + 1e-10);
+}
+
+TEST(Nearest_spin_transformation, of_a_disk_has_the_tangents_of_the_target)
+{
+  const std::vector<double> expected = {1.02051, 1.01026};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Mesh_view mesh = disk(i == 0 ? 16 : 32);
+    CGP::Nearest_spin_transformation<> near(mesh, cap_from_disk(mesh, 1.2).positions());
+    const CGP::Nearest_spin_result result = near.transform();
+    ASSERT_TRUE(result.report);
+    EXPECT_NEAR(mean_error(result) - 1, expected[i] - 1, 0.02 * (expected[i] - 1));
+    EXPECT_LT(result.distance, 3e-4);
+  }
+}
+
+TEST(Nearest_spin_transformation, scales_lengths_where_it_is_told_to)
+{
+  const Mesh_view mesh = icosphere(3);
+  CGP::Nearest_spin_transformation<> near(mesh, mesh.positions());
+  EXPECT_LT(near.potential().values.cwiseAbs().maxCoeff(), 1e-12);
+  Eigen::VectorXd factor(mesh.size_of_vertices());
+  for (int v = 0; v < factor.size(); ++v) factor[v] = std::exp(0.3 * mesh.position(v).z());
+  near.scale_lengths(mesh, factor);
+  for (int v = 0; v < factor.size(); ++v)
+    EXPECT_NEAR(squared_norm(near.target_spins()[v]), factor[v], 1e-12);
+  EXPECT_TRUE(near.transform().report);
+}
+
+TEST(Nearest_spin_transformation, refuses_targets_that_do_not_fit)
+{
+  const Mesh_view mesh = icosphere(1);
+  using Near = CGP::Nearest_spin_transformation<>;
+  EXPECT_THROW(Near(mesh, Points(3, 5)), CGP::Precondition_error);
+  Points target = mesh.positions();
+  target(1, 3) = std::nan("");
+  EXPECT_THROW(Near(mesh, target), CGP::Precondition_error);
+  target.setZero();
+  EXPECT_THROW(Near(mesh, target), CGP::Precondition_error);
+  EXPECT_THROW(Near(mesh, CGP::Quaternion_vector<double>(3)), CGP::Precondition_error);
+  Near near(mesh, mesh.positions());
+  EXPECT_THROW(near.scale_lengths(mesh, Eigen::VectorXd::Ones(4)), CGP::Precondition_error);
+  EXPECT_THROW(near.scale_lengths(mesh, Eigen::VectorXd::Zero(mesh.size_of_vertices())),
+               CGP::Precondition_error);
+}
+
+}  // namespace

@@ -1,0 +1,102 @@
+// Tests include/Conformal_geometry_processing/spin/face_spins.h
+// Tests include/Conformal_geometry_processing/spin/curvature_of_spins.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/spin/curvature_of_spins.h>
+#include <Conformal_geometry_processing/spin/face_spins.h>
+
+#include <gtest/gtest.h>
+
+#include "support/bounded_meshes.h"
+#include "support/polyhedra.h"
+#include "support/random.h"
+#include "support/spheres.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+using Q = CGP::Quaternion<double>;
+
+/// the angle of the rotation and the scaling of lengths that the linear map A of the plane is
+/// nearest to, by its singular values
+TEST(Face_spins, are_the_rotation_and_the_mean_scaling_of_each_face)
+{
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
+  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
+  A.topLeftCorner<2, 2>() << 2, 0.3, 0.3, 0.5;  // symmetric: no rotation in it
+  const Mesh_view flat = disk(2);
+  const Points target = R * A * flat.positions();
+  const CGP::Quaternion_vector<double> q = CGP::face_spins(flat, target);
+  const double scale = std::sqrt(2 * 0.5 - 0.3 * 0.3);
+  for (int f = 0; f < flat.size_of_faces(); ++f) {
+    EXPECT_NEAR(squared_norm(q[f]), scale, 1e-14);
+    const Eigen::Vector3d v(0.3, -0.7, 0.2);
+    EXPECT_LT((CGP::spin(q[f], v) - scale * R * v).norm(), 1e-13);
+  }
+}
+
+TEST(Face_spins, of_a_bend_by_324_degrees_have_consistent_signs_that_single_faces_have_not)
+{
+  const int n = 3;
+  const double total = 324 * pi / 180;
+  const Mesh_view beam = scaled(block(n, n, 6 * n), 1. / n);
+  const Mesh_view bent = mapped(beam, [&](const Eigen::Vector3d& p) {
+    const double radius = 6 / total, angle = total * p.z() / 6, r = radius + p.y();
+    return Eigen::Vector3d(p.x(), r * std::cos(angle), r * std::sin(angle));
+  });
+  CGP::Quaternion_vector<double> q = CGP::face_spins(beam, bent.positions());
+  const auto disagreeing = [&] {
+    int count = 0;
+    for (int h = 0; h < beam.size_of_halfedges(); ++h)
+      count += dot(q[Mesh_view::face(h)], q[Mesh_view::face(beam.twin(h))]) < 0;
+    return count / 2;
+  };
+  // A face turned by more than half a turn has the other sign if its real part is positive.
+  EXPECT_GT(disagreeing(), 0);
+  EXPECT_EQ(CGP::make_consistent(beam, q), 0);
+  EXPECT_EQ(disagreeing(), 0);
+}
+
+TEST(Face_spins, at_vertices_are_the_means_of_the_faces_around)
+{
+  const Mesh_view mesh = icosphere(2);
+  const Q c{0.3, -0.2, 0.5, 0.7};
+  const CGP::Quaternion_vector<double> mu =
+      CGP::vertex_spins(mesh, CGP::Quaternion_vector<double>::Constant(mesh.size_of_faces(), c));
+  for (const Q& q : mu) EXPECT_LT(norm(q - c), 1e-15);
+}
+
+TEST(Curvature_of_spins, is_zero_for_similarities)
+{
+  const Mesh_view mesh = icosphere(2);
+  const auto mu = CGP::Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 2, 3, 4});
+  EXPECT_LT(CGP::curvature_of_spins(mesh, mu).values.cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Curvature_of_spins, of_a_bend_is_that_of_its_circle)
+{
+  // conjugate(l) df l with l = cos(a/2) - sin(a/2) i and a = pi z / 6 on a beam along z: bends by
+  // curvature pi/6, so the mean curvature changes by half of that, with the sign of the normal.
+  const int n = 4;
+  const Mesh_view beam = scaled(block(n, n, 6 * n), 1. / n);
+  CGP::Quaternion_vector<double> mu(beam.size_of_vertices());
+  for (int v = 0; v < beam.size_of_vertices(); ++v) {
+    const double a = pi * beam.position(v).z() / 6;
+    mu[v] = {std::cos(a / 2), -std::sin(a / 2), 0, 0};
+  }
+  const Eigen::VectorXd rho = CGP::curvature_of_spins(beam, mu).values;
+  for (int f = 0; f < beam.size_of_faces(); ++f) {
+    const Eigen::Vector3d N = beam.double_area_vector(f).normalized();
+    EXPECT_NEAR(std::abs(rho[f]), std::abs(N.y()) * pi / 12, 1e-3) << f;
+  }
+}
+
+TEST(Curvature_of_spins, of_vanishing_spins_is_zero)
+{
+  const Mesh_view mesh = icosphere(1);
+  const auto mu = CGP::Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {});
+  EXPECT_TRUE(CGP::curvature_of_spins(mesh, mu).values.isZero(0));
+}
+
+}  // namespace
