@@ -114,3 +114,35 @@ TEST_F(Eigen_panel, is_orthogonal_to_what_was_projected_out)
   EXPECT_LE(real_columns(CGP::gram_matrix(base.nv, p.v)).norm(), 1e-16);
   EXPECT_GT(real_columns(p.v).norm(), 1e-10);
 }
+
+TEST_F(Eigen_panel, over_the_reals_keeps_what_differs_by_a_quaternion)
+{
+  CGP::Block<Q> v = random_block<Q>(n, 3, 10);
+  for (int i = 0; i < n; ++i) {
+    v(i, 1) = v(i, 0) * Q{0, 1, -2, 0.5};
+    v(i, 2) = 3. * v(i, 0) - v(i, 1);
+  }
+  auto p =
+      CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N), v, CGP::Coefficients::reals);
+  CGP::orthonormalize(p);
+  ASSERT_EQ(p.size(), 2);
+  expect_consistent(p);
+  const Eigen::MatrixXd gram = real_columns(p.v).transpose() * real_columns(p.nv);
+  EXPECT_LE((gram - Eigen::MatrixXd::Identity(2, 2)).norm(), 1e-13);
+  EXPECT_LE(distance_to_identity(p.gram(p.v, p.nv)), 1e-13);
+}
+
+TEST_F(Eigen_panel, over_the_reals_is_projected_along_real_multiples_only)
+{
+  auto base = CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N),
+                              random_block<Q>(n, 2, 11), CGP::Coefficients::reals);
+  CGP::orthonormalize(base);
+  CGP::Block<Q> v = random_block<Q>(n, 2, 12);
+  for (int i = 0; i < n; ++i) v(i, 1) = base.v(i, 0) * Q{0, 0, 1, 0};
+  auto p =
+      CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N), v, CGP::Coefficients::reals);
+  CGP::project_out(p, base);
+  const Eigen::MatrixXd shadow = real_columns(base.nv).transpose() * real_columns(p.v);
+  EXPECT_LE(shadow.norm(), 1e-14);
+  EXPECT_GT(real_columns(p.v).col(1).norm(), 0.1);
+}

@@ -6,9 +6,11 @@
 #include <Conformal_geometry_processing/linear_algebra/inverse_power_method.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -36,7 +38,77 @@ struct Matrix_problem {
   Eigen::VectorXd expected;  // each four times
 };
 
+/// K x = N x theta on the components of n quaternions, with eigenvalues 1, 2, ... 4n: nothing that
+/// multiplication by quaternions would leave as it is.
+class Real_problem {
+ public:
+  explicit Real_problem(int n) : m_masses(Eigen::VectorXd::Ones(4 * n))
+  {
+    m_masses += random_numbers(4 * n, 2) / 2;
+    const Eigen::MatrixXd A = real_columns(random_block<Q>(n, 4 * n, 1));
+    const Eigen::MatrixXd U = Eigen::HouseholderQR<Eigen::MatrixXd>(A).householderQ();
+    m_vectors = m_masses.cwiseSqrt().cwiseInverse().asDiagonal() * U;
+  }
+
+  /// orthonormal in N, columns
+  const Eigen::MatrixXd& vectors() const { return m_vectors; }
+
+  auto n() const
+  {
+    return [this](const Block& x) { return times(m_masses.asDiagonal(), x); };
+  }
+  /// K + shift N to a power
+  auto k(double shift = 0, int power = 1) const
+  {
+    const Eigen::MatrixXd duals = power > 0 ? m_masses.asDiagonal() * m_vectors : m_vectors;
+    const Eigen::VectorXd values = (counting(int(m_masses.size())).array() + shift).pow(power);
+    const Eigen::MatrixXd matrix = duals * values.asDiagonal() * duals.transpose();
+    return [matrix](const Block& x) { return times(matrix, x); };
+  }
+
+ private:
+  template <class Matrix>
+  static Block times(const Matrix& A, const Block& x)
+  {
+    Block y(x.rows(), x.cols());
+    Eigen::Map<Eigen::MatrixXd>(&y(0, 0).w, 4 * y.rows(), y.cols()) = A * real_columns(x);
+    return y;
+  }
+
+  Eigen::VectorXd m_masses;
+  Eigen::MatrixXd m_vectors;
+};
+
 }  // namespace
+
+TEST(Lobpcg, finds_simple_eigenvalues_on_a_space_over_the_reals)
+{
+  const Real_problem problem(10);
+  CGP::Eigen_options options = until(1e-10, 3);
+  options.coefficients = CGP::Coefficients::reals;
+  const auto r = CGP::lobpcg(problem.k(), problem.n(), problem.k(1e-3, -1),
+                             random_block<Q>(10, 3, 3), options);
+  ASSERT_TRUE(r.converged);
+  for (int j = 0; j < 3; ++j) {
+    EXPECT_NEAR(r.values[j], j + 1, 1e-12);
+    const Eigen::VectorXd x = real_columns(r.vectors).col(j), u = problem.vectors().col(j);
+    EXPECT_LE(std::min((x - u).norm(), (x + u).norm()), 1e-9);
+  }
+  EXPECT_LE(r.iterations, 20);
+}
+
+TEST(Lobpcg, over_the_reals_estimates_the_error_as_over_the_quaternions)
+{
+  const Real_problem problem(10);
+  const double e = 1e-4;
+  Block x0(10, 1);
+  Eigen::Map<Eigen::VectorXd>(&x0(0, 0).w, 40) =
+      problem.vectors().col(0) + e * problem.vectors().col(1);
+  CGP::Eigen_options options = until(0, 1, 0);
+  options.coefficients = CGP::Coefficients::reals;
+  const auto r = CGP::lobpcg(problem.k(), problem.n(), problem.k(0, -1), x0, options);
+  EXPECT_NEAR(r.estimates[0], e * (2 - 1) / std::sqrt(2), 1e-7 * e);
+}
 
 TEST(Lobpcg, finds_the_smallest_eigenpairs_of_a_matrix)
 {

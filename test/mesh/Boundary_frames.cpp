@@ -1,0 +1,111 @@
+// Tests include/Conformal_geometry_processing/mesh/Boundary_frames.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "support/bounded_meshes.h"
+#include "support/meshes.h"
+
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+
+namespace {
+
+const Eigen::Vector3d e_z(0, 0, 1);
+
+/// the greatest distance of the tangents of a disk from those of its circle
+double tangent_error(const Mesh_view& disk)
+{
+  const CGP::Boundary_frames b = CGP::boundary_frames(disk);
+  double error = 0;
+  for (std::size_t k = 0; k < b.vertices.size(); ++k) {
+    const Eigen::Vector3d exact = e_z.cross(disk.position(b.vertices[k]));
+    error = std::max(error, (b.tangent(k) - exact).norm());
+  }
+  return error;
+}
+
+}  // namespace
+
+TEST(Boundary_frame, is_made_of_any_tangent_and_normal)
+{
+  CGP::Boundary_frame expected;
+  expected << 1, 0, 0, 0, 1, 0, 0, 0, 1;
+  EXPECT_EQ(CGP::boundary_frame({2, 0, 0}, {5, 3, 0}), expected);
+  EXPECT_EQ(CGP::boundary_frame({1e-200, 0, 0}, {0, 1e200, 0}), expected);
+}
+
+TEST(Boundary_frame, holds_zeros_where_there_is_no_direction)
+{
+  const CGP::Boundary_frame a = CGP::boundary_frame({0, 0, 0}, {0, 0, 2});
+  EXPECT_EQ(a.col(0), Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(a.col(2), Eigen::Vector3d(0, 0, 0));
+  const CGP::Boundary_frame b = CGP::boundary_frame({0, 2, 0}, {0, 3, 0});
+  EXPECT_EQ(b.col(1), Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(b.col(2), Eigen::Vector3d(0, 0, 0));
+}
+
+TEST(Boundary_frames, of_a_disk_run_around_it_with_the_binormal_outward)
+{
+  const Mesh_view mesh = disk(5);
+  const CGP::Boundary_frames b = CGP::boundary_frames(mesh);
+  ASSERT_EQ(b.loops.size(), 1u);
+  EXPECT_EQ(b.vertices, b.loops[0]);
+  ASSERT_EQ(b.frames.size(), 30u);
+  for (std::size_t k = 0; k < b.vertices.size(); ++k) {
+    const Eigen::Vector3d p = mesh.position(b.vertices[k]);
+    EXPECT_LT((b.tangent(k) - e_z.cross(p)).norm(), 1e-14);
+    EXPECT_LT((b.normal(k) - e_z).norm(), 1e-14);
+    EXPECT_LT((b.binormal(k) - p).norm(), 1e-14);
+  }
+}
+
+TEST(Boundary_frames, of_an_annulus_point_out_of_it_at_both_circles)
+{
+  const Mesh_view mesh = annulus(1, 2, 40, 4);
+  const CGP::Boundary_frames b = CGP::boundary_frames(mesh);
+  ASSERT_EQ(b.loops.size(), 2u);
+  ASSERT_EQ(b.vertices.size(), 80u);
+  for (std::size_t k = 0; k < 80; ++k) {
+    const Eigen::Vector3d p = mesh.position(b.vertices[k]);
+    const double sign = p.norm() > 1.5 ? 1 : -1;
+    EXPECT_LT((b.binormal(k) - sign * p.normalized()).norm(), 1e-14);
+    EXPECT_LT((b.tangent(k) - sign * e_z.cross(p.normalized())).norm(), 1e-14);
+  }
+}
+
+TEST(Boundary_frames, are_right_handed_and_orthonormal_on_any_surface)
+{
+  const Mesh_view mesh = perturbed(cap_from_disk(jittered_disk(6, .3), 2), .04);
+  for (const CGP::Boundary_frame& frame : CGP::boundary_frames(mesh).frames) {
+    EXPECT_LT((frame.transpose() * frame - Eigen::Matrix3d::Identity()).norm(), 1e-14);
+    EXPECT_LT((frame.col(0).cross(frame.col(1)) - frame.col(2)).norm(), 1e-14);
+  }
+}
+
+TEST(Boundary_frames, are_second_order_where_edges_grow_along_the_boundary)
+{
+  const std::vector<double> errors = {tangent_error(moved_disk(8)), tangent_error(moved_disk(16)),
+                                      tangent_error(moved_disk(32))};
+  EXPECT_NEAR(slope({4, 2, 1}, errors), 2, .1);
+}
+
+TEST(Boundary_frames, turn_with_the_surface)
+{
+  const Mesh_view mesh = perturbed(cap_from_disk(disk(4), 1), .04);
+  const Eigen::Matrix3d R = Random(3).rotation();
+  const auto turned =
+      mapped(mesh, [&](const Eigen::Vector3d& p) { return Eigen::Vector3d(R * p); });
+  const auto a = CGP::boundary_frames(mesh).frames, b = CGP::boundary_frames(turned).frames;
+  for (std::size_t k = 0; k < a.size(); ++k) EXPECT_LT((b[k] - R * a[k]).norm(), 1e-13);
+}
+
+TEST(Boundary_frames, of_a_closed_surface_are_none)
+{
+  EXPECT_TRUE(CGP::boundary_frames(icosahedron()).vertices.empty());
+}

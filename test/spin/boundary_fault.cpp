@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/boundary_fault.h
+#include <Conformal_geometry_processing/spin/boundary_fault.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "support/bounded_meshes.h"
+
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+using CGP::Boundary_fault;
+
+namespace {
+
+class Boundary_fault_of_a_disk : public testing::Test {
+ protected:
+  Boundary_fault fault(double sigma) const { return CGP::boundary_fault(mesh, sigma, report); }
+
+  const Mesh_view mesh = scaled(disk(20), 7);
+  const double radius = std::sqrt(area(mesh) / pi), h = mean_edge_length(mesh) / radius;
+  CGP::Spin_report report = [] {
+    CGP::Spin_report good;
+    good.converged = true;
+    good.min_spin_ratio = 1;
+    return good;
+  }();
+};
+
+}  // namespace
+
+TEST_F(Boundary_fault_of_a_disk, is_none_where_all_is_well)
+{
+  EXPECT_EQ(fault(0), Boundary_fault::none);
+  EXPECT_TRUE(report);
+}
+
+TEST_F(Boundary_fault_of_a_disk, is_in_the_data_if_the_singular_value_is_more_than_edges_explain)
+{
+  ASSERT_GT(3 * h, .05);
+  EXPECT_EQ(fault(2.9 * h / radius), Boundary_fault::none);
+  EXPECT_EQ(fault(3.1 * h / radius), Boundary_fault::not_realizable);
+  const Mesh_view fine = disk(70);
+  ASSERT_LT(3 * mean_edge_length(fine), .05);
+  EXPECT_EQ(CGP::boundary_fault(fine, .049, report), Boundary_fault::none);
+  EXPECT_EQ(CGP::boundary_fault(fine, .051, report), Boundary_fault::not_realizable);
+}
+
+TEST_F(Boundary_fault_of_a_disk, is_a_gap_if_the_edges_do_not_fit_together)
+{
+  report.closure_residual = .019;
+  EXPECT_EQ(fault(0), Boundary_fault::none);
+  report.closure_residual = .021;
+  EXPECT_EQ(fault(0), Boundary_fault::does_not_close);
+  const Mesh_view coarse = disk(4);
+  const double coarse_h = mean_edge_length(coarse) / std::sqrt(area(coarse) / pi);
+  ASSERT_GT(3 * coarse_h * coarse_h, .021);
+  EXPECT_EQ(CGP::boundary_fault(coarse, 0, report), Boundary_fault::none);
+}
+
+TEST_F(Boundary_fault_of_a_disk, is_a_zero_of_the_spins)
+{
+  report.min_spin_ratio = .021;
+  EXPECT_EQ(fault(0), Boundary_fault::none);
+  report.min_spin_ratio = .019;
+  EXPECT_EQ(fault(0), Boundary_fault::degenerate);
+}
+
+TEST(Spin_report, with_a_fault_at_the_boundary_is_false)
+{
+  CGP::Spin_report report;
+  report.converged = true;
+  EXPECT_TRUE(report);
+  for (const auto fault : {Boundary_fault::not_realizable, Boundary_fault::does_not_close,
+                           Boundary_fault::degenerate}) {
+    report.boundary_fault = fault;
+    EXPECT_FALSE(report);
+    EXPECT_GT(std::string(CGP::to_string(fault)).size(), 10u);
+  }
+  EXPECT_EQ(std::string(CGP::to_string(Boundary_fault::none)), "none");
+}

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_SPIN_BOUNDARY_TOOLS_H
+#define TEST_SPIN_BOUNDARY_TOOLS_H
+
+#include <Conformal_geometry_processing/measure/alignment.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "support/minimal_surfaces.h"
+
+/// What is prescribed at the boundary of a surface, and how far the result is from what is known.
+namespace cgp_test {
+
+namespace CGP = Conformal_geometry_processing;
+using CGP::Boundary_condition;
+using CGP::Curvature_potential;
+using Complex = std::complex<double>;
+
+inline Complex complex_of(const Eigen::Vector3d& p)
+{
+  return {p.x(), p.y()};
+}
+
+template <class Function>
+Curvature_potential potential_on_vertices(const Mesh_view& mesh, Function rho)
+{
+  Eigen::VectorXd values(mesh.size_of_vertices());
+  for (int v = 0; v < values.size(); ++v) values[v] = rho(mesh.position(v));
+  return Curvature_potential::on_vertices(values);
+}
+
+/// its values at the centroids of the faces
+template <class Function>
+Curvature_potential potential_on_faces(const Mesh_view& mesh, Function rho)
+{
+  Eigen::VectorXd values(mesh.size_of_faces());
+  for (int f = 0; f < values.size(); ++f) {
+    const auto& v = mesh.corners(f);
+    values[f] = rho((mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])) / 3);
+  }
+  return Curvature_potential::on_faces(values);
+}
+
+inline Curvature_potential constant_potential(const Mesh_view& mesh, double c)
+{
+  return Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), c));
+}
+
+/// f(position, frame), a vector, at every boundary vertex
+template <class Function>
+Points at_boundary(const Mesh_view& mesh, Function f)
+{
+  const CGP::Boundary_frames b = CGP::boundary_frames(mesh);
+  Points values(3, static_cast<Eigen::Index>(b.vertices.size()));
+  for (std::size_t k = 0; k < b.vertices.size(); ++k)
+    values.col(static_cast<Eigen::Index>(k)) = f(mesh.position(b.vertices[k]), b.frames[k]);
+  return values;
+}
+
+/// \brief what an immersion of the plane makes of the direction t T + n N + b B at the boundary of
+/// a plane mesh, if it is conformal.
+/// \param differential with differential(p, v) the derivative at p along v
+template <class Differential>
+Points image_directions(const Mesh_view& mesh, Differential differential,
+                        const Eigen::Vector3d& tnb)
+{
+  return at_boundary(mesh, [&](const Eigen::Vector3d& p, const CGP::Boundary_frame& frame) {
+    const Eigen::Vector3d x = differential(p, {1, 0, 0}), y = differential(p, {0, 1, 0});
+    const Eigen::Vector3d T = differential(p, frame.col(0)).normalized();
+    const Eigen::Vector3d N = x.cross(y).normalized();
+    return Eigen::Vector3d(tnb[0] * T + tnb[1] * N + tnb[2] * T.cross(N));
+  });
+}
+
+inline Points enneper_directions(const Mesh_view& mesh, const Eigen::Vector3d& tnb)
+{
+  const auto differential = [](const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
+    return enneper_differential(p, v);
+  };
+  return image_directions(mesh, differential, tnb);
+}
+
+/// F = z + .3 z^2, which is injective on the unit disk
+inline Eigen::Vector3d quadratic_map(const Eigen::Vector3d& p)
+{
+  const Complex F = complex_of(p) + .3 * complex_of(p) * complex_of(p);
+  return {F.real(), F.imag(), 0};
+}
+
+inline Points quadratic_directions(const Mesh_view& mesh, const Eigen::Vector3d& tnb)
+{
+  const auto differential = [](const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
+    const Complex d = (1. + .6 * complex_of(p)) * complex_of(v);
+    return Eigen::Vector3d(d.real(), d.imag(), 0);
+  };
+  return image_directions(mesh, differential, tnb);
+}
+
+inline double diagonal(const Points& p)
+{
+  return (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
+}
+
+/// the root of the mean squared distance, by the diagonal of the bounding box of b
+inline double rms_distance(const Points& a, const Points& b)
+{
+  return (a - b).norm() / std::sqrt(static_cast<double>(b.cols())) / diagonal(b);
+}
+
+/// the same up to a similarity
+inline double shape_error(const Points& a, const Points& b)
+{
+  return CGP::align(a, b).rms;
+}
+
+inline CGP::Spin_result transformed(const Mesh_view& mesh, const Boundary_condition& condition,
+                                    const Curvature_potential& rho,
+                                    const CGP::Dirac_options& options = {})
+{
+  return CGP::Spin_transformation<>(mesh, condition).transform(rho, options);
+}
+
+inline double mean_Q(const CGP::Spin_result& r)
+{
+  return r.report.conformality.quasi_conformal.mean;
+}
+
+/// Q - 1 of the result is that of a table, to 2 %
+inline void expect_Q(const CGP::Spin_result& r, double Q)
+{
+  EXPECT_NEAR(mean_Q(r) - 1, Q - 1, .02 * (Q - 1));
+}
+
+inline double degrees(double radians)
+{
+  return 180 / pi * radians;
+}
+
+/// errors at sizes that double fall with this power, to 5 % of a slope of one and 10 % of others
+inline void expect_order(double order, const std::vector<double>& errors)
+{
+  std::vector<double> h;
+  for (std::size_t i = 0; i < errors.size(); ++i) h.push_back(std::ldexp(1., -int(i)));
+  const double found = slope(h, errors);
+  EXPECT_NEAR(found, order, .05 * order * order);
+}
+
+/// what a transformation, or its condition, is refused with
+template <class Call>
+std::string refusal_of(Call call)
+{
+  try {
+    call();
+  } catch (const CGP::Precondition_error& error) {
+    return error.message();
+  }
+  return "";
+}
+
+}  // namespace cgp_test
+
+#endif
