@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
+#include <Conformal_geometry_processing/spin/best_turn.h>
 #include <Conformal_geometry_processing/spin/boundary_planes.h>
 
 #include <Eigen/Core>
@@ -23,9 +24,10 @@ namespace Conformal_geometry_processing {
 /// \brief the space of spins that turn a direction of the boundary frames into prescribed
 /// directions, and a smooth member of it to which solutions are compared.
 ///
-/// The guide has at the boundary the smallest rotations from U to V, about the normal where they
-/// are half turns, and is harmonic inside: where the problem has several solutions, the one nearest
-/// to it turns the surface least. \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+/// The guide turns the surface as a whole, as well as that can be done, and then has at the
+/// boundary the smallest rotations into the targets, about the normal where they are half turns;
+/// inside it is harmonic. Where the problem has several solutions, the one nearest to it turns the
+/// surface least. \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits>
 class Prescribed_directions {
  public:
@@ -38,15 +40,15 @@ class Prescribed_directions {
       : m_mesh(mesh),
         m_frames(boundary_frames(mesh)),
         m_coefficients(condition.direction.stableNormalized()),
+        m_has_targets(condition.targets.cols() > 0),
         m_targets(normalized(condition.targets)),
         m_L(pattern),
         m_harmonic(std::move(pattern), m_frames.vertices, solver)
   {
-    if (m_targets.cols() == 0) m_targets = sources();
     update();
   }
 
-  /// the mesh has new positions; the targets stay
+  /// the mesh has new positions; targets that were given stay, others are the directions it has
   void update_geometry()
   {
     m_frames = boundary_frames(m_mesh);
@@ -75,6 +77,9 @@ class Prescribed_directions {
     return angles;
   }
 
+  /// whether the directions of a surface are the targets, but for small angles: 0.01 in the mean
+  bool are_those_of(const Mesh_view& surface) const { return errors(surface).mean() < 0.01; }
+
  private:
   static Points normalized(Points v)
   {
@@ -93,11 +98,15 @@ class Prescribed_directions {
   void update()
   {
     const Points U = sources();
+    if (!m_has_targets) m_targets = U;
     std::vector<Reduced_basis<double>::Plane> planes;
     std::vector<Quaternion<double>> rotors;
+    const Quaternion<double> turn = best_turn(U, m_targets);
     for (Eigen::Index k = 0; k < U.cols(); ++k) {
       const Eigen::Vector3d N = m_frames.normal(static_cast<std::size_t>(k));
-      planes.push_back(boundary_plane(U.col(k), m_targets.col(k), N));
+      const Reduced_basis<double>::Plane rest =
+          boundary_plane(spin(turn, U.col(k)), m_targets.col(k), spin(turn, N));
+      planes.push_back({turn * rest[0], turn * rest[1]});
       rotors.push_back(planes.back()[0]);
     }
     make_continuous(m_frames.loops, rotors);
@@ -122,7 +131,8 @@ class Prescribed_directions {
   const Mesh_view& m_mesh;
   Boundary_frames m_frames;
   Eigen::Vector3d m_coefficients;  // of U
-  Points m_targets;                // V, unit vectors
+  bool m_has_targets;
+  Points m_targets;  // V, unit vectors
   Hermitian_sparse_matrix<double> m_L;
   Dirichlet_solver<double, SolverTraits> m_harmonic;
   Reduced_basis<double> m_basis;
