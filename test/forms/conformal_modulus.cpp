@@ -14,6 +14,7 @@
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 #include "support/moebius.h"
+#include "support/skewed_tori.h"
 
 namespace {
 
@@ -24,28 +25,6 @@ using Complex = std::complex<double>;
 Complex modulus_of(const Mesh_view& mesh)
 {
   return CGP::conformal_modulus(mesh, CGP::Hodge_decomposition<>(mesh).harmonic_basis());
-}
-
-/// an elliptic cross-section that turns by pi around the axis: of no symmetry but rotations
-Mesh_view twisted_torus(int n)
-{
-  const double a = 1, b = .55, R = 1.6;
-  Points p(3, 2 * n * n);
-  Corners corners;
-  // Around the axis the section comes back turned by pi, which shifts j by n / 2.
-  const int m = 2 * n;
-  const auto number = [&](int i, int j) { return i % m * n + (j + (i == m ? n / 2 : 0)) % n; };
-  for (int i = 0; i < m; ++i)
-    for (int j = 0; j < n; ++j) {
-      const double u = 2 * pi * i / m, v = 2 * pi * j / n;
-      const double x = a * std::cos(v), y = b * std::sin(v);
-      const double r = R + x * std::cos(u / 2) - y * std::sin(u / 2);
-      const double z = x * std::sin(u / 2) + y * std::cos(u / 2);
-      p.col(number(i, j)) << r * std::cos(u), r * std::sin(u), z;
-      corners.push_back({number(i, j), number(i + 1, j), number(i + 1, j + 1)});
-      corners.push_back({number(i, j), number(i + 1, j + 1), number(i, j + 1)});
-    }
-  return {std::move(p), std::move(corners)};
 }
 
 }  // namespace

@@ -1,0 +1,108 @@
+// Tests include/Conformal_geometry_processing/flow/Conformal_willmore_flow.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+#include <Conformal_geometry_processing/forms/conformal_modulus.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "flow_tools.h"
+#include "support/moebius.h"
+#include "support/skewed_tori.h"
+
+/// Tori, whose conformal class is a number that can be measured.
+namespace {
+
+using namespace cgp_test;
+
+std::complex<double> modulus_of(const Mesh_view& mesh)
+{
+  return CGP::conformal_modulus(mesh, CGP::Hodge_decomposition<>(mesh).harmonic_basis());
+}
+
+/// how far the surface is from the one among its inversions that fits `target` best: the step
+/// towards it in units of its size
+double distance_from_balance(const CGP::Moebius_balancing& target, const Mesh_view& mesh)
+{
+  return target.step(mesh).norm() * mesh.positions().colwise().norm().maxCoeff();
+}
+
+/// of a surface off the origin
+Mesh_view somewhere(const Mesh_view& mesh)
+{
+  return mapped(mesh, [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(3 * p + Eigen::Vector3d(5, -7, 2));
+  });
+}
+
+}  // namespace
+
+TEST(Conformal_willmore_flow_of_tori, keeps_the_conformal_class_but_for_a_part_linear_in_the_step)
+{
+  // What the mesh itself adds is the same for all steps, and drops out of the differences.
+  const Mesh_view mesh = twisted_torus(32);
+  std::vector<std::complex<double>> moduli;
+  for (const int steps : {5, 10, 20}) {
+    CGP::Conformal_willmore_flow<> flow(mesh, plain_steps(2.5 / steps, steps));
+    EXPECT_TRUE(flow.run());
+    moduli.push_back(modulus_of(flow.mesh()));
+    EXPECT_LT(std::abs(moduli.back() - modulus_of(mesh)), .0164) << steps;
+  }
+  const std::vector<double> changes = {std::abs(moduli[0] - moduli[1]),
+                                       std::abs(moduli[1] - moduli[2])};
+  EXPECT_NEAR(slope({.5, .25}, changes), 1, .1);
+}
+
+TEST(Conformal_willmore_flow_of_tori, comes_to_the_Clifford_torus_on_a_fine_mesh)
+{
+  CGP::Conformal_willmore_flow<> flow(storus(96), plain_steps(1, 3));
+  EXPECT_NEAR(flow.energy() / (2 * pi * pi), 1.11449, 1e-5);
+  const CGP::Flow_report report = flow.run();
+  const double expected[] = {1.00136, 1.00035, 1.00026};
+  ASSERT_EQ(report.steps.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(report.steps[i].energy / (2 * pi * pi), expected[i], 1e-5) << i;
+  EXPECT_LT(report.conformality.quasi_conformal.mean, 1.0046);
+  EXPECT_LT(report.conformality.quasi_conformal.max, 1.02);
+}
+
+// One of the Moebius images of a Hopf torus without symmetry. While it loses its folds it drifts
+// along inversions, and where much area is in few faces the mesh has more energy.
+TEST(Conformal_willmore_flow_of_tori, converges_on_a_Hopf_torus_if_balanced_and_else_drifts)
+{
+  const Mesh_view mesh = scaled_to_area(inverted(hopf_torus(24), {.3, .5, 4}), 4 * pi);
+  const CGP::Moebius_balancing canonical(CGP::canonical_vertex_areas(
+      mesh, CGP::canonical_area_density(CGP::Hodge_decomposition<>(mesh).harmonic_basis())));
+  CGP::Flow_options options = plain_steps(1, 20);
+  CGP::Conformal_willmore_flow<> adrift(mesh, options);
+  options.balance = CGP::Balance::canonical;
+  CGP::Conformal_willmore_flow<> balanced(mesh, options);
+  EXPECT_TRUE(adrift.run());
+  const CGP::Flow_report report = balanced.run();
+  ASSERT_EQ(report.steps.size(), 20U);
+  EXPECT_LT(report.steps[18].energy - report.energy, 1e-3 * report.energy);
+  EXPECT_LT(report.energy, .75 * report.initial_energy);
+  EXPECT_GT(adrift.energy(), 1.05 * report.energy);
+  EXPECT_LT(distance_from_balance(canonical, balanced.mesh()), .03);
+  EXPECT_GT(distance_from_balance(canonical, adrift.mesh()), .3);
+}
+
+TEST(Conformal_willmore_flow_of_tori, keeps_area_and_centroid_however_balanced)
+{
+  const Mesh_view mesh = somewhere(btorus(12));
+  for (const CGP::Balance balance :
+       {CGP::Balance::none, CGP::Balance::initial, CGP::Balance::canonical})
+    for (const CGP::Balancing way : {CGP::Balancing::inversion, CGP::Balancing::potential}) {
+      CGP::Flow_options options = plain_steps(1, 2);
+      options.balance = balance;
+      options.balancing = way;
+      CGP::Conformal_willmore_flow<> flow(mesh, options);
+      EXPECT_TRUE(flow.run());
+      EXPECT_NEAR(area(flow.mesh()), area(mesh), 1e-11 * area(mesh));
+      EXPECT_LT((centroid(flow.mesh()) - centroid(mesh)).norm(), 1e-11);
+    }
+}
