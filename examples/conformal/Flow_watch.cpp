@@ -63,7 +63,7 @@ void Flow_watch::write_snapshot(int step, const CGP::Mesh_view& mesh)
   report.conformality =
       CGP::conformality(m_input.mesh, mesh.positions(), CGP::neighbourhood_normals(mesh));
   const std::string fault =
-      objection(report, mesh.positions(), mesh.size_of_faces(), m_options.limits, "fewer --steps");
+      objection(report, mesh.positions(), mesh.size_of_faces(), m_options.limits, easier_than_flow);
   m_progress.clear();
   std::error_code ignored;
   if (std::filesystem::equivalent(path, m_options.input, ignored))

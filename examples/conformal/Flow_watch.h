@@ -15,6 +15,9 @@
 
 namespace conformal {
 
+/// what to try where a flow does not verify
+inline constexpr const char* easier_than_flow = "a smaller --time-step, fewer --steps";
+
 /// \brief Watches a flow: shows how far it is, writes snapshots, ends it when a signal comes, and
 /// gathers the evidence of its steps. Once there is a complete step, a signal no longer ends the
 /// program by force, for there is something to write.
