@@ -127,11 +127,13 @@ class Closing_spin_transformation {
     all.report.reached = 1;  // but for rounding
   }
 
-  /// root of the integral of rho squared, less its mean; does not depend on scale
+  /// root of the integral of rho squared, less its mean where that has no effect; does not depend
+  /// on scale
   double norm(const Eigen::VectorXd& rho) const
   {
     const Eigen::VectorXd A = areas();
-    const double mean = A.dot(rho) / A.sum();
+    const bool has_effect = !m_transformation.dirac_equation().is_self_adjoint();
+    const double mean = has_effect ? 0 : A.dot(rho) / A.sum();
     return std::sqrt(A.dot((rho.array() - mean).square().matrix()));
   }
 
@@ -152,7 +154,10 @@ class Closing_spin_transformation {
       defect = closing.defect(transformed_edges(m_mesh, next.lambda));
       const bool is_good = next.report.converged && defect <= m_options.max_period_defect * step;
       if (is_good && can_go_on_from(next.positions)) return next;
-      if (step <= m_options.min_step) return std::nullopt;
+      if (step <= m_options.min_step) {
+        if (all.steps == 0) all.boundary_fault = next.report.boundary_fault;
+        return std::nullopt;
+      }
       const double better = next.report.converged && !is_good ? best_step(step, defect) : 0;
       step = std::max(m_options.min_step, std::clamp(better, step / 8, step / 2));
     }

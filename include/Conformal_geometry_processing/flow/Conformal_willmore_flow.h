@@ -38,11 +38,12 @@ namespace Conformal_geometry_processing {
 /// forbid, and transforms by rho = tau v. On closed surfaces the constants are forbidden, for they
 /// change nothing, and the components of the normals, which belong to sphere inversions. With a
 /// free boundary, or prescribed tangents, nothing is forbidden; with prescribed binormals the
-/// constants are, so that the flow ends at constant mean curvature. Area and centroid stay.
+/// constants are, so that the flow ends at constant mean curvature. Where there are handles or
+/// holes, the edges must close up around them. Area and centroid stay.
 ///
-/// A step is accepted if its equation is solved, the energy falls, and it is conformal enough;
-/// otherwise it is tried again with half of tau. So the surface in this object is always that of
-/// the last complete step, and the energies of the steps decrease.
+/// A step is accepted if its equation is solved, it is conformal enough, and the energy falls, but
+/// for steps that turn a boundary to prescribed directions; otherwise it is tried again with half
+/// of tau. So the surface in this object is always that of the last complete step.
 ///
 /// The order of elimination and the symbolic factorization are found once, in the constructor. A
 /// trial costs one numeric factorization of the Dirac matrix and some ten solves with it.
@@ -105,7 +106,7 @@ class Conformal_willmore_flow {
       const auto direction = m_direction(m_transformation.reconstruction().solver());
       report.direction_norm = direction.norm;
       report.remaining_share = direction.share;
-      if (report.remaining_share <= m_options.direction_tolerance)
+      if (direction.has_vanished(m_options.direction_tolerance) && !is_turning())
         report.stop = Flow_stop::direction_vanished;
       else
         find_time_step(direction.v, report, [&](const Eigen_progress& progress) {
@@ -133,8 +134,8 @@ class Conformal_willmore_flow {
         report.stop = Flow_stop::steps_done;
       else if (!visitor.go_further())
         report.stop = Flow_stop::cancelled;
-      else
-        append(step(visitor), report, visitor);
+      else if (append(report, step(visitor)))
+        visitor.on_step_end(report.steps.back(), m_mesh);
     }
     report.energy = m_energy;
     report.conformality =
@@ -199,6 +200,8 @@ class Conformal_willmore_flow {
   Verdict judge(Spin_result result, Flow_step_report& report)
   {
     if (!result.report.converged) return reject("the Dirac equation is not solved", report);
+    if (result.report.boundary_fault == Boundary_fault::not_realizable && is_turning())
+      return reject(to_string(result.report.boundary_fault), report);
     const double distortion = result.report.conformality.quasi_conformal.mean;
     if (m_options.backtracking && !(distortion < m_options.max_step_distortion))
       return reject("the mean quasi-conformal error is " + std::to_string(distortion), report);
@@ -230,7 +233,14 @@ class Conformal_willmore_flow {
   /// whether steps that raise the energy are refused
   bool must_fall() const
   {
-    return m_options.backtracking && internal::Has_energy<Direction>::value;
+    return m_options.backtracking && internal::Has_energy<Direction>::value && !is_turning();
+  }
+
+  /// whether the boundary has yet to turn to the directions it shall have
+  bool is_turning() const
+  {
+    const auto* const directions = m_transformation.dirac_equation().directions();
+    return directions && !directions->are_those_of(m_mesh);
   }
 
   static Verdict reject(const std::string& message, Flow_step_report& report)
@@ -242,7 +252,9 @@ class Conformal_willmore_flow {
   /// whether a change of the energy is below the tolerance, extrapolated to a time of 1
   bool is_small(double change, double time) const
   {
-    return std::abs(change) < m_options.energy_tolerance * time * m_energy;
+    // A minimal surface, of energy zero, is not approached faster than its mesh allows.
+    const double scale = std::max(m_energy, 0.01 * energy_of(m_initial));
+    return std::abs(change) < m_options.energy_tolerance * time * scale;
   }
 
   /// Everything that may fail comes before the first change.
@@ -267,18 +279,9 @@ class Conformal_willmore_flow {
     report.message.clear();
     m_time_step.grow();
     const double change = report.energy - report.energy_before;
-    if (internal::Has_energy<Direction>::value && is_small(change, report.time_step))
+    if (internal::Has_energy<Direction>::value && is_small(change, report.time_step) &&
+        !is_turning())
       report.stop = Flow_stop::energy_settled;
-  }
-
-  template <class Visitor>
-  void append(Flow_step_report step, Flow_report& report, Visitor&& visitor) const
-  {
-    report.stop = step.stop;
-    report.message = step.message;
-    if (!step.accepted) return;
-    report.steps.push_back(std::move(step));
-    visitor.on_step_end(report.steps.back(), m_mesh);
   }
 
   std::string m_function;

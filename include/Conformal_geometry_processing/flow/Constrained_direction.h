@@ -43,6 +43,14 @@ class Constrained_direction {
     Eigen::VectorXd v;  ///< |V| numbers in 1/length
     double norm = 0;    ///< root of the integral of v^2
     double share = 0;   ///< what is left of the direction, between 0 and 1
+
+    /// \brief whether a share of at most `tolerance` is left of the direction, or of the curvature
+    /// of a round sphere: that of a flat surface is rounding, of which all is left.
+    bool has_vanished(double tolerance) const
+    {
+      const double norm_of_spheres = std::sqrt(4 * 3.14159265358979323846);
+      return share <= tolerance || norm <= tolerance * norm_of_spheres;
+    }
   };
 
   /// \param mesh its positions may change; must outlive the object, and so must `equation`

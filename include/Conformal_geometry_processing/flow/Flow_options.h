@@ -49,10 +49,11 @@ struct Flow_options {
   bool backtracking = true;
   double max_step_distortion = 1.5;  ///< mean quasi-conformal error of one step
 
-  double energy_tolerance = 1e-4;  ///< stop where the energy changes by less than this share of it
-                                   ///< in a time of 1
+  /// stop where the energy changes by less than this share of it in a time of 1; where it goes to
+  /// zero, of a hundredth of what it was in the beginning
+  double energy_tolerance = 1e-4;
   double direction_tolerance = 1e-4;  ///< stop where the constraints leave less than this share of
-                                      ///< the direction
+                                      ///< the direction, or of the curvature of a round sphere
 
   /// how rho is kept such that surfaces of genus > 0 close up; without, they are sheared beyond
   /// recognition

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -85,6 +86,18 @@ struct [[nodiscard]] Flow_report {
   /// whether it has arrived, or made the steps it was asked for
   explicit operator bool() const { return converged() || stop == Flow_stop::steps_done; }
 };
+
+/// \relates Flow_report
+/// \brief adds a step if it was accepted, and takes over whether it is the last and why.
+/// \returns whether it was accepted
+inline bool append(Flow_report& report, Flow_step_report step)
+{
+  report.stop = step.stop;
+  report.message = step.message;
+  const bool is_accepted = step.accepted;
+  if (is_accepted) report.steps.push_back(std::move(step));
+  return is_accepted;
+}
 
 }  // namespace Conformal_geometry_processing
 

@@ -48,7 +48,7 @@ class Eigen_convergence {
   /// \brief takes note of the iterate x with residual r and T r; true if it is the last one.
   template <class GoFurther>
   bool is_last(const Eigen_panel& x, const Block<Quaternion<double>>& r,
-               const Block<Quaternion<double>>& Tr, GoFurther& go_further)
+               const Block<Quaternion<double>>& Tr, GoFurther&& go_further)
   {
     const Vector<double> estimates = error_estimates(x, r, Tr);
     const double estimate = estimates.head(m_options.wanted).maxCoeff();

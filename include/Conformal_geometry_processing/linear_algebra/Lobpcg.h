@@ -10,6 +10,7 @@
 #include <Conformal_geometry_processing/linear_algebra/quaternionic_jacobi.h>
 
 #include <array>
+#include <functional>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -68,6 +69,53 @@ struct Lobpcg_space {
   }
 };
 
+// y = f(x), of whatever type it is: the iteration is compiled once and not for every operator.
+using Block_function =
+    std::function<void(const Block<Quaternion<double>>&, Block<Quaternion<double>>&)>;
+
+template <class Operator>
+Block_function block_function(const Operator& apply)
+{
+  return [&apply](const Block<Quaternion<double>>& x, Block<Quaternion<double>>& y) {
+    apply_operator(apply, x, y);
+  };
+}
+
+inline Eigen_result lobpcg(const Block_function& apply_k, const Block_function& apply_n,
+                           const Block_function& precondition, Block<Quaternion<double>> x0,
+                           const Eigen_options& options,
+                           const std::function<bool(const Eigen_progress&)>& go_further)
+{
+  using Vectors = Block<Quaternion<double>>;
+  Eigen_convergence convergence("lobpcg", options, x0);
+  Lobpcg_space space;
+  auto& [x, w, p] = space;
+  x = convergence.initial(make_panel(apply_k, apply_n, std::move(x0), options.coefficients));
+  w.coefficients = p.coefficients = options.coefficients;
+  const Vectors first = quaternionic_jacobi(x.gram(x.v, x.kv)).vectors;
+  for (Vectors* part : x.parts()) *part = combination(*part, first);
+  while (true) {
+    Vectors& r = w.kv;  // until K w takes its place
+    x.residual(r);
+    apply_operator(precondition, r, w.v);
+    convergence.count_solve();
+    if (convergence.is_last(x, r, w.v, go_further)) break;
+
+    space.orthonormalize_directions(apply_k, apply_n);
+    if (space.size_of_directions() == 0) {
+      convergence.stop();
+      break;
+    }
+    const auto ritz = quaternionic_jacobi(space.projection());
+    convergence.note_next_value(ritz.values[x.size()]);
+    space.advance(ritz.vectors.leftCols(x.size()));
+    // Anew, so that the residual is the true one and not that of accumulated combinations.
+    apply_operators(apply_k, apply_n, x);
+    convergence.count_iteration();
+  }
+  return convergence.result();
+}
+
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
@@ -95,34 +143,9 @@ Eigen_result lobpcg(const K& apply_k, const N& apply_n, const T& precondition,
                     Block<Quaternion<double>> x0, const Eigen_options& options = {},
                     GoFurther go_further = {})
 {
-  using Vectors = Block<Quaternion<double>>;
-  Eigen_convergence convergence("lobpcg", options, x0);
-  internal::Lobpcg_space space;
-  auto& [x, w, p] = space;
-  x = convergence.initial(make_panel(apply_k, apply_n, std::move(x0), options.coefficients));
-  w.coefficients = p.coefficients = options.coefficients;
-  const Vectors first = quaternionic_jacobi(x.gram(x.v, x.kv)).vectors;
-  for (Vectors* part : x.parts()) *part = combination(*part, first);
-  while (true) {
-    Vectors& r = w.kv;  // until K w takes its place
-    x.residual(r);
-    apply_operator(precondition, r, w.v);
-    convergence.count_solve();
-    if (convergence.is_last(x, r, w.v, go_further)) break;
-
-    space.orthonormalize_directions(apply_k, apply_n);
-    if (space.size_of_directions() == 0) {
-      convergence.stop();
-      break;
-    }
-    const auto ritz = quaternionic_jacobi(space.projection());
-    convergence.note_next_value(ritz.values[x.size()]);
-    space.advance(ritz.vectors.leftCols(x.size()));
-    // Anew, so that the residual is the true one and not that of accumulated combinations.
-    apply_operators(apply_k, apply_n, x);
-    convergence.count_iteration();
-  }
-  return convergence.result();
+  return internal::lobpcg(internal::block_function(apply_k), internal::block_function(apply_n),
+                          internal::block_function(precondition), std::move(x0), options,
+                          std::ref(go_further));
 }
 
 /// \ingroup PkgLinearAlgebra

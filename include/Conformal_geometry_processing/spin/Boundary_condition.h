@@ -32,7 +32,9 @@ struct Boundary_condition {
   /// coefficients (t, n, b) of U in the frame (T, N, B); need not have length one
   Eigen::Vector3d direction{1, 0, 0};
   /// directions V, which need not have length one, or positions; 3 x number of boundary vertices,
-  /// in the order of `boundary_frames()`. No column: those of the surface itself, to be kept
+  /// in the order of `boundary_frames()`. No column: those of the surface itself, to be kept; of a
+  /// surface that moves on, those that it has before each step. Those it had in the beginning would
+  /// bring the discretisation errors of all steps back, and raise the energy again
   Points targets = Points(3, 0);
   Points normals = Points(3, 0);  ///< with positions
 

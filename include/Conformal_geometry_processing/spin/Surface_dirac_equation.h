@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SURFACE_DIRAC_EQUATION_H
 
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Dirac_equation.h>
 #include <Conformal_geometry_processing/spin/Prescribed_directions.h>

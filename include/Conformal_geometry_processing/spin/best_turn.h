@@ -3,11 +3,11 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_BEST_TURN_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BEST_TURN_H
 
-#include <Conformal_geometry_processing/algebra/Quaternion.h>
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/linear_algebra/quaternionic_jacobi.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 namespace Conformal_geometry_processing {
 
@@ -27,13 +27,18 @@ inline Quaternion<double> best_turn(const Points& U, const Points& V)
     }
     M += A.transpose() * A / static_cast<double>(U.cols());
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(M);
+  // Real numbers are quaternions, and this one is compiled anyway.
+  const auto eigen = quaternionic_jacobi<double>(M.unaryExpr([](double m) {
+    return Quaternion<double>{m, 0, 0, 0};
+  }));
+  const auto vector = [&](int c) -> Eigen::Vector4d {
+    return eigen.vectors.col(c).unaryExpr([](const Quaternion<double>& q) { return q.w; });
+  };
   const double as_good = 0.02, nothing = 1e-3;
   Eigen::Vector4d best = Eigen::Vector4d::Zero();
   for (int c = 0; c < 4; ++c)
-    if (eigen.eigenvalues()[c] <= eigen.eigenvalues()[0] + as_good)
-      best += eigen.eigenvectors()(0, c) * eigen.eigenvectors().col(c);
-  if (best.norm() < nothing) best = eigen.eigenvectors().col(0);
+    if (eigen.values[c] <= eigen.values[0] + as_good) best += vector(c)[0] * vector(c);
+  if (best.norm() < nothing) best = vector(0);
   best.normalize();
   return {best[0], best[1], best[2], best[3]};
 }
