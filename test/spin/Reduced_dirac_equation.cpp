@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Reduced_dirac_equation.h
+#include <Conformal_geometry_processing/operators/averaging.h>
+#include <Conformal_geometry_processing/operators/dirac.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <limits>
+
+#include "spin/boundary_tools.h"
+#include "support/dense.h"
+
+namespace {
+
+using namespace cgp_test;
+using Q = Quaternion<double>;
+using Vectors = CGP::Block<Q>;
+using Directions = CGP::Prescribed_directions<CGP::Default_solver_traits>;
+using Problem = CGP::Dirac_eigenproblem<>;
+
+/// the equation on a small mesh, and all its eigenpairs by a dense matrix
+class Reduced_dirac_equation : public testing::Test {
+ protected:
+  void SetUp() override
+  {
+    CGP::Dirac_solution::Seconds seconds;
+    problem.assemble(rho, seconds);
+    const CGP::Block<double> one = CGP::Block<double>::Identity(dimension(), dimension());
+    const Vectors basis = directions.basis().embed(one);
+    const Eigen::MatrixXd K = form(basis, problem.matrix());
+    const Eigen::MatrixXd M = form(basis, masses());
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K, M);
+    values = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
+    vectors = directions.basis().embed(eigen.eigenvectors().leftCols(4));
+  }
+
+  int dimension() const { return directions.basis().rows().dimension(); }
+
+  CGP::Hermitian_sparse_matrix<Q> masses() const
+  {
+    CGP::Hermitian_sparse_matrix<Q> M(problem.matrix().shared_pattern());
+    for (int v = 0; v < M.size(); ++v)
+      M.value(M.pattern().offsets[at(v)]) = {problem.areas()[v], 0, 0, 0};
+    return M;
+  }
+
+  Eigen::MatrixXd form(const Vectors& basis, const CGP::Hermitian_sparse_matrix<Q>& A) const
+  {
+    Vectors images(basis.rows(), basis.cols());
+    for (Eigen::Index j = 0; j < basis.cols(); ++j) images.col(j) = A * basis.col(j);
+    return directions.basis().coordinates(images);
+  }
+
+  /// Re <a, M_V b>
+  double product(const Quaternion_vector<double>& a, const Quaternion_vector<double>& b) const
+  {
+    double sum = 0;
+    for (int v = 0; v < a.size(); ++v) sum += problem.areas()[v] * dot(a[v], b[v]);
+    return sum;
+  }
+
+  /// of mean square one, in the direction of the guide
+  Quaternion_vector<double> normalized(Quaternion_vector<double> x) const
+  {
+    const double sign = product(x, directions.guide()) < 0 ? -1 : 1;
+    const double factor = sign * std::sqrt(problem.areas().sum() / product(x, x));
+    for (Q& q : x) q *= factor;
+    return x;
+  }
+
+  double overlap(int j) const
+  {
+    const auto& guide = directions.guide();
+    return std::abs(product(vectors.col(j), guide)) / std::sqrt(product(guide, guide));
+  }
+
+  template <class GoFurther = CGP::Always_go_further>
+  CGP::Dirac_solution solve(const CGP::Dirac_options& options, bool is_self_adjoint = false,
+                            GoFurther go_further = {})
+  {
+    CGP::Dirac_solution s;
+    equation.solve(rho, is_self_adjoint, options, s, go_further);
+    return s;
+  }
+
+  static CGP::Dirac_options exactly()
+  {
+    CGP::Dirac_options options;
+    options.tolerance = 1e-11;
+    return options;
+  }
+
+  const Mesh_view mesh = perturbed(cap_from_disk(jittered_disk(3, .3), 1), .04);
+  const Curvature_potential rho =
+      potential_on_vertices(mesh, [](const Eigen::Vector3d& p) { return 2 * std::cos(3 * p.x()); });
+  Problem problem{mesh};
+  Directions directions{
+      mesh, Boundary_condition::tangents(enneper_directions(jittered_disk(3, .3), {1, 0, 0})),
+      problem.matrix().shared_pattern(), problem.solver()};
+  CGP::Reduced_dirac_equation<Problem, Directions> equation{problem, directions};
+  Eigen::VectorXd values;  // singular values of D - rho, ascending
+  Vectors vectors;         // the first four, of mass one
+};
+
+}  // namespace
+
+TEST_F(Reduced_dirac_equation, finds_the_smallest_singular_value)
+{
+  CGP::Dirac_options options = exactly();
+  options.branch = CGP::Branch::smallest;
+  const CGP::Dirac_solution s = solve(options);
+  ASSERT_TRUE(s.converged);
+  EXPECT_NEAR(s.eigenvalue, values[0], 1e-10);
+  EXPECT_NEAR(s.energy, values[0] * values[0], 1e-10);
+  EXPECT_NEAR(s.gap, values[1] - values[0], 1e-3);
+  EXPECT_LT(greatest_difference(s.lambda, normalized(vectors.col(0))), 1e-8);
+}
+
+TEST_F(Reduced_dirac_equation, finds_the_vector_nearest_to_the_guide)
+{
+  int nearest = 0;
+  for (int j = 1; j < 4; ++j)
+    if (overlap(j) > overlap(nearest)) nearest = j;
+  const CGP::Dirac_solution s = solve(exactly());
+  ASSERT_TRUE(s.converged);
+  EXPECT_NEAR(s.eigenvalue, values[nearest], 1e-10);
+  EXPECT_NEAR(s.overlap, overlap(nearest), 1e-9);
+  EXPECT_LT(greatest_difference(s.lambda, normalized(vectors.col(nearest))), 1e-8);
+}
+
+TEST_F(Reduced_dirac_equation, projects_the_guide_on_what_counts_as_kernel)
+{
+  CGP::Dirac_options options = exactly();
+  options.kernel_tolerance = (values[1] + values[2]) / 2;
+  const CGP::Dirac_solution s = solve(options);
+  ASSERT_TRUE(s.converged);
+  Quaternion_vector<double> expected = Quaternion_vector<double>::Constant(s.lambda.size(), Q{});
+  for (int j = 0; j < 2; ++j) {
+    const double share = product(vectors.col(j), directions.guide());
+    for (int v = 0; v < expected.size(); ++v) expected[v] += share * vectors(v, j);
+  }
+  EXPECT_LT(greatest_difference(s.lambda, normalized(expected)), 1e-8);
+}
+
+TEST_F(Reduced_dirac_equation, gives_gamma_its_sign_where_it_is_an_eigenvalue)
+{
+  const CGP::Dirac_solution s = solve(exactly(), true);
+  const Quaternion_vector<double> B = CGP::averaging(mesh) * s.lambda,
+                                  D = CGP::dirac(mesh) * s.lambda,
+                                  R = CGP::potential_matrix(mesh, rho) * s.lambda;
+  double form = 0, mass = 0;
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const double A = mesh.double_area_vector(f).norm() / 2;
+    form += A * dot(B[f], D[f] - R[f]);
+    mass += A * squared_norm(B[f]);
+  }
+  EXPECT_NEAR(s.eigenvalue, form / mass, 1e-12);
+}
+
+TEST_F(Reduced_dirac_equation, answers_to_sources_in_the_space_of_the_condition)
+{
+  const Quaternion_vector<double> c = random_quaternions(mesh.size_of_vertices(), 3);
+  const Vectors x = equation.response(Vectors(c));
+  EXPECT_LT(greatest_difference(directions.basis().project(x).col(0), x.col(0)), 1e-12);
+  CGP::Dirac_solution::Seconds seconds;
+  problem.assemble(CGP::no_potential(mesh), seconds);
+  Quaternion_vector<double> image = problem.matrix() * x.col(0);
+  for (int v = 0; v < image.size(); ++v)
+    image[v] += 1e-6 * problem.unit() * problem.areas()[v] * x(v, 0);
+  const auto& basis = directions.basis();
+  EXPECT_LT((basis.coordinates(Vectors(image)) - basis.coordinates(Vectors(c))).norm(), 1e-9);
+}
+
+TEST_F(Reduced_dirac_equation, gives_the_same_bits_again)
+{
+  CGP::Dirac_options options;
+  options.kernel_tolerance = (values[1] + values[2]) / 2;
+  EXPECT_EQ(solve(options).lambda, solve(options).lambda);
+}
+
+TEST_F(Reduced_dirac_equation, can_be_cancelled)
+{
+  for (int limit = 0; limit < 4; ++limit) {
+    int count = 0;
+    const CGP::Dirac_solution s =
+        solve(exactly(), false, [&](const CGP::Eigen_progress&) { return count++ < limit; });
+    EXPECT_TRUE(s.cancelled);
+    EXPECT_EQ(count, limit + 1);
+  }
+}
+
+TEST_F(Reduced_dirac_equation, says_so_if_it_has_not_converged)
+{
+  CGP::Dirac_options options = exactly();
+  options.max_iterations = 1;
+  EXPECT_FALSE(solve(options).converged);
+}
+
+TEST_F(Reduced_dirac_equation, refuses_a_matrix_that_is_not_finite)
+{
+  Curvature_potential broken = rho;
+  broken.values[3] = std::numeric_limits<double>::quiet_NaN();
+  CGP::Dirac_solution::Seconds seconds;
+  EXPECT_THROW(equation.set_potential(broken, seconds), CGP::Solver_error);
+}
