@@ -57,9 +57,10 @@ struct Recorder : CGP::Flow_visitor {
   }
 };
 
-Way flow(const CGP::Mesh_view& mesh)
+Way flow(const CGP::Mesh_view& mesh, double time_step)
 {
   CGP::Flow_options options;
+  options.time_step = time_step;
   options.max_steps = flow_steps;
   Recorder recorder;
   CGP::Conformal_willmore_flow<> flow(mesh, options);
@@ -172,7 +173,8 @@ void compare(const std::string& path)
 {
   const CGP::Mesh_view mesh = make_mesh(path);
   const std::string name = path.substr(path.rfind('/') + 1);
-  print(name, "conformal Willmore flow", 1, mesh, flow(mesh));
+  for (const double time_step : {1., 0.5, 0.25})
+    print(name, "conformal Willmore flow", time_step, mesh, flow(mesh, time_step));
   for (const double time_step : {1e-3, 1e-2, 1e-1, 1.})
     print(name, "smooth_shape", time_step, mesh, smooth_shape(mesh, time_step));
 }
