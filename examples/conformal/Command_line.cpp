@@ -4,42 +4,15 @@
 
 #include "Failure.h"
 #include "help_texts.h"
+#include "option_groups.h"
 #include "versions.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <vector>
 
 namespace conformal {
 namespace {
-
-// in the order of Projection
-const std::vector<std::string> projections = {"uv", "x", "y", "z", "sphere"};
-
-// in the order of Balance_choice
-const std::vector<std::string> balances = {"none", "initial", "canonical"};
-
-int place_of(const std::string& word, const std::vector<std::string>& words)
-{
-  return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
-}
-
-std::string above_zero(const std::string& text)
-{
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return *end == 0 && value > 0 && std::isfinite(value) ? "" : "wanted a number above 0";
-}
-
-std::string finite(const std::string& text)
-{
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return *end == 0 && std::isfinite(value) ? "" : "wanted a finite number";
-}
 
 class Parser {
  public:
@@ -50,6 +23,7 @@ class Parser {
     add_info();
     add_spin();
     add_flow();
+    add_boundary_command();
     add_harmonic();
     add_compare();
   }
@@ -88,36 +62,54 @@ class Parser {
   void add_info()
   {
     CLI::App* command = add_command("info", about_info);
-    command->add_option("input", m_info.input, "mesh file, - for standard input")->required();
+    add_input(*command, m_info.input);
+  }
+
+  void add_output(CLI::App& command)
+  {
+    command.add_option("-o,--output", m_common.output, "where the result goes")->required();
   }
 
   void add_spin()
   {
-    CLI::App* command = add_command("spin", about_spin);
-    command->add_option("input", m_spin.input, "mesh file, - for standard input")->required();
-    command->add_option("-o,--output", m_common.output, "where the result goes")->required();
-    add_rho(*command);
-    command->add_option("--lambda", m_spin.lambda,
-                        "write the quaternions lambda as vertex properties NAME_w to NAME_z");
+    CLI::App& command = *add_command("spin", about_spin);
+    add_input(command, m_spin.input);
+    add_output(command);
+    add_rho(command, m_spin.rho)->require_option(1);
+    add_boundary(command, m_spin.boundary);
+    add_solver(command, m_spin);
     command
-        ->add_option("--problem", m_problem,
-                     "standard, or generalized for rho on faces where that can be trusted")
+        .add_option("--problem", m_problem,
+                    "standard, or generalized for rho on faces where that can be trusted")
         ->check(CLI::IsMember({"standard", "generalized"}))
         ->capture_default_str();
-    command->add_flag("--open-handles", m_spin.open_handles,
-                      "apply rho in one step, also the part of it that shears handles");
-    command->add_option("--solver", m_solver, "native, cholmod (where it was built in) or eigen")
-        ->check(CLI::IsMember({"native", "cholmod", "eigen"}))
-        ->capture_default_str();
-    add_eigenvector(*command);
-    add_limits(*command, m_spin.limits, m_spin.force);
+    command.add_flag("--open-handles", m_spin.open_handles,
+                     "apply rho in one step, also the part of it that shears handles and holes");
+    add_eigenvector(command, m_common);
+    add_limits(command, m_spin.limits, m_spin.force);
+  }
+
+  void add_boundary_command()
+  {
+    CLI::App& command = *add_command("boundary", about_boundary);
+    Spin_options& spin = m_boundary.spin;
+    add_input(command, spin.input);
+    add_output(command);
+    add_prescription(command, m_boundary.prescription);
+    CLI::Option_group* rho = add_rho(command, spin.rho);
+    rho->add_flag("--minimal", m_boundary.minimal,
+                  "minus the mean curvature: the result is a minimal surface");
+    rho->require_option(0, 1);
+    add_solver(command, spin);
+    add_eigenvector(command, m_common);
+    add_limits(command, spin.limits, spin.force);
   }
 
   void add_flow()
   {
     CLI::App* command = add_command("flow", about_flow);
-    command->add_option("input", m_flow.input, "mesh file, - for standard input")->required();
-    command->add_option("-o,--output", m_common.output, "where the result goes")->required();
+    add_input(*command, m_flow.input);
+    add_output(*command);
     command->add_option("--steps", m_flow.steps, "how many steps at most")
         ->check(above_zero)
         ->capture_default_str();
@@ -136,74 +128,23 @@ class Parser {
         ->check(CLI::Range(0, 3))
         ->needs("--filter-weight")
         ->capture_default_str();
-    command
-        ->add_option("--balance", m_balance,
-                     "undoes drift by sphere inversions: towards the initial areas, or those of "
-                     "the canonical metric (genus > 0)")
-        ->check(CLI::IsMember(balances))
-        ->capture_default_str();
+    add_boundary(*command, m_flow.boundary);
+    add_choice(*command, "--balance", m_flow.balance, {"none", "initial", "canonical"},
+               "undoes drift of closed surfaces by sphere inversions: towards the initial areas, "
+               "or those of the canonical metric (genus > 0)");
     command
         ->add_option("--every", m_flow.every,
                      "write every so many steps a snapshot, OUTPUT with the number of the step: "
                      "bear_0005.ply")
         ->check(above_zero);
-    add_eigenvector(*command);
+    add_eigenvector(*command, m_common);
     add_limits(*command, m_flow.limits, m_flow.force);
-  }
-
-  void add_eigenvector(CLI::App& command)
-  {
-    command.add_option("--seed", m_common.seed, "of random start vectors")->capture_default_str();
-    command.add_option("--tolerance", m_common.tolerance, "of the eigenvector")
-        ->check(above_zero)
-        ->capture_default_str();
-  }
-
-  void add_rho(CLI::App& command)
-  {
-    auto* source = command.add_option_group("rho", "the change of mean curvature, one of");
-    source->add_option("--rho-expression", m_spin.rho.expression,
-                       "formula in x y z (normalised frame), nx ny nz (outward normal), pi, e; "
-                       "sin exp abs min ... gauss(d,s) bump(d,r)");
-    source->add_option("--rho-property", m_spin.rho.property,
-                       "vertex or face property of the mesh");
-    source->add_option("--rho-file", m_spin.rho.file,
-                       "text file, a number per vertex or face; # begins a comment");
-    source->add_option("--rho-image", m_spin.rho.image,
-                       "picture (PNG, JPEG, PGM, PPM): rho = gray - 0.5, gray from 0 to 1");
-    source->require_option(1);
-    command
-        .add_option("--projection", m_projection,
-                    "of the picture: uv, along an axis (x, y, z), or sphere around the z axis")
-        ->check(CLI::IsMember(projections))
-        ->capture_default_str();
-    command.add_option("--amplitude", m_spin.rho.amplitude, "multiplies rho")
-        ->check(finite)
-        ->capture_default_str();
-    command.add_option("--on", m_on, "where rho has its values (default: vertices)")
-        ->check(CLI::IsMember({"vertices", "faces"}));
-  }
-
-  static void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
-  {
-    command.add_option("--max-closure", limits.closure, "largest closure residual")
-        ->check(above_zero)
-        ->capture_default_str();
-    command
-        .add_option("--max-quasi-conformal", limits.quasi_conformal,
-                    "largest mean quasi-conformal error")
-        ->check(above_zero)
-        ->capture_default_str();
-    command.add_option("--max-flipped", limits.flipped, "largest share of flipped faces")
-        ->check(finite)
-        ->capture_default_str();
-    command.add_flag("--force", force, "write also what does not verify");
   }
 
   void add_harmonic()
   {
     CLI::App* command = add_command("harmonic", about_harmonic);
-    command->add_option("input", m_harmonic.input, "mesh file, - for standard input")->required();
+    add_input(*command, m_harmonic.input);
     command->add_option("-o,--output", m_common.output, "the mesh with the fields");
     command->add_option("--form", m_harmonic.form, "write only this one, counted from 0")
         ->check(CLI::NonNegativeNumber);
@@ -223,7 +164,8 @@ class Parser {
     const auto has_name = [&](const CLI::App* command) { return command->get_name() == name; };
     if (m_app.get_subcommands(has_name).empty())
       throw Failure(Exit_code::usage, "unknown command '" + name +
-                                          "'; try: info, spin, flow, harmonic, compare or --help");
+                                          "'; try: info, spin, flow, boundary, harmonic, compare "
+                                          "or --help");
   }
 
   // Of `--wrong 3 input`, where 3 was taken for the input, the option is what is wrong.
@@ -253,33 +195,35 @@ class Parser {
   Command_line chosen()
   {
     Command_line line{m_common, m_app.get_subcommands().front()->get_name(), {}, {}};
+    m_spin.generalized = m_problem == "generalized";
     if (line.command == "info") line.options = m_info;
+    if (line.command == "spin") line.options = m_spin;
+    if (line.command == "flow") line.options = m_flow;
+    if (line.command == "boundary") line.options = m_boundary;
     if (line.command == "harmonic") line.options = m_harmonic;
     if (line.command == "compare") line.options = m_compare;
-    m_flow.balance = static_cast<Balance_choice>(place_of(m_balance, balances));
-    if (line.command == "flow") line.options = m_flow;
-    if (line.command != "spin") return line;
-    if (!m_on.empty()) m_spin.rho.on_faces = m_on == "faces";
-    m_spin.rho.projection = static_cast<Projection>(place_of(m_projection, projections));
-    m_spin.generalized = m_problem == "generalized";
-    m_spin.solver = m_solver;
+    require_solver(m_spin.solver);
+    require_solver(m_boundary.spin.solver);
+    return line;
+  }
+
+  static void require_solver([[maybe_unused]] const std::string& solver)
+  {
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
-    if (m_solver == "cholmod")
+    if (solver == "cholmod")
       throw Failure(Exit_code::usage,
                     "this program was built without CHOLMOD; try: --solver native");
 #endif
-    line.options = m_spin;
-    return line;
   }
 
   Common_options m_common;
   Info_options m_info;
   Spin_options m_spin;
   Flow_options m_flow;
+  Boundary_options m_boundary;
   Harmonic_options m_harmonic;
   Compare_options m_compare;
-  std::string m_on, m_problem = "standard", m_solver = "native", m_projection = "uv",
-                    m_balance = "none";
+  std::string m_problem = "standard";
   CLI::App m_app;
 };
 

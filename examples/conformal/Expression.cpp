@@ -6,8 +6,9 @@
 
 #include <muParser.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace conformal {
 namespace {
@@ -23,18 +24,21 @@ double bump(double d, double r)
   return t * t < 1 ? std::exp(1 - 1 / (1 - t * t)) : 0;
 }
 
-Failure bad(const std::string& text, const std::string& message)
+std::string listed(const std::vector<std::string>& names)
 {
-  return {Exit_code::usage, "--rho-expression '" + text + "': " + message +
-                                "; try: a formula in x, y, z, nx, ny, nz such as sin(5*y)"};
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
 }
 
 }  // namespace
 
 struct Expression::Parser {
-  explicit Parser(const std::string& t) : text(t)
+  Parser(const std::string& t, const std::string& o, const std::vector<std::string>& more)
+      : text(t), option(o)
   {
-    const std::array names = {"x", "y", "z", "nx", "ny", "nz"};
+    names.insert(names.end(), more.begin(), more.end());
+    values.resize(names.size());
     for (std::size_t i = 0; i < names.size(); ++i) parser.DefineVar(names[i], &values[i]);
     parser.DefineConst("pi", std::acos(-1.));
     parser.DefineConst("e", std::exp(1.));
@@ -48,34 +52,46 @@ struct Expression::Parser {
     try {
       int results = 0;
       const double* all = parser.Eval(results);
-      if (results != 1) throw bad(text, "gives " + std::to_string(results) + " values, wanted one");
+      if (results != 1) throw bad("gives " + std::to_string(results) + " values, wanted one");
       return all[0];
     } catch (const mu::Parser::exception_type& error) {
       // muParser counts from 0, and says so in most of its messages, but not in all.
       const std::string message = error.GetMsg();
-      throw bad(text, message.substr(0, message.find(" at position")) + ", at place " +
-                          std::to_string(error.GetPos() + 1));
+      throw bad(message.substr(0, message.find(" at position")) + ", at place " +
+                std::to_string(error.GetPos() + 1));
     }
   }
 
-  std::string text;
-  std::array<double, 6> values{};
+  Failure bad(const std::string& message) const
+  {
+    return {Exit_code::usage, option + " '" + text + "': " + message + "; try: a formula in " +
+                                  listed(names) + " such as sin(5*y)"};
+  }
+
+  std::string text, option;
+  std::vector<std::string> names = {"x", "y", "z", "nx", "ny", "nz"};
+  std::vector<double> values;
   mu::Parser parser;
 };
 
-Expression::Expression(const std::string& text) : m_parser(std::make_unique<Parser>(text))
+Expression::Expression(const std::string& text, const std::string& option,
+                       const std::vector<std::string>& more)
+    : m_parser(std::make_unique<Parser>(text, option, more))
 {
   m_parser->value();
 }
 
 Expression::~Expression() = default;
 
-double Expression::operator()(const Eigen::Vector3d& point, const Eigen::Vector3d& normal)
+double Expression::operator()(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                              const std::vector<double>& more)
 {
+  std::vector<double>& values = m_parser->values;
   for (Eigen::Index i = 0; i < 3; ++i) {
-    m_parser->values[static_cast<std::size_t>(i)] = point[i];
-    m_parser->values[static_cast<std::size_t>(i + 3)] = normal[i];
+    values[static_cast<std::size_t>(i)] = point[i];
+    values[static_cast<std::size_t>(i + 3)] = normal[i];
   }
+  std::copy(more.begin(), more.end(), values.begin() + 6);
   return m_parser->value();
 }
 

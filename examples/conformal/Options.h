@@ -38,12 +38,16 @@ struct Info_options {
   std::string input;
 };
 
+/// what stays as it is at the boundary of a surface that has one
+enum class Boundary_choice { free, tangents, binormals };
+
 struct Spin_options {
   std::string input;
   Rho_options rho;
+  Boundary_choice boundary = Boundary_choice::free;
   std::string lambda;  ///< the name of the vertex properties, none if empty
   bool generalized = false, force = false;
-  bool open_handles = false;      ///< rho is applied as it is, though handles are sheared
+  bool open_handles = false;      ///< rho is applied as it is, though it opens handles and holes
   std::string solver = "native";  // or cholmod, eigen
   Verification_limits limits;
 };
@@ -57,9 +61,23 @@ struct Flow_options {
   double filter_weight = 0;
   int filter_order = 1;
   Balance_choice balance = Balance_choice::none;
+  Boundary_choice boundary = Boundary_choice::free;
   int every = 0;  ///< steps from a snapshot to the next; none if zero
   bool force = false;
   Verification_limits limits;
+};
+
+/// what the boundary becomes: exactly one of them is not empty
+struct Prescription_options {
+  std::string tangents_from, binormals_from, positions_from;  ///< files with meshes
+  std::string curve;                                          ///< a file with points
+  std::string tangent_rotation, binormal_tilt;                ///< formulas
+};
+
+struct Boundary_options {
+  Spin_options spin;  ///< what this command has in common with that; without a source, rho is 0
+  Prescription_options prescription;
+  bool minimal = false;  ///< rho is -H
 };
 
 struct Harmonic_options {

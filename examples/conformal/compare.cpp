@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "info.h"
 #include "io/write_surface.h"
+#include "same_faces.h"
 #include "verification.h"
 #include "write_result.h"
 
@@ -19,53 +20,12 @@
 namespace conformal {
 namespace {
 
-Failure different(const Compare_options& options, const std::string& difference)
-{
-  return unsuitable(options.after, "has not the faces of " + options.before + ": " + difference +
-                                       "; try: a mesh computed from it");
-}
-
-std::string corners_of(const Polygons& polygons, std::size_t f)
-{
-  std::string text;
-  for (std::size_t c = polygons.first[f]; c < polygons.first[f + 1]; ++c)
-    text += (text.empty() ? "" : " ") + std::to_string(polygons.corners[c]);
-  return text;
-}
-
-void require_same_faces(const Surface_file& a, const Surface_file& b,
-                        const Compare_options& options)
-{
-  const auto numbers = [](const std::string& noun, std::size_t n, std::size_t wanted) {
-    return count_of(n, noun) + ", wanted " + std::to_string(wanted);
-  };
-  if (a.points.size() != b.points.size())
-    throw different(options, numbers("vertex", b.points.size(), a.points.size()));
-  if (a.polygons.size() != b.polygons.size())
-    throw different(options, numbers("face", b.polygons.size(), a.polygons.size()));
-  for (std::size_t f = 0; f < a.polygons.size(); ++f)
-    if (corners_of(a.polygons, f) != corners_of(b.polygons, f))
-      throw different(options, "face " + std::to_string(f) + " has the vertices " +
-                                   corners_of(b.polygons, f) + ", wanted " +
-                                   corners_of(a.polygons, f));
-}
-
 // Components and boundaries do not matter to a map.
 void require_measurable(const Surface_input& input)
 {
   const Defects defects = find_defects(input);
   for (const auto* kind : {&defects.of_topology, &defects.of_geometry})
     if (!kind->empty()) throw unsuitable(input.file.path, kind->front());
-}
-
-CGP::Points positions_after(const Surface_input& before, const Surface_file& after)
-{
-  CGP::Points points(3, before.mesh.size_of_vertices());
-  for (int v = 0; v < before.mesh.size_of_vertices(); ++v) {
-    const int i = before.vertex_in_file[static_cast<std::size_t>(v)];
-    points.col(v) = Eigen::Vector3d::Map(after.points[static_cast<std::size_t>(i)].data());
-  }
-  return points;
 }
 
 // Each in its own unit frame, in which nothing overflows.
@@ -135,9 +95,9 @@ void compare(const Compare_options& options, Session& session)
   session.note_all(before.notes);
   report_input(before, session.report());
   if (session.options().strict) require_untouched(before);
-  require_same_faces(before.file, after.file, options);
+  require_same_faces(before.file, after.file);
   require_measurable(before);
-  const CGP::Points positions = positions_after(before, after.file);
+  const CGP::Points positions = positions_in(before, after.file);
   tell(before.mesh, positions, session);
   session.end_stage("measure");
   if (output.empty()) return;

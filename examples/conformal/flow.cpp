@@ -3,9 +3,11 @@
 #include "flow.h"
 
 #include "Failure.h"
-#include "closed_surface.h"
+#include "boundary_condition.h"
+#include "boundary_report.h"
 #include "flow_report.h"
 #include "io/write_surface.h"
+#include "suitable_surface.h"
 #include "verification.h"
 #include "write_result.h"
 
@@ -16,11 +18,14 @@
 namespace conformal {
 namespace {
 
-const char* const easier = "fewer --steps";
-
-void require_handles_for_canonical_metric(const Surface_input& input, const Flow_options& options)
+void require_options_that_fit(const Surface_input& input, const Flow_options& options)
 {
-  if (options.balance == Balance_choice::canonical && CGP::topology(input.mesh).genus == 0)
+  require_boundary_to_keep(input, options.boundary);
+  if (options.balance == Balance_choice::none) return;
+  const CGP::Topology topology = CGP::topology(input.mesh);
+  if (!topology.is_closed())
+    throw unsuitable(options.input, "--balance wants a closed surface; try: without it");
+  if (options.balance == Balance_choice::canonical && topology.genus == 0)
     throw unsuitable(options.input,
                      "has genus 0 and so no canonical metric; try: --balance initial");
 }
@@ -40,7 +45,7 @@ std::string fault_of(const Flow_solution& solution, CGP::Spin_report evidence,
     return report ? "" : stopped_after(report, options) + "; try: a smaller --time-step";
   evidence.conformality = report.conformality;
   return objection(evidence, solution.positions, input.mesh.size_of_faces(), options.limits,
-                   easier);
+                   easier_than_flow);
 }
 
 void verify(const Flow_solution& solution, const CGP::Spin_report& evidence,
@@ -54,6 +59,20 @@ void verify(const Flow_solution& solution, const CGP::Spin_report& evidence,
   } else if (!solution.report && signal_received() == 0) {
     session.note(stopped_after(solution.report, options));
   }
+}
+
+void tell(const Flow_solution& solution, const CGP::Spin_report& evidence,
+          const Surface_input& input, const Flow_options& options, Session& session)
+{
+  report_flow(solution, input.mesh, evidence, session.report());
+  Table table = flow_table(solution, input.mesh, evidence);
+  if (!solution.report.steps.empty()) {
+    const CGP::Boundary_condition condition = kept_boundary(options.boundary);
+    const CGP::Spin_report& last = solution.report.steps.back().spin;
+    report_boundary(input.mesh, condition, last, session.report());
+    add_boundary(input.mesh, condition, last, table);
+  }
+  session.print(step_grid(solution.report).text() + "\n" + table.text());
 }
 
 void write(const Flow_solution& solution, const Surface_input& input, Session& session)
@@ -77,17 +96,15 @@ void tell_if_interrupted(const Flow_solution& solution, Session& session)
 void flow(const Flow_options& options, Session& session)
 {
   require_writable(session.options().output);
-  const Surface_input input = read_closed_surface(options.input, session);
-  require_handles_for_canonical_metric(input, options);
+  const Surface_input input = read_suitable_surface(options.input, session);
+  require_options_that_fit(input, options);
   session.end_stage("prepare");
   Flow_watch watch(input, options, session);
   const Flow_solution solution = run_flow(input.mesh, options, session.options(), watch);
   watch.end();
   if (solution.report.steps.empty()) throw_if_interrupted();
   session.end_stage("flow");
-  report_flow(solution, input.mesh, watch.evidence(), session.report());
-  session.print(step_grid(solution.report).text() + "\n" +
-                flow_table(solution, input.mesh, watch.evidence()).text());
+  tell(solution, watch.evidence(), input, options, session);
   verify(solution, watch.evidence(), input, options, session);
   write(solution, input, session);
   tell_if_interrupted(solution, session);

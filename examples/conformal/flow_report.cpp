@@ -80,7 +80,7 @@ void report_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
   report.set("result/closure_residual", evidence.closure_residual);
   report.set("result/period_defect", evidence.period_defect);
   report_conformality(flow.conformality, report);
-  if (CGP::topology(initial).genus == 0) {
+  if (CGP::topology(initial).is_sphere()) {
     const Radius r = radius(final_surface(solution, initial));
     report.set("result/radius/mean", r.mean);
     report.set("result/radius/deviation", r.deviation);
@@ -117,7 +117,7 @@ Table flow_table(const Flow_solution& solution, const CGP::Mesh_view& initial,
   table.add("stopped because", reason(flow));
   table.add("energy / 4 pi", text_of(flow.initial_energy / energy_of_sphere) + " to " +
                                  text_of(flow.energy / energy_of_sphere));
-  if (CGP::topology(initial).genus == 0)
+  if (CGP::topology(initial).is_sphere())
     table.add("radius, deviation / mean", radius(final_surface(solution, initial)).deviation);
   table.add("closure residual, worst", text_of(evidence.closure_residual, 3));
   add_conformality(flow.conformality, initial.size_of_faces(), table);

@@ -4,9 +4,9 @@
 
 #include "Failure.h"
 #include "Table.h"
-#include "closed_surface.h"
 #include "interruption.h"
 #include "io/write_surface.h"
+#include "suitable_surface.h"
 #include "write_result.h"
 
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>

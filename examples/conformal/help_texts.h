@@ -19,25 +19,45 @@ inline constexpr const char* about_info =
     "Example: conformal info bear.off --json bear.json";
 
 inline constexpr const char* about_spin =
-    "Deforms a closed surface conformally so that its mean curvature changes by rho.\n"
+    "Deforms a surface conformally so that its mean curvature changes by rho.\n"
     "rho is in 1/length of the normalised frame (the middle of the bounding box at 0, its "
     "diagonal\n"
     "2), positive rho bulges outward, constants have no effect. The output has the vertex\n"
     "properties quality (quasi-conformal error, 1 is perfect) and rho; normals are left out.\n"
-    "On surfaces with handles (genus > 0) the part of rho is left out with which they would not\n"
-    "close up, and the rest is reached in as many steps as it takes; the table tells how much.\n"
+    "On surfaces with handles (genus > 0) or several boundary loops the part of rho is left out\n"
+    "with which they would not close up, and the rest is reached in as many steps as it takes; "
+    "the\n"
+    "table tells how much. A boundary is free, unless --boundary says what it keeps.\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply";
 
 inline constexpr const char* about_flow =
-    "Smooths a closed surface by the conformal Willmore flow: as smooth as its conformal class\n"
-    "allows, a sphere where there are no handles. Area, centroid and triangle quality stay. The\n"
+    "Smooths a surface by the conformal Willmore flow: as smooth as its conformal class allows, a\n"
+    "sphere where there are no handles. With a boundary that is free, or keeps its tangents, it\n"
+    "becomes a minimal surface; with its binormals kept, one of constant mean curvature.\n"
+    "Area, centroid and triangle quality stay. The\n"
     "output has the vertex property quality (quasi-conformal error against the input, 1 is\n"
     "perfect). The flow stops early where the energy has settled, or no step lowers it.\n"
     "When interrupted (Ctrl-C, SIGTERM), it writes the surface after the last complete step, and\n"
     "ends with exit code 130 or 143; a second signal ends it at once.\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: conformal flow bear.off -o bear_flow.ply --json bear.json";
+
+inline constexpr const char* about_boundary =
+    "Deforms a surface with boundary conformally so that the boundary gets other tangents, "
+    "binormals\n"
+    "or positions, in one step. The mean curvature half-density stays as it is (a flat surface "
+    "becomes\n"
+    "a minimal one), or changes by rho as with conformal spin. Directions are absolute, sizes are "
+    "not\n"
+    "prescribed: area and centroid stay, unless positions are given.\n"
+    "Any binormals can be realised, up to a constant gamma that is added to rho; so can the "
+    "tangents\n"
+    "of plane curves, but of others only those that fulfil one condition, which the program "
+    "checks:\n"
+    "the exit code is 1, and nothing is written, where gamma times the radius stays away from 0.\n"
+    "A loop begins at its vertex of smallest number, and has the surface on its left.\n"
+    "Example: conformal boundary disk.off --binormal-tilt '40*cos(6*pi*s)' -o flower.ply";
 
 inline constexpr const char* about_harmonic =
     "Finds the harmonic 1-forms of a closed surface with handles, two for each, and their tangent\n"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "info.h"
 
+#include "Closed_curve.h"
 #include "Defects.h"
 #include "Failure.h"
 #include "Shape.h"
@@ -9,6 +10,7 @@
 
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <cmath>
@@ -31,6 +33,26 @@ void tell_counts(const Surface_input& input, const Defects& defects, Table& tabl
   const CGP::Topology t = CGP::topology(mesh);
   table.add("boundary loops", t.boundary_loops);
   table.add("genus", t.genus);
+}
+
+void tell_boundary(const Surface_input& input, Report& report, Table& table)
+{
+  const std::size_t shown = 10;
+  const std::vector<std::vector<int>> loops = CGP::boundary_loops(input.mesh);
+  std::vector<double> first, sizes, lengths;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const int start = input.vertex_in_file[static_cast<std::size_t>(loops[l].front())];
+    first.push_back(start);
+    sizes.push_back(static_cast<double>(loops[l].size()));
+    lengths.push_back(Closed_curve(input.mesh, loops[l]).length());
+    if (l < shown)
+      table.add("boundary loop " + std::to_string(l),
+                count_of(loops[l].size(), "vertex") + ", length " + text_of(lengths.back()) +
+                    ", from " + name_of_vertex(input, loops[l].front()));
+  }
+  report.set("result/boundary/first_vertex", Report::Value(first));
+  report.set("result/boundary/vertices", Report::Value(sizes));
+  report.set("result/boundary/length", Report::Value(lengths));
 }
 
 std::string orientation_of(const Surface_input& input)
@@ -83,13 +105,11 @@ class Teller {
   Table& m_table;
 };
 
-std::vector<std::string> problems_of(const Surface_input& input, const Defects& defects)
+std::vector<std::string> problems_of(const Defects& defects)
 {
   std::vector<std::string> problems;
   for (const auto* kind : {&defects.of_topology, &defects.of_components, &defects.of_geometry})
     problems.insert(problems.end(), kind->begin(), kind->end());
-  if (problems.empty() && !CGP::topology(input.mesh).is_closed())
-    problems.emplace_back("the surface has a boundary, conformal spin wants a closed one");
   return problems;
 }
 
@@ -123,7 +143,8 @@ void info(const Info_options& options, Session& session)
   teller.tell_shape();
   if (defects.of_topology.empty() && defects.of_geometry.empty())
     teller.tell_energies(input.is_turned_outward);
-  const std::vector<std::string> problems = problems_of(input, defects);
+  if (defects.of_topology.empty()) tell_boundary(input, session.report(), table);
+  const std::vector<std::string> problems = problems_of(defects);
   for (const std::string& problem : problems) table.add("problem", problem);
   session.report().set("result/unreferenced_vertices", input.unreferenced);
   session.report().set("result/problems", problems);

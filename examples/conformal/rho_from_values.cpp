@@ -4,11 +4,9 @@
 
 #include "Failure.h"
 #include "Table.h"
-#include "io/io_errors.h"
-#include "io/numbers.h"
+#include "io/number_rows.h"
 #include "io/read_bytes.h"
 
-#include <string_view>
 #include <vector>
 
 namespace conformal {
@@ -40,25 +38,11 @@ const Property* find_number(const Element& element, const std::string& name)
   return property != nullptr && !property->is_list() ? property : nullptr;
 }
 
-// The numbers of a text, in words between blanks; `#` begins a comment.
-std::vector<double> parse_numbers(std::string_view text, const std::string& path)
+std::vector<double> read_numbers(const std::string& path)
 {
   std::vector<double> numbers;
-  for (std::size_t line = 1; !text.empty(); ++line) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view rest = text.substr(0, std::min(end, text.find('#')));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    constexpr const char* blanks = " \t\r,;";
-    while (true) {
-      rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
-      if (rest.empty()) break;
-      const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
-      const auto number = parse_double(word);
-      if (!number) throw Read_error(path, line, in_quotes(word) + " is not a number");
-      numbers.push_back(*number);
-      rest.remove_prefix(word.size());
-    }
-  }
+  for (const Number_row& row : number_rows(read_bytes(path), path))
+    numbers.insert(numbers.end(), row.numbers.begin(), row.numbers.end());
   return numbers;
 }
 
@@ -83,7 +67,7 @@ CGP::Curvature_potential rho_from_property(const Surface_input& input, const Rho
 
 CGP::Curvature_potential rho_from_file(const Surface_input& input, const Rho_options& options)
 {
-  const std::vector<double> numbers = parse_numbers(read_bytes(options.file), options.file);
+  const std::vector<double> numbers = read_numbers(options.file);
   const std::size_t vertices = input.file.points.size(), faces = input.file.polygons.size();
   if (numbers.size() == vertices && !options.on_faces.value_or(false))
     return to_mesh(input, On::vertices, numbers);

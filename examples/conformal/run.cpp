@@ -5,6 +5,7 @@
 #include "Command_line.h"
 #include "Failure.h"
 #include "Session.h"
+#include "boundary.h"
 #include "compare.h"
 #include "flow.h"
 #include "harmonic.h"
@@ -65,6 +66,8 @@ void dispatch(const Command_line& line, Session& session)
   if (const auto* options = std::get_if<Info_options>(&line.options)) info(*options, session);
   if (const auto* options = std::get_if<Spin_options>(&line.options)) spin(*options, session);
   if (const auto* options = std::get_if<Flow_options>(&line.options)) flow(*options, session);
+  if (const auto* options = std::get_if<Boundary_options>(&line.options))
+    boundary(*options, session);
   if (const auto* options = std::get_if<Harmonic_options>(&line.options))
     harmonic(*options, session);
   if (const auto* options = std::get_if<Compare_options>(&line.options)) compare(*options, session);

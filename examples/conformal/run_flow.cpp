@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "run_flow.h"
 
+#include "boundary_condition.h"
+
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 
 #include <algorithm>
@@ -30,6 +32,7 @@ CGP::Flow_options options_of(const Flow_options& options, const Common_options& 
   flow.filter_weight = options.filter_weight;
   flow.filter_order = options.filter_order;
   flow.balance = balance_of(options.balance);
+  flow.boundary = kept_boundary(options.boundary);
   flow.dirac.tolerance = common.tolerance;
   flow.dirac.random_seed = common.seed;
   return flow;

@@ -15,21 +15,21 @@ namespace {
 using Go_further = std::function<bool(const CGP::Eigen_progress&)>;
 
 template <class SolverTraits>
-Spin_solution solve_by(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho,
-                       const CGP::Dirac_options& options, bool keep_handles,
-                       const Go_further& go_further)
+Spin_solution solve_by(const CGP::Mesh_view& mesh, const Spin_problem& problem,
+                       const CGP::Dirac_options& options, const Go_further& go_further)
 {
   CGP::Closing_options closing;
-  if (!keep_handles) closing.exactness.reset();
-  CGP::Closing_spin_transformation<SolverTraits> transformation(mesh, closing, "spin");
+  if (!problem.closes_loops) closing.exactness.reset();
+  CGP::Closing_spin_transformation<SolverTraits> transformation(mesh, closing, problem.boundary,
+                                                                "spin");
   CGP::Spin_result result =
-      std::move(transformation).transform(rho, options, std::cref(go_further));
+      std::move(transformation).transform(problem.rho, options, std::cref(go_further));
   return {std::move(result.positions), std::move(result.lambda), result.report};
 }
 
 }  // namespace
 
-Spin_solution solve_spin(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho,
+Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
                          const Spin_options& options, const Common_options& common,
                          const Go_further& go_further)
 {
@@ -38,15 +38,14 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const CGP::Curvature_potent
       options.generalized ? CGP::Eigenproblem::generalized : CGP::Eigenproblem::standard;
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
+  dirac.kernel_tolerance = problem.kernel_tolerance;
   if (options.solver == "eigen")
-    return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, rho, dirac, !options.open_handles,
-                                                        go_further);
+    return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, problem, dirac, go_further);
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
   if (options.solver == "cholmod")
-    return solve_by<CGP::Cholmod_hermitian_solver_traits>(mesh, rho, dirac, !options.open_handles,
-                                                          go_further);
+    return solve_by<CGP::Cholmod_hermitian_solver_traits>(mesh, problem, dirac, go_further);
 #endif
-  return solve_by<CGP::Default_solver_traits>(mesh, rho, dirac, !options.open_handles, go_further);
+  return solve_by<CGP::Default_solver_traits>(mesh, problem, dirac, go_further);
 }
 
 }  // namespace conformal

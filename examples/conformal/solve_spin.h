@@ -9,6 +9,7 @@
 #include <Conformal_geometry_processing/linear_algebra/Eigen_result.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <functional>
@@ -24,10 +25,17 @@ struct Spin_solution {
   CGP::Spin_report report;
 };
 
+/// what the library is asked for, in the unit of length of the mesh
+struct Spin_problem {
+  CGP::Curvature_potential rho;
+  CGP::Boundary_condition boundary;
+  double kernel_tolerance = 0;
+  bool closes_loops = true;  ///< in as many steps as it takes; leaves out what opens them
+};
+
 /// Calls the library's `Spin_transformation` with the solver that the options name. This is the one
 /// place that compiles it.
-/// \param rho in 1/length of the mesh
-Spin_solution solve_spin(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho,
+Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
                          const Spin_options& options, const Common_options& common,
                          const std::function<bool(const CGP::Eigen_progress&)>& go_further);
 

@@ -7,7 +7,7 @@
 
 namespace conformal {
 
-/// Transforms a closed surface and writes it with its certificate: `conformal spin`.
+/// Transforms a surface and writes it with its certificate: `conformal spin`.
 /// \throws Failure if the input is unsuitable or the result does not verify, and what the readers,
 /// the library and the writers throw
 void spin(const Spin_options& options, Session& session);

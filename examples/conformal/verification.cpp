@@ -5,6 +5,18 @@
 #include <vector>
 
 namespace conformal {
+namespace {
+
+std::string remedy(CGP::Boundary_fault fault, const std::string& easier)
+{
+  if (fault == CGP::Boundary_fault::not_realizable)
+    return "; try: binormals instead of tangents, the tangents of a plane curve, or " + easier;
+  if (fault == CGP::Boundary_fault::degenerate)
+    return "; try: directions that turn around a boundary loop as often as its own, or " + easier;
+  return "; try: " + easier + ", or a finer mesh";
+}
+
+}  // namespace
 
 std::string objection(const CGP::Spin_report& report, const CGP::Points& positions, int faces,
                       const Verification_limits& limits, const std::string& easier)
@@ -14,14 +26,16 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
     return what + " is " + text_of(value, 3) + ", more than " + text_of(limit, 3);
   };
   if (report.steps == 0)
-    return "no part of rho could be reached with the handles closed; try: a weaker rho, a finer "
-           "mesh, or --open-handles";
+    return "no part of rho could be reached with handles and holes closed; try: a weaker rho, a "
+           "finer mesh, or --open-handles";
   // Written so that what is not a number is objected to.
   if (!report.converged)
     return "the eigenvector did not converge: residual " + text_of(report.residual, 3) + " after " +
            count_of(static_cast<std::size_t>(report.iterations), "iteration") + "; try: " + easier +
            ", or a larger --tolerance";
   if (!positions.allFinite()) return "coordinates are not finite; try: " + easier;
+  if (report.boundary_fault != CGP::Boundary_fault::none)
+    return CGP::to_string(report.boundary_fault) + remedy(report.boundary_fault, easier);
   if (!(report.closure_residual <= limits.closure))
     return exceeds("the closure residual", report.closure_residual, limits.closure) +
            ": the surface does not close up; try: " + easier + ", or --max-closure";
@@ -96,6 +110,7 @@ Table certificate_table(const CGP::Spin_report& spin, int faces)
             std::to_string(spin.iterations) +
                 (spin.substeps > 1 ? " in " + std::to_string(spin.substeps) + " substeps" : ""));
   table.add("closure residual", text_of(spin.closure_residual, 3));
+  table.add("min / max of |lambda|", text_of(spin.min_spin_ratio, 3));
   if (spin.steps != 1 || spin.missing_share > 0) {
     table.add("steps that keep handles closed", spin.steps);
     table.add("left out of rho, for handles (%)", text_of(100 * spin.missing_share, 3));

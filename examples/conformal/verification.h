@@ -23,8 +23,7 @@ namespace CGP = Conformal_geometry_processing;
 /// The limits let moderate edits of scans pass (whose mean Q is below 1.05, and whose few flips are
 /// at slivers) and stop maps that are torn or crumpled.
 std::string objection(const CGP::Spin_report& report, const CGP::Points& positions, int faces,
-                      const Verification_limits& limits,
-                      const std::string& easier = "a weaker rho");
+                      const Verification_limits& limits, const std::string& easier);
 
 /// Enters the certificate into the report (`result/...`, `seconds/...`).
 void report_certificate(const CGP::Spin_report& spin, Report& report);

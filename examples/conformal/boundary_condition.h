@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_BOUNDARY_CONDITION_H
+#define CONFORMAL_BOUNDARY_CONDITION_H
+
+#include "Options.h"
+#include "Surface_input.h"
+
+#include <Conformal_geometry_processing/spin/Boundary_condition.h>
+
+namespace conformal {
+
+/// what the library calls it
+CGP::Boundary_condition kept_boundary(Boundary_choice choice);
+
+/// \throws Failure if something is to be kept at the boundary of a surface without one
+void require_boundary_to_keep(const Surface_input& input, Boundary_choice choice);
+
+/// \brief the condition that the user prescribes.
+/// \pre the surface has a boundary
+/// \throws Failure, Read_error
+CGP::Boundary_condition prescribed_boundary(const Surface_input& input,
+                                            const Prescription_options& options);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "option_groups.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace conformal {
+
+std::string above_zero(const std::string& text)
+{
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return *end == 0 && value > 0 && std::isfinite(value) ? "" : "wanted a number above 0";
+}
+
+std::string finite(const std::string& text)
+{
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return *end == 0 && std::isfinite(value) ? "" : "wanted a finite number";
+}
+
+void add_input(CLI::App& command, std::string& input)
+{
+  command.add_option("input", input, "mesh file, - for standard input")->required();
+}
+
+CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho)
+{
+  auto* source = command.add_option_group("rho", "the change of mean curvature, one of");
+  source->add_option("--rho-expression", rho.expression,
+                     "formula in x y z (normalised frame), nx ny nz (outward normal), pi, e; "
+                     "sin exp abs min ... gauss(d,s) bump(d,r)");
+  source->add_option("--rho-property", rho.property, "vertex or face property of the mesh");
+  source->add_option("--rho-file", rho.file,
+                     "text file, a number per vertex or face; # begins a comment");
+  source->add_option("--rho-image", rho.image,
+                     "picture (PNG, JPEG, PGM, PPM): rho = gray - 0.5, gray from 0 to 1");
+  add_choice(command, "--projection", rho.projection, {"uv", "x", "y", "z", "sphere"},
+             "of the picture: uv, along an axis (x, y, z), or sphere around the z axis");
+  command.add_option("--amplitude", rho.amplitude, "multiplies rho")
+      ->check(finite)
+      ->capture_default_str();
+  const auto set_on = [&rho](const std::string& word) { rho.on_faces = word == "faces"; };
+  command
+      .add_option_function<std::string>("--on", set_on,
+                                        "where rho has its values (default: vertices)")
+      ->check(CLI::IsMember({"vertices", "faces"}));
+  return source;
+}
+
+void add_solver(CLI::App& command, Spin_options& options)
+{
+  command.add_option("--lambda", options.lambda,
+                     "write the quaternions lambda as vertex properties NAME_w to NAME_z");
+  command
+      .add_option("--solver", options.solver, "native, cholmod (where it was built in) or eigen")
+      ->check(CLI::IsMember({"native", "cholmod", "eigen"}))
+      ->capture_default_str();
+}
+
+void add_boundary(CLI::App& command, Boundary_choice& boundary)
+{
+  add_choice(command, "--boundary", boundary, {"free", "tangents", "binormals"},
+             "what its boundary keeps: nothing (it moves as little as it can), its tangents, or "
+             "its binormals, which point out of the surface");
+}
+
+void add_prescription(CLI::App& command, Prescription_options& prescription)
+{
+  auto* what = command.add_option_group("boundary", "what the boundary becomes, one of");
+  what->add_option("--tangents-from", prescription.tangents_from,
+                   "has the tangents of this mesh, which has the same faces");
+  what->add_option("--binormals-from", prescription.binormals_from,
+                   "has the binormals of this mesh (tangent x normal, out of the surface)");
+  what->add_option("--positions-from", prescription.positions_from,
+                   "lies where that of this mesh does, with its normals");
+  what->add_option("--curve", prescription.curve,
+                   "has the tangents of a closed curve: a text file with a point per line, an "
+                   "empty line between curves, one for each loop, in the order of conformal info; "
+                   "with as many points as the loop has vertices they belong together, else equal "
+                   "shares of the lengths do");
+  what->add_option("--tangent-rotation", prescription.tangent_rotation,
+                   "has its tangents turned about the normals, counterclockwise seen from outside, "
+                   "by so many degrees: a formula in x y z nx ny nz (normalised frame), s in [0,1) "
+                   "along the loop, and loop, the number of it");
+  what->add_option("--binormal-tilt", prescription.binormal_tilt,
+                   "has its binormals turned towards the normals, by a formula likewise");
+  what->require_option(1);
+}
+
+void add_eigenvector(CLI::App& command, Common_options& options)
+{
+  command.add_option("--seed", options.seed, "of random start vectors")->capture_default_str();
+  command.add_option("--tolerance", options.tolerance, "of the eigenvector")
+      ->check(above_zero)
+      ->capture_default_str();
+}
+
+void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
+{
+  command.add_option("--max-closure", limits.closure, "largest closure residual")
+      ->check(above_zero)
+      ->capture_default_str();
+  command
+      .add_option("--max-quasi-conformal", limits.quasi_conformal,
+                  "largest mean quasi-conformal error")
+      ->check(above_zero)
+      ->capture_default_str();
+  command.add_option("--max-flipped", limits.flipped, "largest share of flipped faces")
+      ->check(finite)
+      ->capture_default_str();
+  command.add_flag("--force", force, "write also what does not verify");
+}
+
+}  // namespace conformal

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_OPTION_GROUPS_H
+#define CONFORMAL_OPTION_GROUPS_H
+
+#include "Options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace conformal {
+
+/// checks of numbers; an empty string if all is well
+std::string above_zero(const std::string& text);
+std::string finite(const std::string& text);
+
+/// an option whose value is one of the words, which are in the order of the enumeration
+template <class Choice>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& choice,
+                        const std::vector<std::string>& words, const std::string& description)
+{
+  const auto choose = [&choice, words](const std::string& word) {
+    choice = static_cast<Choice>(std::find(words.begin(), words.end(), word) - words.begin());
+  };
+  return command.add_option_function<std::string>(name, choose, description)
+      ->check(CLI::IsMember(words))
+      ->default_str(words[static_cast<std::size_t>(choice)]);
+}
+
+// What several commands take.
+
+void add_input(CLI::App& command, std::string& input);
+
+/// `--rho-expression` and the others; the group of which at most one is allowed
+CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho);
+
+void add_solver(CLI::App& command, Spin_options& options);
+void add_boundary(CLI::App& command, Boundary_choice& boundary);
+void add_prescription(CLI::App& command, Prescription_options& prescription);
+void add_eigenvector(CLI::App& command, Common_options& options);
+void add_limits(CLI::App& command, Verification_limits& limits, bool& force);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "same_faces.h"
+
+#include "Failure.h"
+#include "Table.h"
+
+#include <cstddef>
+#include <string>
+
+namespace conformal {
+namespace {
+
+std::string corners_of(const Polygons& polygons, std::size_t f)
+{
+  std::string text;
+  for (std::size_t c = polygons.first[f]; c < polygons.first[f + 1]; ++c)
+    text += (text.empty() ? "" : " ") + std::to_string(polygons.corners[c]);
+  return text;
+}
+
+}  // namespace
+
+void require_same_faces(const Surface_file& first, const Surface_file& second)
+{
+  const auto different = [&](const std::string& difference) {
+    return unsuitable(second.path, "has not the faces of " + first.path + ": " + difference +
+                                       "; try: a mesh computed from it");
+  };
+  const auto numbers = [](const std::string& noun, std::size_t n, std::size_t wanted) {
+    return count_of(n, noun) + ", wanted " + std::to_string(wanted);
+  };
+  const Polygons &a = first.polygons, &b = second.polygons;
+  if (first.points.size() != second.points.size())
+    throw different(numbers("vertex", second.points.size(), first.points.size()));
+  if (a.size() != b.size()) throw different(numbers("face", b.size(), a.size()));
+  for (std::size_t f = 0; f < a.size(); ++f)
+    if (corners_of(a, f) != corners_of(b, f))
+      throw different("face " + std::to_string(f) + " has the vertices " + corners_of(b, f) +
+                      ", wanted " + corners_of(a, f));
+}
+
+CGP::Points positions_in(const Surface_input& first, const Surface_file& second)
+{
+  CGP::Points points(3, first.mesh.size_of_vertices());
+  for (int v = 0; v < first.mesh.size_of_vertices(); ++v) {
+    const int i = first.vertex_in_file[static_cast<std::size_t>(v)];
+    points.col(v) = Eigen::Vector3d::Map(second.points[static_cast<std::size_t>(i)].data());
+  }
+  return points;
+}
+
+}  // namespace conformal

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_SUITABLE_SURFACE_H
+#define CONFORMAL_SUITABLE_SURFACE_H
+
+#include "Session.h"
+#include "Surface_input.h"
+
+#include <string>
+
+namespace conformal {
+
+/// \brief Reads the surface that a command is to work on, with or without a boundary, and enters it
+/// into the report.
+/// \throws Read_error; Failure for what cannot be worked on, or under --strict what was repaired
+Surface_input read_suitable_surface(const std::string& path, Session& session);
+
+/// the same for closed surfaces only, and for those with a boundary only
+Surface_input read_closed_surface(const std::string& path, Session& session);
+Surface_input read_bounded_surface(const std::string& path, Session& session);
+
+}  // namespace conformal
+
+#endif
