@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Prescribed_positions.h
+#include "spin/boundary_tools.h"
+#include "support/dense.h"
+
+namespace {
+
+using namespace cgp_test;
+using Q = Quaternion<double>;
+using Problem = CGP::Dirac_eigenproblem<>;
+using Positions = CGP::Prescribed_positions<CGP::Default_solver_traits, Problem>;
+
+/// the normals of a curve whose boundary frames turn `turns` times about its tangents
+Points twisted_normals(const Mesh_view& mesh, int turns)
+{
+  return at_boundary(mesh, [=](const Eigen::Vector3d& p, const auto& frame) -> Eigen::Vector3d {
+    const double angle = turns * std::atan2(p.y(), p.x());
+    return std::cos(angle) * frame.col(1) + std::sin(angle) * frame.col(2);
+  });
+}
+
+Points boundary_of(const Mesh_view& mesh)
+{
+  return at_boundary(mesh, [](const Eigen::Vector3d& p, const auto&) { return p; });
+}
+
+class Prescribed_positions : public testing::Test {
+ protected:
+  const Mesh_view mesh = perturbed(cap_from_disk(jittered_disk(5, .3), 1), .02);
+  const Mesh_view curve = perturbed(mesh, .03, 7);
+  const Points targets = boundary_of(curve), normals = twisted_normals(curve, 0);
+  const Curvature_potential rho =
+      potential_on_vertices(mesh, [](const Eigen::Vector3d& p) { return std::cos(3 * p.x()); });
+  const CGP::Boundary_frames frames = CGP::boundary_frames(mesh);
+  Problem problem{mesh};
+  Positions positions{problem, Boundary_condition::positions(targets, normals), "f"};
+};
+
+}  // namespace
+
+TEST_F(Prescribed_positions, turn_and_stretch_the_boundary_into_the_curve)
+{
+  CGP::Dirac_solution s;
+  positions.solve(rho, s);
+  ASSERT_TRUE(s.converged);
+  const auto wanted = CGP::boundary_frames(curve).frames;
+  const std::vector<int>& loop = frames.loops[0];
+  const std::size_t n = loop.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const int v = loop[k], next = loop[(k + 1) % n], last = loop[(k + n - 1) % n];
+    const auto length = [&](const Mesh_view& m) {
+      return (m.position(next) - m.position(v)).norm() + (m.position(v) - m.position(last)).norm();
+    };
+    const double ratio = length(curve) / length(mesh);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_LT((CGP::spin(s.lambda[v], frames.frames[k].col(c)) - ratio * wanted[k].col(c)).norm(),
+                1e-13);
+  }
+}
+
+TEST_F(Prescribed_positions, have_spins_of_least_energy_inside)
+{
+  CGP::Dirac_solution s;
+  positions.solve(rho, s);
+  const Quaternion_vector<double> image = problem.matrix() * s.lambda;
+  const std::vector<char> is_boundary = CGP::boundary_vertices(mesh);
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    if (!is_boundary[at(v)]) {
+      EXPECT_LT(norm(image[v]), 1e-12);
+    }
+  EXPECT_LT(s.residual, 1e-13);
+  EXPECT_NEAR(s.eigenvalue * s.eigenvalue, s.energy, 1e-12);
+}
+
+TEST_F(Prescribed_positions, keep_the_boundary_on_the_curve_and_fit_the_edges_inside)
+{
+  const Eigen::VectorXd w = CGP::cotan_weights(mesh);
+  const Eigen::MatrixX3d edges = Eigen::MatrixX3d::Random(mesh.size_of_edges(), 3);
+  const Points f = positions.positions(edges);
+  for (std::size_t k = 0; k < frames.vertices.size(); ++k)
+    EXPECT_EQ(f.col(frames.vertices[k]), targets.col(int(k)));
+  Points sum = Points::Zero(3, mesh.size_of_vertices());  // of the misfits at each vertex
+  for (int k = 0; k < mesh.size_of_edges(); ++k) {
+    const auto [i, j] = mesh.ends(k);
+    const Eigen::Vector3d misfit = w[k] * (f.col(j) - f.col(i) - edges.row(k).transpose());
+    sum.col(i) -= misfit;
+    sum.col(j) += misfit;
+  }
+  const std::vector<char> is_boundary = CGP::boundary_vertices(mesh);
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    if (!is_boundary[at(v)]) {
+      EXPECT_LT(sum.col(v).norm(), 1e-12);
+    }
+}
+
+TEST(Prescribed_positions_of_a_curve, that_is_similar_give_the_similar_surface)
+{
+  const Mesh_view mesh = perturbed(cap_from_disk(jittered_disk(4, .3), 1), .02);
+  const Eigen::Matrix3d R = Random(3).rotation();
+  const auto similar =
+      mapped(mesh, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return 2 * (R * p); });
+  Problem problem(mesh);
+  Positions positions(
+      problem, Boundary_condition::positions(boundary_of(similar), twisted_normals(similar, 0)),
+      "f");
+  CGP::Dirac_solution s;
+  positions.solve(constant_potential(mesh, 0), s);
+  EXPECT_LT(s.eigenvalue, 1e-7);
+  const Points f = positions.positions(CGP::transformed_edges(mesh, s.lambda));
+  EXPECT_LT((f - similar.positions()).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Prescribed_positions_of_a_curve, need_normals_that_turn_as_those_of_the_surface_do)
+{
+  const Mesh_view mesh = disk(6);
+  Problem problem(mesh);
+  const auto refusal = [&](int turns) {
+    return refusal_of([&] {
+      const Positions positions(
+          problem, Boundary_condition::positions(boundary_of(mesh), twisted_normals(mesh, turns)),
+          "f");
+    });
+  };
+  EXPECT_EQ(refusal(0), "");
+  EXPECT_EQ(refusal(1),
+            "the curve for the boundary loop at vertex 91 is twisted by a full turn against it; no "
+            "continuous spins do that");
+  EXPECT_EQ(refusal(2), "");  // two full turns are none
+  EXPECT_NE(refusal(-1), "");
+}
+
+TEST(Prescribed_positions_of_a_curve, name_the_loop_that_is_twisted)
+{
+  const Mesh_view mesh = annulus(1, 2, 40, 3);
+  Problem problem(mesh);
+  Points normals = twisted_normals(mesh, 0);
+  normals.rightCols(40) = twisted_normals(mesh, 1).rightCols(40);
+  const Boundary_condition condition = Boundary_condition::positions(boundary_of(mesh), normals);
+  EXPECT_NE(refusal_of([&] {
+              const Positions positions(problem, condition, "f");
+            }).find("loop at vertex 120 "),
+            std::string::npos);
+}
+
+TEST(Prescribed_positions_of_a_curve, name_the_vertex_that_has_no_frame)
+{
+  const Mesh_view mesh = disk(2);
+  Problem problem(mesh);
+  const auto refusal = [&](const Points& targets, const Points& normals) {
+    return refusal_of([&] {
+      const Positions positions(problem, Boundary_condition::positions(targets, normals), "f");
+    });
+  };
+  const std::string message = "the curve folds back, or has its normal along it, at vertex 9";
+  Points folded = boundary_of(mesh), normals = twisted_normals(mesh, 0);
+  folded.col(1) = folded.col(3);
+  EXPECT_EQ(refusal(folded, normals), message);
+  normals.col(2) = boundary_of(mesh).col(3) - boundary_of(mesh).col(1);
+  EXPECT_EQ(refusal(boundary_of(mesh), normals), message);
+}
