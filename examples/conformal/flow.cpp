@@ -42,7 +42,8 @@ std::string fault_of(const Flow_solution& solution, CGP::Spin_report evidence,
 {
   const CGP::Flow_report& report = solution.report;
   if (report.steps.empty())
-    return report ? "" : stopped_after(report, options) + "; try: a smaller --time-step";
+    return report ? ""
+                  : stopped_after(report, options) + "; try: a finer mesh, or one without slivers";
   evidence.conformality = report.conformality;
   return objection(evidence, solution.positions, input.mesh.size_of_faces(), options.limits,
                    easier_than_flow);

@@ -79,6 +79,12 @@ void flush_output()
     throw Write_error("standard output", "cannot be written");
 }
 
+void require_two_files(const Common_options& options)
+{
+  if (!options.json.empty() && options.json == options.output)
+    throw Failure(Exit_code::usage, "--json and --output name the same file, " + options.json);
+}
+
 // The JSON file is opened first, so that a folder that cannot be written to is known before the
 // work; it tells about failures, too.
 Outcome run_command(const Command_line& line)
@@ -86,6 +92,7 @@ Outcome run_command(const Command_line& line)
   Session session(line.common, line.command);
   std::optional<Temporary_file> json;
   Outcome outcome = carry_out([&] {
+    require_two_files(line.common);
     if (!line.common.json.empty()) json.emplace(line.common.json);
     dispatch(line, session);
     flush_output();

@@ -13,7 +13,8 @@ using Command_line = Program;
 
 TEST_F(Command_line, help_of_every_command_has_an_example)
 {
-  for (const std::string command : {"", "info", "spin", "compare"}) {
+  for (const std::string command :
+       {"", "info", "spin", "flow", "boundary", "harmonic", "compare"}) {
     const Program_run r = run(command + " --help");
     EXPECT_EQ(r.code, 0);
     EXPECT_NE(r.out.find("Example: conformal " + command), std::string::npos) << r.out;
@@ -67,6 +68,7 @@ TEST_F(Command_line, outputs_that_cannot_be_written_are_refused_and_leave_nothin
   EXPECT_TRUE(fails(run(spin + "b"), 5, "extension"));
   EXPECT_TRUE(fails(run(spin + "absent/b.ply"), 5, "absent/b.ply"));
   EXPECT_TRUE(fails(run(spin + "b.ply --json absent/b.json"), 5, "absent/b.json"));
+  EXPECT_TRUE(fails(run(spin + "b.ply --json b.ply"), 2, "the same file, b.ply"));
   EXPECT_FALSE(has("b.ply"));
   std::filesystem::create_symlink("/dev/full", path("full.ply"));
   EXPECT_TRUE(fails(run(spin + "full.ply -q"), 5, "full.ply"));
