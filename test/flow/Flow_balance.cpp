@@ -44,10 +44,8 @@ CGP::Flow_balance balance_of(const Mesh_view& mesh, const CGP::Flow_options& opt
   const auto pattern = CGP::vertex_graph(mesh);
   CGP::Grounded_solver<> laplacian(pattern);
   laplacian.factorize(CGP::cotan_laplacian(mesh, pattern));
-  return {mesh, options, [&]() -> const auto& {return laplacian;
-}
-, "f"
-};  // namespace
+  const auto factored = [&]() -> const CGP::Grounded_solver<>& { return laplacian; };
+  return {mesh, options, factored, "f"};
 }
 
 std::string refusal(const Mesh_view& mesh, const CGP::Flow_options& options)

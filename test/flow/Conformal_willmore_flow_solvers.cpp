@@ -1,0 +1,107 @@
+// Tests include/Conformal_geometry_processing/flow/Conformal_willmore_flow.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <type_traits>
+
+#include "flow_tools.h"
+
+/// What the flow asks of its solvers, and what it does when they fail.
+namespace {
+
+using namespace cgp_test;
+using CGP::Flow_stop;
+
+/// The default solvers, which are counted, and refuse to factor matrices of one kind if told so.
+struct Watched_solver_traits {
+  enum class Refused { none, real, quaternionic };
+  inline static Refused refused = Refused::none;
+  inline static int analyses = 0, factorizations = 0;
+
+  template <class Scalar>
+  struct Solver : CGP::Default_solver_traits::Solver<Scalar> {
+    using Parent = CGP::Default_solver_traits::Solver<Scalar>;
+    static constexpr Refused kind =
+        std::is_same_v<Scalar, double> ? Refused::real : Refused::quaternionic;
+
+    template <class... Arguments>
+    CGP::Solver_status analyze(const Arguments&... arguments)
+    {
+      ++analyses;
+      return Parent::analyze(arguments...);
+    }
+    CGP::Solver_status analyze_with_positions(const CGP::Sparse_pattern& pattern, const Points& p)
+    {
+      ++analyses;
+      return Parent::analyze_with_positions(pattern, p);
+    }
+    template <class Other>
+    CGP::Solver_status analyze_like(const CGP::Sparse_pattern& pattern, const Other& other)
+    {
+      ++analyses;
+      return Parent::analyze_like(pattern, other);
+    }
+    CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>& A,
+                                 const CGP::Vector<double>& shift)
+    {
+      ++factorizations;
+      if (refused == kind) return CGP::Solver_status::numerical_issue;
+      return Parent::factorize(A, shift);
+    }
+  };
+};
+
+class Conformal_willmore_flow_solvers : public testing::Test {
+ protected:
+  using Flow = CGP::Conformal_willmore_flow<Watched_solver_traits>;
+  using Refused = Watched_solver_traits::Refused;
+
+  ~Conformal_willmore_flow_solvers() override { Watched_solver_traits::refused = Refused::none; }
+
+  static CGP::Flow_report report_without(Refused refused)
+  {
+    Watched_solver_traits::refused = refused;
+    Flow flow(bumpy_sphere(2));
+    return flow.run();
+  }
+};
+
+}  // namespace
+
+TEST_F(Conformal_willmore_flow_solvers, analyze_each_pattern_once_for_all_steps)
+{
+  CGP::Flow_options options = plain_steps(.5, 3);
+  options.filter_weight = .01;
+  options.balance = CGP::Balance::canonical;
+  Flow flow(btorus(12), options);
+  ASSERT_TRUE(flow.step().accepted);
+  const int analyses = Watched_solver_traits::analyses;
+  const int factorizations = Watched_solver_traits::factorizations;
+  EXPECT_EQ(flow.run().steps.size(), 3U);
+  EXPECT_EQ(Watched_solver_traits::analyses, analyses);
+  // the Dirac matrices with and without rho, the Laplacian, the filter
+  EXPECT_EQ(Watched_solver_traits::factorizations - factorizations, 3 * 4);
+}
+
+TEST_F(Conformal_willmore_flow_solvers, factor_two_matrices_in_a_step_of_a_sphere)
+{
+  Flow flow(bumpy_sphere(2), plain_steps(1, 3));
+  const int factorizations = Watched_solver_traits::factorizations;
+  EXPECT_EQ(flow.run().steps.size(), 3U);
+  EXPECT_EQ(Watched_solver_traits::factorizations - factorizations, 3 * 2);
+}
+
+TEST_F(Conformal_willmore_flow_solvers, are_named_where_they_fail)
+{
+  CGP::Flow_report report = report_without(Refused::quaternionic);
+  EXPECT_EQ(report.stop, Flow_stop::time_step_too_small);
+  EXPECT_NE(report.message.find("factorization of X failed"), std::string::npos) << report.message;
+  report = report_without(Refused::real);
+  EXPECT_EQ(report.stop, Flow_stop::step_failed);
+  EXPECT_NE(report.message.find("factorization of the grounded matrix"), std::string::npos)
+      << report.message;
+}
