@@ -1,0 +1,79 @@
+// Tests include/Conformal_geometry_processing/spin/curvature_difference.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/measure/alignment.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/curvature_difference.h>
+
+#include <gtest/gtest.h>
+
+#include "support/moebius.h"
+#include "support/spheres.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+
+/// a surface conformally equivalent to the mesh, of the same area
+Mesh_view other(const Mesh_view& mesh)
+{
+  return scaled_to_area(inverted(mesh, Eigen::Vector3d(0.5, 0.4, 4)), area(mesh));
+}
+
+TEST(Curvature_difference, leads_to_the_other_surface_up_to_second_order)
+{
+  std::vector<double> h, errors;
+  for (int level : {2, 3, 4}) {
+    const Mesh_view mesh = bumpy_sphere(level), target = other(mesh);
+    const auto rho = CGP::curvature_difference(mesh, target.positions());
+    const CGP::Spin_result result = CGP::Spin_transformation<>(mesh).transform(rho);
+    ASSERT_TRUE(result.report);
+    h.push_back(std::pow(2., -level));
+    errors.push_back(CGP::align(result.positions, target.positions()).rms);
+  }
+  EXPECT_GE(errors[0] / errors[1], 3.5);
+  EXPECT_GE(errors[1] / errors[2], 3.5);
+}
+
+TEST(Curvature_difference, leads_to_conformal_surfaces_on_the_way_and_beyond)
+{
+  const Mesh_view mesh = bumpy_sphere(4), target = other(mesh);
+  const auto rho = CGP::curvature_difference(mesh, target.positions());
+  CGP::Spin_transformation<> transformation(mesh);
+  for (double t : {0.25, 0.5, 0.75, 1., 1.25}) {
+    const CGP::Spin_result result =
+        transformation.transform(CGP::Curvature_potential::on_vertices(t * rho.values));
+    ASSERT_TRUE(result.report);
+    EXPECT_LT(result.report.conformality.quasi_conformal.mean, t <= 1 ? 1.02 : 1.03) << t;
+  }
+}
+
+TEST(Curvature_difference, of_a_surface_to_itself_is_zero_and_changes_sign_on_the_way_back)
+{
+  const Mesh_view mesh = bumpy_sphere(2), target = other(mesh);
+  EXPECT_TRUE(CGP::curvature_difference(mesh, mesh.positions()).values.isZero(0));
+  const auto there = CGP::curvature_difference(mesh, target.positions());
+  const auto back = CGP::curvature_difference(target, mesh.positions());
+  // As half-densities, rho times the root of the area.
+  const Eigen::VectorXd sum = there.values.cwiseProduct(CGP::voronoi_areas(mesh).cwiseSqrt()) +
+                              back.values.cwiseProduct(CGP::voronoi_areas(target).cwiseSqrt());
+  EXPECT_LT(sum.cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(Curvature_difference, is_in_the_units_of_the_mesh)
+{
+  const Mesh_view mesh = bumpy_sphere(2), target = other(mesh);
+  const auto rho = CGP::curvature_difference(mesh, target.positions());
+  const auto of_half =
+      CGP::curvature_difference(scaled(mesh, 0.5), scaled(target, 0.5).positions());
+  EXPECT_LT((of_half.values - 2 * rho.values).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Curvature_difference, refuses_other_numbers_of_positions)
+{
+  EXPECT_THROW((void)CGP::curvature_difference(icosphere(1), Points(3, 2)),
+               CGP::Precondition_error);
+}
+
+}  // namespace
