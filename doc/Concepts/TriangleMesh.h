@@ -10,7 +10,8 @@
 ///   `face_descriptor`, of which the first can be hashed by `std::hash` unless the type has
 ///   dynamic property maps of its own;
 /// - `vertices(mesh)`, `faces(mesh)`, `halfedge(face, mesh)`, `next(halfedge, mesh)`,
-///   `source(halfedge, mesh)`, `target(halfedge, mesh)`, found by argument-dependent look-up;
+///   `source(halfedge, mesh)`, `target(halfedge, mesh)`, and in `harmonic_basis()` also
+///   `opposite(halfedge, mesh)`, found by argument-dependent look-up;
 /// - a vertex point map: the mesh's own, or the named parameter `vertex_point_map`, whose points
 ///   `geom_traits` understands, a model of `ConformalGeometryTraits_3`.
 ///

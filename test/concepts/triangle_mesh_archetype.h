@@ -67,6 +67,13 @@ inline Vertex target(Halfedge h, const Triangle_mesh& m)
 {
   return source(next(h, m), m);
 }
+// on the border, number 3 |F| + h
+inline Halfedge opposite(Halfedge h, const Triangle_mesh& m)
+{
+  for (std::size_t g = 0; g < 3 * m.corners.size(); ++g)
+    if (source({g}, m) == target(h, m) && target({g}, m) == source(h, m)) return {g};
+  return {3 * m.corners.size() + h.number};
+}
 
 }  // namespace archetype
 
