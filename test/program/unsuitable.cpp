@@ -64,11 +64,26 @@ TEST_F(Unsuitable, faces_of_area_zero)
   refused("flat.off", off(mesh), "2 faces of area zero (first: face 0)");
 }
 
-TEST_F(Unsuitable, boundary)
+TEST_F(Unsuitable, boundary_for_commands_that_want_none)
 {
-  refused("disk.off", off(cgp_test::without_face(cgp_test::icosahedron(), 3)),
-          "a closed surface is wanted, this one has V 12, E 30, F 19, 1 boundary loop, genus 0");
-  refused("triangle.off", off(cgp_test::single_triangle()), "3 boundary edges");
+  write("disk.off", off(cgp_test::without_face(cgp_test::icosahedron(), 3)));
+  EXPECT_TRUE(
+      fails(run("harmonic disk.off"), 4,
+            "a closed surface is wanted, this one has V 12, E 30, F 19, 1 boundary loop, genus 0"));
+  EXPECT_TRUE(fails(run("harmonic disk.off"), 4, "3 boundary edges (first: the edge from"));
+  EXPECT_EQ(run("info --strict disk.off").code, 0);
+}
+
+TEST_F(Unsuitable, info_tells_the_boundary_loops)
+{
+  write("ring.off", off(cgp_test::annulus(0.5, 1, 40, 4), "7 8 9\n", 1));
+  const Program_run r = run("info ring.off --json info.json");
+  EXPECT_NE(r.out.find("boundary loop 1                   40 vertices, length 3.138"),
+            std::string::npos)
+      << r.out;
+  EXPECT_NE(r.out.find("from vertex 161\n"), std::string::npos) << r.out;
+  const std::string json = content(path("info.json"));
+  EXPECT_NE(json.find("\"problems\": []"), std::string::npos) << json;
 }
 
 TEST_F(Unsuitable, repairs_are_forbidden_by_strict)

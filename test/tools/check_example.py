@@ -54,7 +54,31 @@ def torus(n):
     return points, faces
 
 
-HANDLES_WANTED = {"uncurl_a_torus"}
+def disk(rings, height=lambda radius: (radius, 0.0)):
+    """(points, faces) of a surface of revolution over rings of 6, 12, 18, ... vertices; `height`
+    tells the distance from the axis and the height of a ring, 1 being the last one."""
+    points, faces, start = [(0.0, 0.0, height(0)[1])], [], [0]
+    for k in range(1, rings + 1):
+        start.append(len(points))
+        r, z = height(k / rings)
+        angles = [math.pi * j / (3 * k) for j in range(6 * k)]
+        points += [(r * math.cos(a), r * math.sin(a), z) for a in angles]
+        for sector, j in itertools.product(range(6), range(k)):
+            outer = [start[k] + (sector * k + j + i) % (6 * k) for i in (0, 1)]
+            inner = [start[k - 1] + (sector * (k - 1) + j + i) % max(6 * (k - 1), 1) for i in (0, 1)]
+            faces.append((inner[0], *outer))
+            if j < k - 1:
+                faces.append((inner[0], outer[1], inner[1]))
+    return points, faces
+
+
+def dome(rings):
+    """(points, faces) of a hemisphere."""
+    return disk(rings, lambda r: (math.sin(math.pi / 2 * r), math.cos(math.pi / 2 * r)))
+
+
+WANTED = {"uncurl_a_torus": lambda: torus(48), "minimal_surface": lambda: disk(12),
+          "soap_film_cmc": lambda: dome(12), "bend_the_boundary": lambda: dome(12)}
 
 
 def write_off(path, points, faces):
@@ -65,8 +89,7 @@ def write_off(path, points, faces):
 
 
 def main():
-    wants_handles = pathlib.Path(sys.argv[1]).stem in HANDLES_WANTED
-    points, faces = torus(48) if wants_handles else sphere(4)
+    points, faces = WANTED.get(pathlib.Path(sys.argv[1]).stem, lambda: sphere(4))()
     with tempfile.TemporaryDirectory() as folder:
         source, target = (pathlib.Path(folder) / name for name in ("surface.off", "result.ply"))
         write_off(source, points, faces)
