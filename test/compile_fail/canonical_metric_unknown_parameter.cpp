@@ -1,0 +1,21 @@
+// expect: canonical_metric\(\): unknown named parameter
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "concepts/triangle_mesh_archetype.h"
+
+#include <Conformal_geometry_processing/canonical_metric.h>
+
+namespace CGP = Conformal_geometry_processing;
+
+struct Density_map {
+  using key_type = archetype::Face;
+  using value_type = double;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+};
+
+int main()
+{
+  archetype::Triangle_mesh mesh{3, {{0, 1, 2}}};
+  (void)CGP::canonical_metric(mesh, Density_map(), CGP::parameters::time_step(.1));
+}
