@@ -73,7 +73,7 @@ inline void require_condition(const Mesh_view& mesh, const Boundary_condition& c
     return;
   }
   const Eigen::Vector3d d = condition.direction;
-  if (!d.allFinite() || !(Eigen::Vector2d(d.x(), d.z()).norm() > 1e-3 * std::abs(d.y())))
+  if (!d.allFinite() || !(Eigen::Vector2d(d.x(), d.z()).stableNorm() > 1e-3 * std::abs(d.y())))
     throw Precondition_error(function,
                              "only tangents, binormals and directions between them and the normal "
                              "can be prescribed; that of the normal is not elliptic");
