@@ -69,6 +69,19 @@ TEST(Best_turn, fits_no_worse_than_any_other)
   }
 }
 
+TEST(Best_turn, is_no_half_turn_where_that_fits_little_better)
+{
+  // Directions nearly on a line, to be tilted beyond it: after a half turn, by a little less.
+  Points U(3, 12), V(3, 12);
+  for (int k = 0; k < 12; ++k) {
+    const double t = 2 * pi * k / 12;
+    const Eigen::Vector3d outward(std::cos(t), std::sin(t), 0), up(0, 0, 1);
+    U.col(k) = (.1 * outward - up).normalized();
+    V.col(k) = (-.5 * outward - std::sqrt(.75) * up).normalized();
+  }
+  EXPECT_LT(norm(CGP::best_turn(U, V) - Q{1, 0, 0, 0}), 1e-12);
+}
+
 TEST(Best_turn, is_the_smallest_of_many_where_all_directions_lie_on_a_line)
 {
   const Points U = Eigen::Vector3d(0, 0, 1).replicate(1, 8),

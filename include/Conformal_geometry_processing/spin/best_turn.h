@@ -9,12 +9,14 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
 /// \brief the one rotation that turns directions U into V as well as a single one can: a unit
-/// quaternion q of least sum |U q - q V|^2, and of those (all U may lie on a line) the nearest
-/// to 1. \param U, V unit vectors, 3 x n with n > 0
+/// quaternion q of least sum |U q - q V|^2, and of those that fit about as well (all U may lie on a
+/// line, or nearly so) the nearest to 1. \param U, V unit vectors, 3 x n with n > 0
 inline Quaternion<double> best_turn(const Points& U, const Points& V)
 {
   const Quaternion<double> units[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
@@ -34,7 +36,9 @@ inline Quaternion<double> best_turn(const Points& U, const Points& V)
   const auto vector = [&](int c) -> Eigen::Vector4d {
     return eigen.vectors.col(c).unaryExpr([](const Quaternion<double>& q) { return q.w; });
   };
-  const double as_good = 0.02, nothing = 1e-3;
+  // Where no turn fits well, one that fits half as well as the best is still as good: binormals of
+  // a hemisphere, all nearly parallel, that shall be tilted inward do not ask for a half turn.
+  const double as_good = std::max(0.02, eigen.values[0]), nothing = 1e-3;
   Eigen::Vector4d best = Eigen::Vector4d::Zero();
   for (int c = 0; c < 4; ++c)
     if (eigen.values[c] <= eigen.values[0] + as_good) best += vector(c)[0] * vector(c);
