@@ -208,7 +208,7 @@ class Conformal_willmore_flow {
     m_next.set_positions(std::move(result.positions));
     const double energy = energy_of(m_next), rise = energy - m_energy;
     if (!std::isfinite(energy)) return reject("the energy is not finite", report);
-    if (must_fall() && !(rise < 0)) {
+    if (rise >= forbidden_rise()) {
       (void)reject("the energy rises by " + std::to_string(rise / m_energy) + " of it", report);
       return is_small(rise, report.time_step) ? Verdict::rises_slightly : Verdict::bad;
     }
@@ -217,31 +217,32 @@ class Conformal_willmore_flow {
 
   /// \brief balances the surface that comes next, and returns its energy.
   ///
-  /// Inversions keep the energy up to O(h^2). They are left out where that is more than the step
-  /// has gained, so that an energy that must fall does.
+  /// Inversions keep it up to O(h^2), and are left out where that is more than the step has gained.
   double balanced(double energy)
   {
     if (!m_balance.is_by_inversion()) return energy;
     const Points before = m_next.positions();
     m_next.set_positions(m_balance.inverted(m_next));
     const double after = energy_of(m_next);
-    if (after < m_energy || !must_fall()) return after;
+    if (after - m_energy < forbidden_rise()) return after;
     m_next.set_positions(before);
     return energy;
   }
 
-  /// whether steps that raise the energy are refused
-  bool must_fall() const
+  /// a step must raise the energy by less: by nothing, unless a boundary has yet to turn
+  double forbidden_rise() const
   {
-    return m_options.backtracking && internal::Has_energy<Direction>::value && !is_turning();
+    const bool may_rise = !m_options.backtracking || !internal::Has_energy<Direction>::value;
+    return may_rise ? HUGE_VAL : turning_angle() * std::max(m_energy, 4 * 3.14159265358979323846);
   }
 
-  /// whether the boundary has yet to turn to the directions it shall have
-  bool is_turning() const
+  /// how far the boundary is from the directions prescribed, in radians
+  double turning_angle() const
   {
     const auto* const directions = m_transformation.dirac_equation().directions();
-    return directions && !directions->are_those_of(m_mesh);
+    return directions ? directions->errors(m_mesh).mean() : 0;
   }
+  bool is_turning() const { return turning_angle() > 0.01; }
 
   static Verdict reject(const std::string& message, Flow_step_report& report)
   {
@@ -279,8 +280,7 @@ class Conformal_willmore_flow {
     report.message.clear();
     m_time_step.grow();
     const double change = report.energy - report.energy_before;
-    if (internal::Has_energy<Direction>::value && is_small(change, report.time_step) &&
-        !is_turning())
+    if (internal::Has_energy<Direction>::value && is_small(change, report.time_step))
       report.stop = Flow_stop::energy_settled;
   }
 

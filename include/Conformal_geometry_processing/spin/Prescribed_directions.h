@@ -77,9 +77,6 @@ class Prescribed_directions {
     return angles;
   }
 
-  /// whether the directions of a surface are the targets, but for small angles: 0.01 in the mean
-  bool are_those_of(const Mesh_view& surface) const { return errors(surface).mean() < 0.01; }
-
  private:
   static Points normalized(Points v)
   {
