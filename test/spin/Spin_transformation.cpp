@@ -211,8 +211,10 @@ TEST(Spin_transformation, refuses_values_of_rho_that_do_not_fit)
             "f: 1 value of rho not finite, the first is face 3; finite values are needed");
 }
 
-TEST(Spin_transformation, refuses_surfaces_that_are_not_closed)
+TEST(Spin_transformation, refuses_surfaces_it_cannot_transform)
 {
-  EXPECT_EQ(refusal(without_face(icosahedron(), 0), smooth(icosahedron())),
-            "f: 3 boundary edges, the first is edge 0-5; a closed surface is needed");
+  const Mesh_view two = disjoint_union(icosahedron(), icosahedron(), {9, 0, 0});
+  EXPECT_EQ(refusal(two, smooth(two)),
+            "f: the mesh has 2 components, the second begins at vertex 12; one component is "
+            "needed, transform each alone");
 }

@@ -1,0 +1,15 @@
+// expect: spin_transform\(\): unknown named parameter
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "concepts/triangle_mesh_archetype.h"
+
+#include <Conformal_geometry_processing/spin_transform.h>
+
+namespace CGP = Conformal_geometry_processing;
+
+int main()
+{
+  archetype::Triangle_mesh mesh{3, {{0, 1, 2}}};
+  const boost::static_property_map<double, archetype::Vertex> rho(1);
+  (void)CGP::spin_transform(mesh, rho, CGP::parameters::branch(CGP::Branch::nearest).time_step(.1));
+}

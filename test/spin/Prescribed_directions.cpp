@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Prescribed_directions.h
+#include <Conformal_geometry_processing/operators/averaging.h>
+#include <Conformal_geometry_processing/operators/dirac.h>
+
+#include "spin/boundary_tools.h"
+#include "support/dense.h"
+
+namespace {
+
+using namespace cgp_test;
+using Q = Quaternion<double>;
+using Directions = CGP::Prescribed_directions<CGP::Default_solver_traits>;
+
+/// the directions of a condition, with what they need to live
+struct Prescribed {
+  Prescribed(const Mesh_view& m, const Boundary_condition& condition)
+      : mesh(m),
+        problem(mesh),
+        directions(mesh, condition, problem.matrix().shared_pattern(), problem.solver())
+  {}
+
+  Mesh_view mesh;
+  CGP::Dirac_eigenproblem<> problem;
+  Directions directions;
+};
+
+Points tangents_turned_by(const Mesh_view& mesh, double angle, const Eigen::Vector3d& axis)
+{
+  return at_boundary(mesh, [&](const auto&, const auto& frame) {
+    return Eigen::Vector3d(Eigen::AngleAxisd(angle, axis) * frame.col(0));
+  });
+}
+
+/// \brief Re <psi q, (D - rho) phi> for all psi and phi of a basis, with averages B psi.
+/// \param q a quaternion, one for the form itself
+Eigen::MatrixXd dirac_form(const Prescribed& p, const Curvature_potential& rho, const Q& q)
+{
+  const auto& basis = p.directions.basis();
+  const auto D = CGP::dirac(p.mesh), B = CGP::averaging(p.mesh),
+             R = CGP::potential_matrix(p.mesh, rho);
+  const int n = basis.rows().dimension();
+  const CGP::Block<double> one = CGP::Block<double>::Identity(n, n);
+  Eigen::MatrixXd averages(4 * p.mesh.size_of_faces(), n), images = averages;
+  for (int j = 0; j < n; ++j) {
+    const Quaternion_vector<double> phi = basis.embed(one.col(j)).col(0);
+    const Quaternion_vector<double> a = B * phi, Dphi = D * phi, Rphi = R * phi;
+    for (int f = 0; f < p.mesh.size_of_faces(); ++f) {
+      const Q left = a[f] * q, right = Dphi[f] - Rphi[f];
+      const double A = p.mesh.double_area_vector(f).norm() / 2;
+      averages.col(j).segment<4>(4 * f) << left.w, left.x, left.y, left.z;
+      images.col(j).segment<4>(4 * f) << A * right.w, A * right.x, A * right.y, A * right.z;
+    }
+  }
+  return averages.transpose() * images;
+}
+
+/// the greatest entry of G - G^T
+double asymmetry(const Eigen::MatrixXd& G)
+{
+  return (G - G.transpose()).cwiseAbs().maxCoeff() / G.cwiseAbs().maxCoeff();
+}
+
+/// |G + G^T|
+double symmetric_part(const Eigen::MatrixXd& G)
+{
+  return (G + G.transpose()).norm() / G.norm();
+}
+
+}  // namespace
+
+TEST(Prescribed_directions, have_spins_that_turn_the_direction_into_its_target)
+{
+  const Mesh_view mesh = perturbed(cap_from_disk(jittered_disk(4, .3), 1), .04);
+  const Eigen::Vector3d tnb(1, -.5, 2);
+  Random random(1);
+  const Points targets =
+      at_boundary(mesh, [&](const auto&, const auto&) { return random.vector(); });
+  const Prescribed p(mesh, Boundary_condition::directions(tnb, targets));
+  const CGP::Block<double> c = random_numbers(p.directions.basis().rows().dimension(), 2);
+  const CGP::Block<Q> l = p.directions.basis().embed(c);
+  const CGP::Boundary_frames b = CGP::boundary_frames(mesh);
+  for (std::size_t k = 0; k < b.vertices.size(); ++k) {
+    const Q spin = l(b.vertices[k], 0);
+    const Eigen::Vector3d U = (b.frames[k] * tnb).normalized();
+    const Eigen::Vector3d V = targets.col(int(k)).normalized();
+    EXPECT_LT((CGP::spin(spin, U) - squared_norm(spin) * V).norm(), 1e-13);
+  }
+}
+
+TEST(Prescribed_directions, are_those_of_the_surface_unless_others_are_given)
+{
+  const Prescribed p(perturbed(cap_from_disk(disk(4), 1), .04), Boundary_condition::binormals());
+  EXPECT_LT(p.directions.errors(p.mesh).maxCoeff(), 1e-15);
+  for (int v = 0; v < p.mesh.size_of_vertices(); ++v)
+    EXPECT_LT(norm(p.directions.guide()[v] - Q{1, 0, 0, 0}), 1e-13);
+}
+
+TEST(Prescribed_directions, measure_the_angle_that_is_missing)
+{
+  const Mesh_view mesh = disk(5);
+  const Prescribed p(mesh, Boundary_condition::tangents(tangents_turned_by(mesh, .3, {0, 0, 1})));
+  EXPECT_LT((p.directions.errors(mesh).array() - .3).abs().maxCoeff(), 1e-14);
+  const auto turned = mapped(mesh, [](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+    return Eigen::AngleAxisd(.3, Eigen::Vector3d(0, 0, 1)) * x;
+  });
+  EXPECT_LT(p.directions.errors(turned).maxCoeff(), 1e-14);
+}
+
+TEST(Prescribed_directions, are_guided_by_the_turn_itself_where_all_turn_alike)
+{
+  const Mesh_view mesh = disk(5);
+  for (const double angle : {.3, 2., 3.1, pi}) {
+    const Prescribed p(mesh,
+                       Boundary_condition::tangents(tangents_turned_by(mesh, angle, {0, 0, 1})));
+    const Q turn{std::cos(angle / 2), 0, 0, -std::sin(angle / 2)};
+    const double sign = dot(turn, p.directions.guide()[0]) < 0 ? -1 : 1;
+    for (int v = 0; v < mesh.size_of_vertices(); ++v)
+      EXPECT_LT(norm(p.directions.guide()[v] - sign * turn), 1e-7) << angle;
+  }
+}
+
+TEST(Prescribed_directions, have_a_guide_that_is_harmonic_inside)
+{
+  const Mesh_view mesh = jittered_disk(5, .3);
+  const Points targets = enneper_directions(mesh, {1, 0, 0});
+  const Prescribed p(mesh, Boundary_condition::tangents(targets));
+  const auto L = CGP::cotan_laplacian(mesh, p.problem.matrix().shared_pattern());
+  const std::vector<char> is_boundary = CGP::boundary_vertices(mesh);
+  const auto& guide = p.directions.guide();
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    if (is_boundary[at(v)]) continue;
+    Q sum;
+    for (int w = 0; w < mesh.size_of_vertices(); ++w) sum += L.coefficient(v, w) * guide[w];
+    EXPECT_LT(norm(sum), 1e-12);
+  }
+  EXPECT_LT(greatest_difference(p.directions.basis().project(CGP::Block<Q>(guide)).col(0), guide),
+            1e-14);
+}
+
+TEST(Prescribed_directions, follow_the_mesh_with_the_same_targets)
+{
+  const Mesh_view before = cap_from_disk(disk(4), 1), after = cap_from_disk(disk(4), 1.2);
+  const Points targets = at_boundary(
+      before, [](const auto&, const auto& frame) -> Eigen::Vector3d { return frame.col(2); });
+  Prescribed p(before, Boundary_condition::binormals(targets));
+  const Prescribed expected(after, Boundary_condition::binormals(targets));
+  p.mesh.set_positions(after.positions());
+  p.directions.update_geometry();
+  EXPECT_LT(greatest_difference(p.directions.guide(), expected.directions.guide()), 1e-13);
+  EXPECT_GT(p.directions.errors(after).minCoeff(), .1);
+}
+
+TEST(Prescribed_directions, that_are_kept_are_those_that_the_mesh_has_each_time)
+{
+  const Mesh_view after = cap_from_disk(disk(4), 1.2);
+  Prescribed p(cap_from_disk(disk(4), 1), Boundary_condition::binormals());
+  p.mesh.set_positions(after.positions());
+  p.directions.update_geometry();
+  EXPECT_LT(p.directions.errors(after).maxCoeff(), 1e-15);
+}
+
+TEST(Prescribed_directions, make_the_dirac_operator_symmetric_if_orthogonal_to_the_tangent)
+{
+  const Q one{1, 0, 0, 0};
+  std::vector<double> defects;
+  for (const int n : {4, 8}) {
+    const Prescribed p(disk(n), Boundary_condition::binormals());
+    defects.push_back(asymmetry(dirac_form(p, constant_potential(p.mesh, 0), one)));
+  }
+  EXPECT_NEAR(defects[1], 3.1e-2, .1e-2);
+  EXPECT_NEAR(defects[0] / defects[1], 2, .2);
+  const Prescribed tangents(disk(4), Boundary_condition::tangents());
+  EXPECT_GT(asymmetry(dirac_form(tangents, constant_potential(tangents.mesh, 0), one)), 1);
+}
+
+TEST(Prescribed_directions, that_are_plane_tangents_make_it_skew_whatever_the_surface)
+{
+  // The reason why tangents of a plane curve can be prescribed with any rho: the kernel of a skew
+  // form on a space of odd dimension, more or less, is never empty.
+  const Q e_z{0, 0, 0, 1};
+  std::vector<double> plane, tilted;
+  for (const int n : {4, 8}) {
+    const Mesh_view mesh = mapped(disk(n), [](const Eigen::Vector3d& p) {
+      return Eigen::Vector3d(p.x(), p.y(), .4 * p.x() * p.y() + .3 * p.x() * p.x());
+    });
+    const auto rho =
+        potential_on_faces(mesh, [](const auto& p) { return std::cos(2 * p.x() + 1); });
+    const Points circle = at_boundary(
+        disk(n), [](const auto&, const auto& frame) -> Eigen::Vector3d { return frame.col(0); });
+    const Prescribed target(mesh, Boundary_condition::tangents(circle));
+    plane.push_back(symmetric_part(dirac_form(target, rho, e_z)));
+    const Prescribed kept(mesh, Boundary_condition::tangents());
+    tilted.push_back(symmetric_part(dirac_form(kept, rho, e_z)));
+  }
+  EXPECT_LT(plane[1], .05);
+  EXPECT_GT(plane[0] / plane[1], 1.7);
+  EXPECT_GT(tilted[1], 5 * plane[1]);
+  const Prescribed flat(disk(8), Boundary_condition::tangents());
+  const auto random = Curvature_potential::on_faces(random_numbers(384, 1));
+  EXPECT_NEAR(symmetric_part(dirac_form(flat, random, e_z)), 7.6e-3, .2e-3);
+}

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
+// Tests include/Conformal_geometry_processing/spin/free_boundary.h
+#include "spin/boundary_tools.h"
+
+/// A bump on plane disks, with each condition at the boundary. The numbers come from an
+/// implementation of the same formulas that shares no code with this one.
+namespace {
+
+using namespace cgp_test;
+
+Curvature_potential bump(const Mesh_view& mesh)
+{
+  return potential_on_faces(mesh, [](const Eigen::Vector3d& p) {
+    const double s = .25;
+    return 4 * std::exp(-(p - Eigen::Vector3d(.2, .1, 0)).squaredNorm() / (2 * s * s));
+  });
+}
+
+/// Q - 1 on finer and finer disks
+template <class Disk>
+std::vector<double> errors(Disk disk, const Boundary_condition& condition)
+{
+  std::vector<double> list;
+  for (const int n : {8, 16, 32, 64}) {
+    const Mesh_view mesh = disk(n);
+    const CGP::Spin_result r = transformed(mesh, condition, bump(mesh));
+    EXPECT_TRUE(r.report);
+    EXPECT_EQ(r.report.conformality.flipped_faces, 0);
+    list.push_back(mean_Q(r) - 1);
+  }
+  return list;
+}
+
+void expect_table(const std::vector<double>& found, const std::vector<double>& table)
+{
+  for (std::size_t i = 0; i < table.size(); ++i)
+    EXPECT_NEAR(found[i], table[i] - 1, .02 * (table[i] - 1)) << i;
+  EXPECT_NEAR(found[2], table[2] - 1, 5e-4);
+  EXPECT_GT(found[2] / found[3], 1.9);
+  EXPECT_LT(found[2] / found[3], 2.1);
+}
+
+}  // namespace
+
+TEST(Spin_transformation_of_a_disk, bulges_with_a_free_boundary_as_tabled)
+{
+  expect_table(errors(disk, Boundary_condition::free()), {1.03936, 1.02164, 1.01079, 1.00532});
+}
+
+TEST(Spin_transformation_of_a_disk, bulges_between_its_tangents_as_tabled)
+{
+  expect_table(errors(disk, Boundary_condition::tangents()), {1.04139, 1.02149, 1.01081, 1.00540});
+}
+
+TEST(Spin_transformation_of_a_disk, bulges_between_its_binormals_as_tabled)
+{
+  expect_table(errors(disk, Boundary_condition::binormals()), {1.01949, 1.00992, 1.00491, 1.00244});
+}
+
+TEST(Spin_transformation_of_a_nonuniform_disk, bulges_with_a_free_boundary_as_tabled)
+{
+  EXPECT_NEAR(mean_edge_length(moved_disk(8)), .12807, 2e-4);
+  EXPECT_NEAR(mean_edge_length(moved_disk(32)), .03211, 2e-4);
+  expect_table(errors(moved_disk, Boundary_condition::free()),
+               {1.03864, 1.02135, 1.01085, 1.00543});
+}
+
+TEST(Spin_transformation_of_a_nonuniform_disk, bulges_between_its_tangents_as_tabled)
+{
+  expect_table(errors(moved_disk, Boundary_condition::tangents()),
+               {1.04563, 1.02372, 1.01194, 1.00597});
+}
+
+TEST(Spin_transformation_of_a_nonuniform_disk, bulges_between_its_binormals_as_tabled)
+{
+  expect_table(errors(moved_disk, Boundary_condition::binormals()),
+               {1.02078, 1.01054, 1.00521, 1.00259});
+}
+
+TEST(Spin_transformation_with_a_free_boundary, stretches_no_face_much)
+{
+  const std::vector<double> table = {1.075, 1.056, 1.031, 1.016};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Mesh_view mesh = disk(8 << i);
+    const CGP::Spin_result r = transformed(mesh, Boundary_condition::free(), bump(mesh));
+    EXPECT_NEAR(r.report.conformality.quasi_conformal.max, table[i], .05 * (table[i] - 1));
+    EXPECT_GT(r.report.min_spin_ratio, .1);
+  }
+}
+
+TEST(Spin_transformation_with_a_free_boundary, moves_less_the_smaller_rho_is)
+{
+  // Not so the vector of smallest singular value, whose surface does not tend to the disk.
+  const Mesh_view mesh = disk(12);
+  double before = 0;
+  for (const double t : {1e-1, 1e-2, 1e-3}) {
+    Curvature_potential rho = bump(mesh);
+    rho.values *= t;
+    const CGP::Spin_result r = transformed(mesh, Boundary_condition::free(), rho);
+    const double height = r.positions.row(2).maxCoeff() - r.positions.row(2).minCoeff();
+    EXPECT_GT(height, .03 * t);
+    if (before > 0) {
+      EXPECT_NEAR(before / height, 10, .5);
+    }
+    before = height;
+  }
+}

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
+// Tests include/Conformal_geometry_processing/spin/Prescribed_positions.h
+#include "spin/boundary_tools.h"
+
+/// New positions of the boundary, against closed forms and tables computed by other code.
+namespace {
+
+using namespace cgp_test;
+
+/// the boundary of a surface, with its normals as the mesh has them
+Boundary_condition boundary_of(const Mesh_view& surface)
+{
+  return Boundary_condition::positions(
+      at_boundary(surface, [](const Eigen::Vector3d& p, const auto&) { return p; }),
+      at_boundary(surface,
+                  [](const auto&, const auto& frame) -> Eigen::Vector3d { return frame.col(1); }));
+}
+
+double greatest_distance(const Points& a, const Points& b)
+{
+  return (a - b).colwise().norm().maxCoeff();
+}
+
+struct Row {
+  double Q, distance;
+};
+
+/// surface(n) with the boundary of image(n), against the image
+template <class Surface, class Image>
+std::vector<Row> rows(Surface surface, Image image, double rho, bool greatest = false)
+{
+  std::vector<Row> list;
+  for (const int n : {8, 16, 32, 64}) {
+    const Mesh_view mesh = surface(n), exact = image(n);
+    const CGP::Spin_result r = transformed(mesh, boundary_of(exact), constant_potential(mesh, rho));
+    EXPECT_TRUE(r.report);
+    const double distance = greatest ? greatest_distance(r.positions, exact.positions())
+                                     : rms_distance(r.positions, exact.positions());
+    list.push_back({mean_Q(r), distance});
+  }
+  return list;
+}
+
+void expect_rows(const std::vector<Row>& found, const std::vector<double>& Q,
+                 const std::vector<double>& distance, double order)
+{
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(found[i].Q - 1, Q[i] - 1, .02 * (Q[i] - 1)) << i;
+    EXPECT_NEAR(found[i].distance, distance[i], .1 * distance[i]) << i;
+    errors.push_back(found[i].distance);
+  }
+  expect_order(order, {errors[2], errors[3]});
+}
+
+}  // namespace
+
+TEST(Spin_transformation_to_new_positions, finds_the_holomorphic_map)
+{
+  expect_rows(rows(
+                  disk, [](int n) { return mapped(disk(n), quadratic_map); }, 0),
+              {1.05388, 1.02661, 1.01322, 1.00659}, {7.0e-5, 1.8e-5, 4.5e-6, 1.1e-6}, 2);
+}
+
+TEST(Spin_transformation_to_new_positions, finds_enneper_s_surface)
+{
+  expect_rows(rows(
+                  disk, [](int n) { return enneper(disk(n)); }, 0),
+              {1.05376, 1.02650, 1.01315, 1.00655}, {9.8e-4, 5.3e-4, 2.8e-4, 1.4e-4}, 1);
+}
+
+TEST(Spin_transformation_to_new_positions, flattens_the_hemisphere_within_its_boundary)
+{
+  const auto hemisphere = [](int n) { return cap_from_disk(disk(n), pi / 2); };
+  expect_rows(rows(hemisphere, disk, -1, true), {1.06723, 1.03317, 1.01646, 1.00820},
+              {3.4e-2, 1.7e-2, 8.6e-3, 4.3e-3}, 1);
+}
+
+TEST(Spin_transformation_to_new_positions, gives_way_where_there_is_no_conformal_surface)
+{
+  // The hemisphere bent into a saddle: pointwise data leave little freedom.
+  for (const int n : {16, 32}) {
+    const Mesh_view mesh = cap_from_disk(disk(n), pi / 2);
+    const Mesh_view image = mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+      return {p.x(), p.y(), p.z() + .25 * (p.x() * p.x() - p.y() * p.y())};
+    });
+    const CGP::Spin_result r = transformed(mesh, boundary_of(image), constant_potential(mesh, 0));
+    EXPECT_NEAR(mean_Q(r), 1.2753, .02 * .2753);
+  }
+}
+
+TEST(Spin_transformation_to_new_positions, keeps_the_boundary_where_it_was_put)
+{
+  const Mesh_view mesh = cap_from_disk(jittered_disk(6, .3), 1), image = perturbed(mesh, .02);
+  const auto rho = potential_on_faces(mesh, [](const auto& p) { return std::sin(4 * p.x()); });
+  const Boundary_condition condition = boundary_of(image);
+  const CGP::Spin_result r = transformed(mesh, condition, rho);
+  const std::vector<int> vertices = CGP::boundary_frames(mesh).vertices;
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+    EXPECT_LT((r.positions.col(vertices[k]) - condition.targets.col(int(k))).norm(), 1e-14);
+}
+
+TEST(Spin_transformation_to_new_positions, moves_with_the_curve)
+{
+  const Mesh_view mesh = cap_from_disk(jittered_disk(6, .3), 1), image = perturbed(mesh, .02);
+  const auto rho = potential_on_faces(mesh, [](const auto& p) { return std::sin(4 * p.x()); });
+  const Eigen::Matrix3d R = Random(2).rotation();
+  const Eigen::Vector3d t(100, -200, 300);
+  const Boundary_condition here = boundary_of(image),
+                           there = Boundary_condition::positions(
+                               (3 * R * here.targets).colwise() + t, R * here.normals);
+  const Points a = transformed(mesh, here, rho).positions;
+  const Points b = transformed(mesh, there, rho).positions;
+  EXPECT_LT(greatest_distance((3 * R * a).colwise() + t, b), 1e-11);
+}
+
+TEST(Spin_transformation_to_new_positions, refuses_a_curve_that_is_twisted_once)
+{
+  const Mesh_view mesh = disk(5);
+  Boundary_condition condition = boundary_of(mesh);
+  condition.normals = at_boundary(mesh, [](const Eigen::Vector3d& p, const auto& frame) {
+    return Eigen::Vector3d(p.x() * frame.col(1) + p.y() * frame.col(2));
+  });
+  EXPECT_NE(refusal_of([&] {
+              CGP::Spin_transformation<>(mesh, condition, "f");
+            }).find("twisted by a full turn"),
+            std::string::npos);
+}
+
+TEST(Spin_transformation_to_new_positions, refuses_to_move_afterwards)
+{
+  const Mesh_view mesh = disk(5);
+  CGP::Spin_transformation<> transformation(mesh, boundary_of(mesh));
+  EXPECT_EQ(refusal_of([&] { transformation.set_positions(2 * mesh.positions()); }),
+            "a surface with prescribed boundary cannot move");
+}
