@@ -3,20 +3,26 @@
 """Runs the command-line program and reads its report."""
 
 import json
+import resource
 import subprocess
-import time
+
+
+def seconds_of_children():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
 def run(program, arguments, report, limit):
-    """The exit code, the report if there is one, the last line of stderr, and the seconds."""
+    """The exit code, the report if there is one, the last line of stderr, and the seconds of
+    the processor."""
     report.unlink(missing_ok=True)
-    start = time.monotonic()
+    start = seconds_of_children()
     try:
         process = subprocess.run([program, *arguments, "--json", report, "--quiet"], text=True,
                                  capture_output=True, timeout=limit)
         code, message = process.returncode, process.stderr.strip()
     except subprocess.TimeoutExpired:
         code, message = -1, f"stopped after {limit} seconds"
-    seconds = time.monotonic() - start
+    seconds = seconds_of_children() - start
     content = json.loads(report.read_text(encoding="utf-8")) if report.exists() else {}
     return code, content, message.splitlines()[-1] if message else "", seconds
