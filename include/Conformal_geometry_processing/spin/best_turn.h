@@ -36,9 +36,9 @@ inline Quaternion<double> best_turn(const Points& U, const Points& V)
   const auto vector = [&](int c) -> Eigen::Vector4d {
     return eigen.vectors.col(c).unaryExpr([](const Quaternion<double>& q) { return q.w; });
   };
-  // Where no turn fits well, one that fits half as well as the best is still as good: binormals of
-  // a hemisphere, all nearly parallel, that shall be tilted inward do not ask for a half turn.
-  const double as_good = std::max(0.02, eigen.values[0]), nothing = 1e-3;
+  // Where even the best turn does not fit, others that miss up to three times as much are as good:
+  // binormals of a hemisphere, all nearly parallel, that shall tilt inward ask for no half turn.
+  const double as_good = std::max(0.02, 2 * eigen.values[0]), nothing = 1e-3;
   Eigen::Vector4d best = Eigen::Vector4d::Zero();
   for (int c = 0; c < 4; ++c)
     if (eigen.values[c] <= eigen.values[0] + as_good) best += vector(c)[0] * vector(c);
