@@ -111,6 +111,21 @@ TEST(Conformal_willmore_flow_with_boundary, stops_at_constant_mean_curvature)
   expect_falling(report);
 }
 
+TEST(Conformal_willmore_flow_with_boundary, keeps_a_cap_and_loses_its_bumps_by_a_filter)
+{
+  for (const Boundary_condition& condition :
+       {Boundary_condition::tangents(), Boundary_condition::binormals(),
+        Boundary_condition::free()}) {
+    CGP::Flow_options options = plain_steps(1, 5, condition);
+    options.filter_weight = .05;
+    options.filter_order = 2;
+    CGP::Conformal_willmore_flow<> flow(bumpy_cap(12), options);
+    EXPECT_GT(flow.energy(), 3.7);
+    EXPECT_TRUE(flow.run());
+    EXPECT_NEAR(flow.energy(), pi, .1 * pi);  // that of the round cap
+  }
+}
+
 TEST(Conformal_willmore_flow_with_boundary, has_nothing_to_do_on_a_plane)
 {
   // Turned, so that the curvatures are rounding, which no step makes less.
