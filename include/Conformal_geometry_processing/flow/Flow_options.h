@@ -55,8 +55,8 @@ struct Flow_options {
   double direction_tolerance = 1e-4;  ///< stop where the constraints leave less than this share of
                                       ///< the direction, or of the curvature of a round sphere
 
-  /// how rho is kept such that surfaces of genus > 0 close up; without, they are sheared beyond
-  /// recognition
+  /// how rho is kept such that surfaces close up around handles and holes; without, they are
+  /// sheared beyond recognition. With a boundary it is the adjoint in any case
   std::optional<Exactness> exactness = Exactness::adjoint;
 
   /// sigma > 0 keeps low frequencies out of the direction, and so the shape on the whole; zero is
