@@ -32,6 +32,7 @@ struct Verification_limits {
   double closure = 0.1;          ///< of the relative closure residual
   double quasi_conformal = 1.5;  ///< of the mean Q
   double flipped = 0.01;         ///< of the share of flipped faces
+  double direction_error = 10;   ///< of directions at the boundary, the mean in degrees
 };
 
 struct Info_options {

@@ -40,7 +40,7 @@ void boundary(const Boundary_options& options, Session& session)
   // What is prescribed leaves no choice: loops close with it, or the residual tells.
   problem.closes_loops = false;
   if (options.minimal) problem.kernel_tolerance = CGP::minimal_kernel_tolerance(input.mesh);
-  deform(input, std::move(problem), options.spin, "a gentler change", session);
+  deform(input, std::move(problem), options.spin, "a gentler change of the directions", session);
 }
 
 }  // namespace conformal

@@ -111,6 +111,11 @@ void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
   command.add_option("--max-flipped", limits.flipped, "largest share of flipped faces")
       ->check(finite)
       ->capture_default_str();
+  command
+      .add_option("--max-direction-error", limits.direction_error,
+                  "by how many degrees directions at a boundary may be missed in the mean")
+      ->check(above_zero)
+      ->capture_default_str();
   command.add_flag("--force", force, "write also what does not verify");
 }
 

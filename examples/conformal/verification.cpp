@@ -2,18 +2,28 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verification.h"
 
+#include <cmath>
 #include <vector>
 
 namespace conformal {
 namespace {
 
-std::string remedy(CGP::Boundary_fault fault, const std::string& easier)
+/// Of the faults at a boundary those that no limit tells of.
+std::string fault_of_boundary(const CGP::Spin_report& report, const Verification_limits& limits,
+                              const std::string& easier)
 {
-  if (fault == CGP::Boundary_fault::not_realizable)
-    return "; try: binormals instead of tangents, the tangents of a plane curve, or " + easier;
-  if (fault == CGP::Boundary_fault::degenerate)
-    return "; try: directions that turn around a boundary loop as often as its own, or " + easier;
-  return "; try: " + easier + ", or a finer mesh";
+  const std::string what = CGP::to_string(report.boundary_fault);
+  if (report.boundary_fault == CGP::Boundary_fault::not_realizable)
+    return what + "; try: binormals instead of tangents, the tangents of a plane curve, or " +
+           easier;
+  if (report.boundary_fault == CGP::Boundary_fault::degenerate)
+    return what + "; try: " + easier + ", or a finer mesh";
+  const double missed = report.direction_error.mean * 180 / std::acos(-1.);
+  if (!(missed <= limits.direction_error))
+    return "directions at the boundary are missed by " + text_of(missed, 3) +
+           " degrees in the mean, more than " + text_of(limits.direction_error, 3) +
+           "; try: " + easier + ", a finer mesh, or --max-direction-error";
+  return {};
 }
 
 }  // namespace
@@ -34,8 +44,8 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
            count_of(static_cast<std::size_t>(report.iterations), "iteration") + "; try: " + easier +
            ", or a larger --tolerance";
   if (!positions.allFinite()) return "coordinates are not finite; try: " + easier;
-  if (report.boundary_fault != CGP::Boundary_fault::none)
-    return CGP::to_string(report.boundary_fault) + remedy(report.boundary_fault, easier);
+  const std::string fault = fault_of_boundary(report, limits, easier);
+  if (!fault.empty()) return fault;
   if (!(report.closure_residual <= limits.closure))
     return exceeds("the closure residual", report.closure_residual, limits.closure) +
            ": the surface does not close up; try: " + easier + ", or --max-closure";

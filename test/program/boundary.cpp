@@ -128,6 +128,19 @@ TEST_F(Boundary, what_no_surface_has_is_written_only_by_force)
   EXPECT_TRUE(has("b.ply"));
 }
 
+TEST_F(Boundary, directions_that_are_missed_have_a_limit)
+{
+  write("a.off", off(disk(5)));
+  const std::string tilt =
+      "boundary a.off --binormal-tilt '40*cos(10*pi*s)' -o b.ply --json b.json";
+  ASSERT_EQ(run(tilt).code, 0);
+  const double missed = json("b.json")["result"]["boundary"]["direction_error"]["mean"];
+  EXPECT_GT(missed, 1);  // five waves on thirty edges
+  EXPECT_TRUE(
+      fails(run(tilt + " -q --max-direction-error 1"), 1, "directions at the boundary are"));
+  EXPECT_EQ(run(tilt + " -q --max-direction-error 1 --force").code, 0);
+}
+
 TEST_F(Boundary, several_loops_are_told_apart)
 {
   const auto mesh = cgp_test::annulus(0.4, 1, 60, 10);
