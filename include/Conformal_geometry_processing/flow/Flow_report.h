@@ -61,9 +61,8 @@ struct [[nodiscard]] Flow_step_report {
   int trials = 0;                        ///< how many time steps were tried
   double direction_norm = 0;             ///< root of the integral of v^2, after the constraints
   double remaining_share = 0;            ///< of the direction, after the constraints
-  double period_defect =
-      0;             ///< harmonic part of the new edges, relative; zero for spheres and disks
-  Spin_report spin;  ///< the spin transformation of the step, its distortion too
+  double period_defect = 0;      ///< harmonic part of the new edges, relative; zero without loops
+  Spin_report spin;              ///< the spin transformation of the step, its distortion too
   Distribution quasi_conformal;  ///< from the initial surface to the present one
   double seconds = 0;            ///< wall clock, all trials together
 };
