@@ -128,3 +128,10 @@ TEST(Flow_balance, refuses_the_canonical_metric_of_a_sphere)
       refusal(icosphere(1), options_for(Balance::canonical)).find("f: the surface is a sphere"),
       std::string::npos);
 }
+
+TEST(Flow_balance, refuses_surfaces_with_boundary)
+{
+  EXPECT_NE(refusal(without_face(icosphere(1), 3), options_for(Balance::initial))
+                .find("f: 3 boundary edges"),
+            std::string::npos);
+}

@@ -115,6 +115,11 @@ TEST(Exactness_constraints, are_one_less_on_a_torus_of_revolution)
   const Eigen::MatrixXd of_thesis =
       without_means(torus_.constraints(On::vertices, Exactness::thesis), m);
   EXPECT_EQ(CGP::weighted_orthonormalization(of_thesis, m).cols(), 5);
+  const Exactness_case fine(torus(std::sqrt(2.), 1, 56, 56));
+  EXPECT_EQ(
+      CGP::weighted_orthonormalization(fine.constraints(On::vertices), fine.areas(On::vertices))
+          .cols(),
+      5);
   const Exactness_case generic(btorus(40));
   EXPECT_EQ(CGP::weighted_orthonormalization(generic.constraints(On::vertices), m).cols(), 6);
 }
