@@ -6,7 +6,7 @@
 // CGAL's header comes after OpenMesh's.
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 
-#include "spin_transform_checks.h"
+#include "spin_transform_boundary_checks.h"
 
 namespace {
 
@@ -23,4 +23,10 @@ TEST(Spin_transform_of_an_OpenMesh, is_that_of_its_triangles)
   // CGAL 5.5 writes the points of OpenMesh through float.
   cgp_test::expect_transformation(cgp_test::to_cgal_mesh<Surface>(cgp_test::sphere_to_transform()),
                                   1e-6);
+}
+
+TEST(Spin_transform_of_an_OpenMesh, prescribes_what_becomes_of_the_boundary)
+{
+  cgp_test::expect_transformation_with_boundary(
+      cgp_test::to_cgal_mesh<Surface>(cgp_test::cap_to_transform()), 1e-6);
 }

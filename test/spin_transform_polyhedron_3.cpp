@@ -5,7 +5,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include "spin_transform_checks.h"
+#include "spin_transform_boundary_checks.h"
 
 namespace {
 
@@ -17,6 +17,11 @@ using Surface = CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_
 TEST(Spin_transform_of_a_Polyhedron_3, is_that_of_its_triangles)
 {
   expect_transformation(to_cgal_mesh<Surface>(sphere_to_transform()), 1e-14);
+}
+
+TEST(Spin_transform_of_a_Polyhedron_3, prescribes_what_becomes_of_the_boundary)
+{
+  expect_transformation_with_boundary(to_cgal_mesh<Surface>(cap_to_transform()), 1e-14);
 }
 
 TEST(Spin_transform_of_a_Polyhedron_3, reads_and_fills_the_maps_of_the_mesh_traits)

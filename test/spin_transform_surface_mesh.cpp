@@ -5,7 +5,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include "spin_transform_checks.h"
+#include "spin_transform_boundary_checks.h"
 
 namespace {
 
@@ -13,15 +13,20 @@ using namespace cgp_test;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 
-/// an octahedron beside the sphere, which is removed and leaves its slots behind
-Surface sphere_with_garbage()
+/// a tetrahedron beside the surface, which is removed and leaves its slots behind
+Surface with_garbage(const Mesh_view& surface)
 {
   Surface mesh;
   add_to_cgal_mesh(tetrahedron(), mesh);
   const std::vector<Surface::Face_index> first(faces(mesh).begin(), faces(mesh).end());
-  add_to_cgal_mesh(sphere_to_transform(), mesh);
+  add_to_cgal_mesh(surface, mesh);
   for (const auto f : first) CGAL::Euler::remove_face(halfedge(f, mesh), mesh);
   return mesh;
+}
+
+Surface sphere_with_garbage()
+{
+  return with_garbage(sphere_to_transform());
 }
 
 }  // namespace
@@ -37,6 +42,14 @@ TEST(Spin_transform_of_a_Surface_mesh, ignores_removed_elements)
   ASSERT_TRUE(mesh.has_garbage());
   ASSERT_EQ(view_of(mesh).size_of_faces(), sphere_to_transform().size_of_faces());
   expect_transformation(mesh, 1e-14);
+}
+
+TEST(Spin_transform_of_a_Surface_mesh, prescribes_what_becomes_of_the_boundary)
+{
+  expect_transformation_with_boundary(to_cgal_mesh<Surface>(cap_to_transform()), 1e-14);
+  const Surface mesh = with_garbage(cap_to_transform());
+  ASSERT_TRUE(mesh.has_garbage());
+  expect_transformation_with_boundary(mesh, 1e-14);
 }
 
 TEST(Spin_transform_of_a_Surface_mesh, reads_and_fills_the_properties_of_the_mesh_traits)

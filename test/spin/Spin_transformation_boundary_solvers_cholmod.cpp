@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
+#include <Conformal_geometry_processing/linear_algebra/Cholmod_hermitian_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/Eigen_hermitian_solver_traits.h>
+
+#include "spin/boundary_cases.h"
+
+namespace {
+
+using namespace cgp_test;
+
+template <class Solver_traits>
+CGP::Spin_result result(const Boundary_condition& condition)
+{
+  CGP::Dirac_options options;
+  options.tolerance = 1e-10;
+  return CGP::Spin_transformation<Solver_traits>(uneven_cap(), condition)
+      .transform(rho_of_uneven_cap(), options);
+}
+
+template <class Solver_traits>
+void expect_agreement()
+{
+  for (const Boundary_condition& condition : conditions_of_uneven_cap()) {
+    const CGP::Spin_result expected = result<CGP::Default_solver_traits>(condition);
+    const CGP::Spin_result r = result<Solver_traits>(condition);
+    EXPECT_TRUE(r.report.converged);
+    EXPECT_LT((r.positions - expected.positions).cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_NEAR(r.report.eigenvalue, expected.report.eigenvalue, 1e-8);
+  }
+}
+
+}  // namespace
+
+TEST(Spin_transformation_with_a_boundary, is_the_same_with_the_solver_of_eigen)
+{
+  expect_agreement<CGP::Eigen_hermitian_solver_traits>();
+}
+
+TEST(Spin_transformation_with_a_boundary, is_the_same_with_cholmod)
+{
+  expect_agreement<CGP::Cholmod_hermitian_solver_traits>();
+}
