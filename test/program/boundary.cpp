@@ -132,7 +132,7 @@ TEST_F(Boundary, directions_that_are_missed_have_a_limit)
 {
   write("a.off", off(disk(5)));
   const std::string tilt =
-      "boundary a.off --binormal-tilt '40*cos(10*pi*s)' -o b.ply --json b.json";
+      "boundary a.off --binormal-tilt '20*cos(10*pi*s)' -o b.ply --json b.json";
   ASSERT_EQ(run(tilt).code, 0);
   const double missed = json("b.json")["result"]["boundary"]["direction_error"]["mean"];
   EXPECT_GT(missed, 1);  // five waves on thirty edges
