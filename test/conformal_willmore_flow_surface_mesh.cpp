@@ -184,9 +184,9 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, leaves_the_mesh_if_the_visitor
   EXPECT_EQ(view_of(mesh).positions(), before.positions());
 }
 
-TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, refuses_what_is_no_closed_surface)
+TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, refuses_what_is_no_surface_and_no_step)
 {
-  EXPECT_NE(refusal(without_face(icosphere(1), 0)).find("a closed surface is needed"),
+  EXPECT_NE(refusal(disjoint_union(icosphere(1), icosphere(1), {3, 0, 0})).find("2 components"),
             std::string::npos);
   EXPECT_THROW((void)CGP::conformal_willmore_flow(mesh, params::time_step(-1.)),
                CGP::Precondition_error);

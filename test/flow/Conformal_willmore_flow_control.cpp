@@ -222,15 +222,16 @@ TEST(Conformal_willmore_flow_control, gives_the_same_bits_twice_and_at_other_sca
 
 TEST(Conformal_willmore_flow_control, refuses_unsuitable_surfaces)
 {
-  EXPECT_TRUE(has(refusal(without_face(icosphere(1), 3)), "Conformal_willmore_flow: "));
-  EXPECT_TRUE(has(refusal(disjoint_union(icosphere(1), icosphere(1), {3, 0, 0})), "component"));
+  const std::string apart = refusal(disjoint_union(icosphere(1), icosphere(1), {3, 0, 0}));
+  EXPECT_TRUE(has(apart, "Conformal_willmore_flow: ")) << apart;
+  EXPECT_TRUE(has(apart, "component")) << apart;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Points p = icosphere(1).positions();
   p(0, 5) = nan;
   EXPECT_TRUE(has(refusal(Mesh_view(p, icosphere(1).corners())), "vertex 5"));
 }
 
-TEST(Conformal_willmore_flow_control, refuses_steps_that_are_none)
+TEST(Conformal_willmore_flow_control, refuses_options_out_of_their_ranges)
 {
   CGP::Flow_options options;
   for (const double tau : {0., -1., std::numeric_limits<double>::infinity()}) {
@@ -249,6 +250,9 @@ TEST(Conformal_willmore_flow_control, refuses_steps_that_are_none)
   options.filter_weight = 1;
   options.filter_order = -1;
   EXPECT_TRUE(has(refusal(icosphere(1), options), "an order of -1"));
+  options = {};
+  options.boundary.kind = CGP::Boundary_condition::Kind::positions;
+  EXPECT_TRUE(has(refusal(icosphere(1), options), "a flow can keep directions only"));
 }
 
 TEST(Conformal_willmore_flow_control, refuses_directions_that_are_no_functions_on_the_vertices)

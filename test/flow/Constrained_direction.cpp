@@ -98,8 +98,8 @@ TEST(Constrained_direction, is_orthogonal_to_what_opens_handles)
   const Mesh_view mesh = btorus(16);
   Directed<CGP::Willmore_direction> directed(mesh, {});
   const auto result = directed();
-  CGP::Closing_constraints<> closing(
-      mesh, directed.transformation.dirac_equation(), CGP::Exactness::adjoint);
+  CGP::Closing_constraints<> closing(mesh, directed.transformation.dirac_equation(),
+                                     CGP::Exactness::adjoint);
   closing.update(directed.transformation.reconstruction().solver());
   const Eigen::VectorXd products =
       closing.functions().transpose() * directed.areas.cwiseProduct(result.v);
