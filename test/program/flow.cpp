@@ -202,7 +202,7 @@ TEST_F(Flow, interrupted_it_leaves_the_last_complete_step)
     const Program_run r =
         shell("rm -f b*.ply b.json; " CGP_CONFORMAL_PROGRAM
               " flow -q a.off --steps 9999 --time-step 1e-5 --every 1 -o b.ply --json b.json & "
-              "while [ ! -e b_0001.ply ]; do sleep 0.01; done; kill -" +
+              "for i in $(seq 3000); do [ -e b_0001.ply ] && break; sleep 0.01; done; kill -" +
               std::string(signal) + " $!; wait $!");
     EXPECT_TRUE(fails(r, code, "steps were written to b.ply") ||
                 fails(r, code, "was written to b.ply"))
