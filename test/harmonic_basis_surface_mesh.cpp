@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "harmonic_basis_checks.h"
+#include "support/bounded_meshes.h"
 
 namespace {
 
@@ -50,6 +51,14 @@ TEST(Harmonic_basis_of_a_Surface_mesh, is_that_of_its_triangles)
   for (const int genus : {1, 2, 3})
     expect_harmonic_forms(to_cgal_mesh<Surface>(holed_block(genus)), genus);
   expect_basis_of_the_view(to_cgal_mesh<Surface>(smooth_handlebody(2, 1)));
+}
+
+TEST(Harmonic_basis_of_a_Surface_mesh, goes_around_holes_too)
+{
+  expect_harmonic_forms(to_cgal_mesh<Surface>(disk(4)), 0);
+  expect_harmonic_forms(to_cgal_mesh<Surface>(annulus(.4, 1, 24, 4)), 0, 1);
+  expect_harmonic_forms(to_cgal_mesh<Surface>(without_face(btorus(8), 5)), 1);
+  expect_basis_of_the_view(to_cgal_mesh<Surface>(cylinder(1, 2, 12, 6)));
 }
 
 TEST(Harmonic_basis_of_a_Surface_mesh, ignores_removed_elements)
@@ -159,8 +168,7 @@ TEST(Harmonic_basis_of_a_Surface_mesh, refuses_unsuitable_meshes_in_its_name)
 TEST(Harmonic_basis_of_a_Surface_mesh, refuses_random_forms_on_unsuitable_meshes)
 {
   const auto random = params::one_form_generators(CGP::One_form_generators::random);
-  for (const Mesh_view& view :
-       {holed_block(1), disjoint_union(btorus(8), icosphere(1), {9, 0, 0})})
+  for (const Mesh_view& view : {holed_block(1), disjoint_union(btorus(8), icosphere(1), {9, 0, 0})})
     EXPECT_THROW((void)CGP::harmonic_basis(to_cgal_mesh<Surface>(view), random),
                  CGP::Precondition_error);
 }

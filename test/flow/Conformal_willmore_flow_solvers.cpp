@@ -8,7 +8,7 @@
 #include <string>
 #include <type_traits>
 
-#include "flow_tools.h"
+#include "bounded_flows.h"
 
 /// What the flow asks of its solvers, and what it does when they fail.
 namespace {
@@ -85,6 +85,21 @@ TEST_F(Conformal_willmore_flow_solvers, analyze_each_pattern_once_for_all_steps)
   EXPECT_EQ(Watched_solver_traits::analyses, analyses);
   // the Dirac matrices with and without rho, the Laplacian, the filter
   EXPECT_EQ(Watched_solver_traits::factorizations - factorizations, 3 * 4);
+}
+
+TEST_F(Conformal_willmore_flow_solvers, analyze_each_pattern_once_where_there_is_a_boundary)
+{
+  for (const Boundary_condition& condition :
+       {Boundary_condition::binormals(), Boundary_condition::tangents(),
+        Boundary_condition::free()}) {
+    CGP::Flow_options options = plain_steps(.25, 3, condition);
+    options.filter_weight = .01;
+    Flow flow(bumpy_annulus(4), options);
+    ASSERT_TRUE(flow.step().accepted);
+    const int analyses = Watched_solver_traits::analyses;
+    EXPECT_EQ(flow.run().steps.size(), 3U);
+    EXPECT_EQ(Watched_solver_traits::analyses, analyses);
+  }
 }
 
 TEST_F(Conformal_willmore_flow_solvers, factor_two_matrices_in_a_step_of_a_sphere)

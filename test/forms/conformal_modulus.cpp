@@ -11,6 +11,7 @@
 #include <complex>
 #include <vector>
 
+#include "holed_surfaces.h"
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 #include "support/moebius.h"
@@ -114,6 +115,6 @@ TEST(Conformal_modulus, is_kept_by_inversions_to_second_order)
 
 TEST(Conformal_modulus, refuses_what_is_no_torus)
 {
-  for (const Mesh_view& mesh : {icosphere(1), holed_block(2)})
+  for (const Mesh_view& mesh : {icosphere(1), holed_block(2), torus_with_hole(8, 6)})
     EXPECT_THROW((void)modulus_of(mesh), CGP::Precondition_error);
 }
