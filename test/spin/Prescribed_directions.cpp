@@ -56,13 +56,13 @@ Eigen::MatrixXd dirac_form(const Prescribed& p, const Curvature_potential& rho, 
   return averages.transpose() * images;
 }
 
-/// the greatest entry of G - G^T
+/// |G - G^T| / |G|
 double asymmetry(const Eigen::MatrixXd& G)
 {
-  return (G - G.transpose()).cwiseAbs().maxCoeff() / G.cwiseAbs().maxCoeff();
+  return (G - G.transpose()).norm() / G.norm();
 }
 
-/// |G + G^T|
+/// |G + G^T| / |G|
 double symmetric_part(const Eigen::MatrixXd& G)
 {
   return (G + G.transpose()).norm() / G.norm();
@@ -169,10 +169,10 @@ TEST(Prescribed_directions, make_the_dirac_operator_symmetric_if_orthogonal_to_t
     const Prescribed p(disk(n), Boundary_condition::binormals());
     defects.push_back(asymmetry(dirac_form(p, constant_potential(p.mesh, 0), one)));
   }
-  EXPECT_NEAR(defects[1], 3.1e-2, .1e-2);
-  EXPECT_NEAR(defects[0] / defects[1], 2, .2);
+  EXPECT_LT(defects[1], .01);
+  EXPECT_GT(defects[0] / defects[1], 2);  // first order, on a boundary that is ever less of it all
   const Prescribed tangents(disk(4), Boundary_condition::tangents());
-  EXPECT_GT(asymmetry(dirac_form(tangents, constant_potential(tangents.mesh, 0), one)), 1);
+  EXPECT_GT(asymmetry(dirac_form(tangents, constant_potential(tangents.mesh, 0), one)), .4);
 }
 
 TEST(Prescribed_directions, that_are_plane_tangents_make_it_skew_whatever_the_surface)
@@ -199,5 +199,5 @@ TEST(Prescribed_directions, that_are_plane_tangents_make_it_skew_whatever_the_su
   EXPECT_GT(tilted[1], 5 * plane[1]);
   const Prescribed flat(disk(8), Boundary_condition::tangents());
   const auto random = Curvature_potential::on_faces(random_numbers(384, 1));
-  EXPECT_NEAR(symmetric_part(dirac_form(flat, random, e_z)), 7.6e-3, .2e-3);
+  EXPECT_LT(symmetric_part(dirac_form(flat, random, e_z)), .01);
 }
