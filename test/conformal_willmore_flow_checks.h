@@ -9,24 +9,13 @@
 
 #include "support/cgal_meshes.h"
 #include "support/meshes.h"
+#include "support/views.h"
 
 /// What conformal_willmore_flow() does to a mesh of any type, measured against the class on flat
 /// arrays.
 namespace cgp_test {
 
 namespace CGP = Conformal_geometry_processing;
-
-/// the points as the mesh has them now, and its triangles
-template <class Mesh>
-Mesh_view view_of(const Mesh& mesh)
-{
-  return CGP::Graph_view<Mesh>(mesh, CGP::parameters::default_values(), "test").view();
-}
-
-inline double greatest_distance(const Points& a, const Points& b)
-{
-  return (a - b).colwise().norm().maxCoeff();
-}
 
 /// positions and energies are those of the class, up to the precision of the points
 template <class Mesh>

@@ -12,6 +12,7 @@
 
 #include "support/cgal_meshes.h"
 #include "support/meshes.h"
+#include "support/views.h"
 
 /// What moebius_transform() and invert_in_sphere() do to a mesh of any type.
 namespace cgp_test {
@@ -27,11 +28,6 @@ template <class Mesh>
 Points points_of(const Mesh& mesh)
 {
   return CGP::Graph_view<Mesh>(mesh, CGP::parameters::default_values(), "test").view().positions();
-}
-
-inline double greatest_distance(const Points& a, const Points& b)
-{
-  return (a - b).colwise().norm().maxCoeff();
 }
 
 /// each edge vector e becomes conjugate(lambda_i) e lambda_j, up to `tolerance`, and the inversion

@@ -12,24 +12,13 @@
 #include "support/bounded_meshes.h"
 #include "support/cgal_meshes.h"
 #include "support/meshes.h"
+#include "support/views.h"
 
 /// What the editing of shapes does to a mesh of any type, measured against the classes on flat
 /// arrays.
 namespace cgp_test {
 
 namespace CGP = Conformal_geometry_processing;
-
-/// the points as the mesh has them now, and its triangles
-template <class Mesh>
-Mesh_view view_of(const Mesh& mesh)
-{
-  return CGP::Graph_view<Mesh>(mesh, CGP::parameters::default_values(), "test").view();
-}
-
-inline double greatest_distance(const Points& a, const Points& b)
-{
-  return (a - b).colwise().norm().maxCoeff();
-}
 
 /// a sphere, stretched in a direction, and not conformally
 inline Points stretched(const Mesh_view& mesh)

@@ -10,6 +10,7 @@
 #include "support/cgal_meshes.h"
 #include "support/dense.h"
 #include "support/meshes.h"
+#include "support/views.h"
 
 /// What spin_transform() does to a mesh of any type, measured against the class on flat arrays.
 namespace cgp_test {
@@ -27,13 +28,6 @@ inline Mesh_view sphere_to_transform()
   return icosphere(2);
 }
 
-/// the points as the mesh has them now, and its triangles
-template <class Mesh>
-Mesh_view view_of(const Mesh& mesh)
-{
-  return CGP::Graph_view<Mesh>(mesh, CGP::parameters::default_values(), "test").view();
-}
-
 inline CGP::Spin_result expected_result(const Mesh_view& mesh, const Curvature_potential& rho)
 {
   return CGP::Spin_transformation<>(mesh).transform(rho);
@@ -47,11 +41,6 @@ inline Curvature_potential rho_on_vertices(const Mesh_view& mesh)
 inline Curvature_potential rho_on_faces(const Mesh_view& mesh)
 {
   return Curvature_potential::on_faces(rho_of_section_3_on_faces(mesh));
-}
-
-inline double greatest_distance(const Points& a, const Points& b)
-{
-  return (a - b).colwise().norm().maxCoeff();
 }
 
 /// writes the values of rho into a map on the vertices or faces of the mesh

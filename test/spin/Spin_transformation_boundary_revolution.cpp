@@ -180,8 +180,8 @@ TEST(Spin_transformation_between_binormals, finds_higher_eigenvalues_near_a_shif
   std::vector<double> errors;
   for (const int n : {8, 16, 32, 64}) {
     const Mesh_view mesh = disk(n);
-    const auto rho =
-        potential_on_vertices(mesh, [](const Eigen::Vector3d& p) { return bump(p.norm()) + 2.735; });
+    const auto rho = potential_on_vertices(
+        mesh, [](const Eigen::Vector3d& p) { return bump(p.norm()) + 2.735; });
     const CGP::Spin_result r = transformed(mesh, Boundary_condition::binormals(), rho, options);
     EXPECT_TRUE(r.report.converged);
     errors.push_back(r.report.eigenvalue + 2.735 - exact);

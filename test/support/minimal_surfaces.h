@@ -53,12 +53,12 @@ inline Mesh_view catenoid_strip(int n)
   });
 }
 
-/// the same strip of the helicoid (sinh u sin v, -sinh u cos v, v), to which it is isometric
+/// the same strip of the helicoid (-sinh u sin v, sinh u cos v, -v), to which it is isometric
 inline Mesh_view helicoid_strip(int n)
 {
   return mapped(grid(4 * n, 2 * n, 4, 2), [](const Eigen::Vector3d& p) {
     const double v = p.x(), u = p.y() - 1;
-    return Eigen::Vector3d(std::sinh(u) * std::sin(v), -std::sinh(u) * std::cos(v), v);
+    return Eigen::Vector3d(-std::sinh(u) * std::sin(v), std::sinh(u) * std::cos(v), -v);
   });
 }
 

@@ -16,9 +16,9 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief the rho that leads from a surface to a conformally equivalent one: the difference of their
-/// mean curvature half-densities, (H~ |df~| - H |df|) / |df| [CGP 4.4, (4.6)]; on vertices, in
-/// 1/length of the mesh.
+/// \brief the rho that leads from a surface to a conformally equivalent one: the difference of
+/// their mean curvature half-densities, (H~ |df~| - H |df|) / |df| [CGP 4.4, (4.6)]; on vertices,
+/// in 1/length of the mesh.
 ///
 /// Half-densities can be added: t rho leads to surfaces between the two and beyond, and rho of one
 /// pair changes a third surface of the same conformal class in the same way. The transformation by
@@ -28,10 +28,9 @@ namespace Conformal_geometry_processing {
 inline Curvature_potential curvature_difference(const Mesh_view& mesh, const Points& positions)
 {
   if (positions.cols() != mesh.size_of_vertices())
-    throw Precondition_error("curvature_difference",
-                             std::to_string(positions.cols()) +
-                                 " positions, one per vertex is needed: " +
-                                 std::to_string(mesh.size_of_vertices()));
+    throw Precondition_error("curvature_difference", std::to_string(positions.cols()) +
+                                                         " positions, one per vertex is needed: " +
+                                                         std::to_string(mesh.size_of_vertices()));
   const Mesh_view other(positions, mesh.corners());
   const Eigen::VectorXd change =
       mean_curvature_half_density(other) - mean_curvature_half_density(mesh);

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_SUPPORT_VIEWS_H
+#define TEST_SUPPORT_VIEWS_H
+
+#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/named_parameters.h>
+
+#include "support/mesh_tools.h"
+
+/// What tests of entry points see of a mesh of any type.
+namespace cgp_test {
+
+/// the points as the mesh has them now, and its triangles
+template <class Mesh>
+Mesh_view view_of(const Mesh& mesh)
+{
+  namespace CGP = Conformal_geometry_processing;
+  return CGP::Graph_view<Mesh>(mesh, CGP::parameters::default_values(), "test").view();
+}
+
+/// of points with the same number
+inline double greatest_distance(const Points& a, const Points& b)
+{
+  return (a - b).colwise().norm().maxCoeff();
+}
+
+}  // namespace cgp_test
+
+#endif
