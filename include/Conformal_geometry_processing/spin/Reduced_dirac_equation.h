@@ -9,12 +9,14 @@
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
 #include <Conformal_geometry_processing/spin/Prescribed_directions.h>
+#include <Conformal_geometry_processing/spin/boundary_fault.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <random>
 #include <string>
 #include <utility>
@@ -24,7 +26,8 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgSpin
 /// \brief solves (D - rho) lambda = gamma lambda for spins that turn directions at the boundary
 /// into prescribed ones: the smallest singular value of D - rho on that space, or one of the next
-/// whose vector is nearer to the guide [CGP 5.7].
+/// whose vector is nearer to the guide [CGP 5.7]. Where gamma is only a misfit, no vector with a
+/// great one is taken if there are others (`greatest_misfit()`).
 ///
 /// The space is one over the real numbers, so eigenvalues are simple in general and not fourfold.
 /// Per `solve()`: one factorization, and one solve for each iteration and column.
@@ -86,8 +89,10 @@ class Reduced_dirac_equation {
   {
     set_potential(rho, s.seconds);
     Stopwatch watch;
-    const Eigen_result found = nearest_to_guide(options, s, go_further);
-    take(found, options, s);
+    const double bound = is_self_adjoint ? std::numeric_limits<double>::infinity()
+                                         : greatest_misfit(m_problem.mesh());
+    const Eigen_result found = nearest_to_guide(options, bound, s, go_further);
+    take(found, options, bound, s);
     s.eigenvalue = is_self_adjoint ? dirac_quotient(m_problem.mesh(), rho, s.lambda)
                                    : std::sqrt(std::max(s.energy, 0.));
     s.seconds.eigenvectors += watch.lap();
@@ -109,7 +114,7 @@ class Reduced_dirac_equation {
 
   /// One column, if it comes near to the guide; else several, of which those that count converge.
   template <class GoFurther>
-  Eigen_result nearest_to_guide(const Dirac_options& options, Dirac_solution& s,
+  Eigen_result nearest_to_guide(const Dirac_options& options, double bound, Dirac_solution& s,
                                 GoFurther& go_further) const
   {
     const Quaternion_vector<double>& guide = m_directions.guide();
@@ -118,13 +123,14 @@ class Reduced_dirac_equation {
     const int columns = 4;
     Eigen_result r =
         smallest(guide, 1, is_one_enough ? options.tolerance : 1e-2, options, s, go_further);
-    if (s.cancelled ||
-        (is_one_enough && r.converged && overlap(r.vectors.col(0), guide) >= surely_nearest))
+    if (s.cancelled || (is_one_enough && r.converged && singular_value(r, 0) <= bound &&
+                        overlap(r.vectors.col(0), guide) >= surely_nearest))
       return r;
     r = smallest(with_noise(r.vectors, columns, options.random_seed), columns, 1e-2, options, s,
                  go_further);
     if (s.cancelled) return r;
-    return smallest(r.vectors, wanted(r, options), options.tolerance, options, s, go_further);
+    return smallest(r.vectors, wanted(r, options, bound), options.tolerance, options, s,
+                    go_further);
   }
 
   template <class GoFurther>
@@ -163,17 +169,23 @@ class Reduced_dirac_equation {
   }
 
   /// how many of the eigenvectors have to be exact
-  int wanted(const Eigen_result& r, const Dirac_options& options) const
+  int wanted(const Eigen_result& r, const Dirac_options& options, double bound) const
   {
-    return std::max(column(r, options), size_of_kernel(r, options) - 1) + 1;
+    return std::max(column(r, options, bound), size_of_kernel(r, options) - 1) + 1;
   }
 
-  /// that of the branch
-  int column(const Eigen_result& r, const Dirac_options& options) const
+  static double singular_value(const Eigen_result& r, int c)
+  {
+    return std::sqrt(std::max(r.values[c], 0.));
+  }
+
+  /// that of the branch: of those that are solutions up to the discretisation, if there are some
+  int column(const Eigen_result& r, const Dirac_options& options, double bound) const
   {
     int nearest = 0;
     if (options.branch == Branch::smallest) return nearest;
-    for (int c = 1; c < r.vectors.cols(); ++c)
+    const bool has_solution = singular_value(r, 0) <= bound;
+    for (int c = 1; c < r.vectors.cols() && (!has_solution || singular_value(r, c) <= bound); ++c)
       if (overlap(r.vectors.col(c), m_directions.guide()) >
           overlap(r.vectors.col(nearest), m_directions.guide()))
         nearest = c;
@@ -191,9 +203,10 @@ class Reduced_dirac_equation {
   }
 
   /// the vector nearest to the guide, or the projection of the guide on the kernel
-  void take(const Eigen_result& r, const Dirac_options& options, Dirac_solution& s) const
+  void take(const Eigen_result& r, const Dirac_options& options, double bound,
+            Dirac_solution& s) const
   {
-    const int nearest = column(r, options), kernel = size_of_kernel(r, options);
+    const int nearest = column(r, options, bound), kernel = size_of_kernel(r, options);
     const Quaternion_vector<double>& guide = m_directions.guide();
     s.lambda = r.vectors.col(nearest);
     s.residual = r.estimates[nearest];

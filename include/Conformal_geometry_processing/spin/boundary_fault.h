@@ -14,6 +14,15 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
+/// \brief the greatest singular value of D - rho, in 1/length, that the length of the edges
+/// explains: where gamma is a misfit, greater ones belong to no surface.
+inline double greatest_misfit(const Mesh_view& mesh)
+{
+  const double pi = std::acos(-1.), radius = std::sqrt(face_areas(mesh).sum() / pi);
+  return std::max(0.05, 3 * mean_edge_length(mesh) / radius) / radius;
+}
+
+/// \ingroup PkgSpin
 /// \brief whether what was prescribed at the boundary can be.
 ///
 /// Of data that can, the singular value sigma of D - rho tends to zero with the length h of the
@@ -24,7 +33,7 @@ inline Boundary_fault boundary_fault(const Mesh_view& mesh, double sigma, const 
 {
   const double pi = std::acos(-1.), radius = std::sqrt(face_areas(mesh).sum() / pi);
   const double h = mean_edge_length(mesh) / radius;
-  if (sigma * radius > std::max(0.05, 3 * h)) return Boundary_fault::not_realizable;
+  if (sigma > greatest_misfit(mesh)) return Boundary_fault::not_realizable;
   if (report.closure_residual > std::max(0.02, 3 * h * h)) return Boundary_fault::does_not_close;
   if (report.min_spin_ratio < 0.02) return Boundary_fault::degenerate;
   return Boundary_fault::none;
