@@ -93,7 +93,7 @@ class Spin_transform_that_fails : public testing::Test {
 
 }  // namespace
 
-TEST(Spin_transform, refuses_surfaces_it_cannot_transform)
+TEST(Spin_transform_of_unsuitable_input, refuses_surfaces_it_cannot_transform)
 {
   EXPECT_EQ(refusal(Mesh_view(Points(3, 0), Corners())), "the mesh has no faces");
   EXPECT_EQ(refusal(disjoint_union(icosahedron(), tetrahedron(), {9, 0, 0})),
@@ -107,7 +107,7 @@ TEST(Spin_transform, refuses_surfaces_it_cannot_transform)
             std::string::npos);
 }
 
-TEST(Spin_transform, refuses_values_of_rho_that_are_not_finite)
+TEST(Spin_transform_of_unsuitable_input, refuses_values_of_rho_that_are_not_finite)
 {
   EXPECT_EQ(refusal(icosahedron(), [](Vertex v) { return v == Vertex(7) ? not_a_number : 0.; }),
             "1 value of rho not finite, the first is vertex 7; finite values are needed");

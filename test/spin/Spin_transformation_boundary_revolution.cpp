@@ -171,24 +171,6 @@ TEST(Spin_transformation_between_binormals, realises_the_bump_up_to_a_constant_w
   expect_Q(found, {1.01244, 1.00650, 1.00328, 1.00164});
 }
 
-TEST(Spin_transformation_between_binormals, finds_higher_eigenvalues_near_a_shift)
-{
-  const double exact = gamma_of_bump(2.5, 3);
-  EXPECT_NEAR(exact, 2.7353566006, 1e-9);
-  CGP::Dirac_options options;
-  options.branch = CGP::Branch::smallest;
-  std::vector<double> errors;
-  for (const int n : {8, 16, 32, 64}) {
-    const Mesh_view mesh = disk(n);
-    const auto rho = potential_on_vertices(
-        mesh, [](const Eigen::Vector3d& p) { return bump(p.norm()) + 2.735; });
-    const CGP::Spin_result r = transformed(mesh, Boundary_condition::binormals(), rho, options);
-    EXPECT_TRUE(r.report.converged);
-    errors.push_back(r.report.eigenvalue + 2.735 - exact);
-  }
-  expect_order(2, errors);
-}
-
 TEST(Spin_transformation_between_binormals, changes_gamma_by_the_mean_of_rho_and_little_more)
 {
   const Mesh_view mesh = cap_from_disk(disk(12), 1);
