@@ -4,10 +4,15 @@
 #define TEST_SHAPE_EDITING_CHECKS_H
 
 #include <Conformal_geometry_processing/filter_curvature.h>
+#include <Conformal_geometry_processing/mesh/Associated_property_map.h>
 #include <Conformal_geometry_processing/minimal_surface.h>
 #include <Conformal_geometry_processing/nearest_spin_transform.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
 
 #include "support/bounded_meshes.h"
 #include "support/cgal_meshes.h"
