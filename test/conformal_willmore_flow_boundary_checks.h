@@ -49,9 +49,10 @@ inline Boundary_condition condition_of_binormals(const Mesh_view& view)
   return Boundary_condition::binormals(targets);
 }
 
+/// \param mesh the one that the maps in `np` know, which a copy need not be
 /// \param np two steps with this condition
 template <class Mesh, class NamedParameters>
-void expect_flow_with(Mesh mesh, const NamedParameters& np, const Boundary_condition& condition,
+void expect_flow_with(Mesh&& mesh, const NamedParameters& np, const Boundary_condition& condition,
                       double tolerance)
 {
   CGP::Flow_options options;
@@ -68,7 +69,7 @@ void expect_flow_with(Mesh mesh, const NamedParameters& np, const Boundary_condi
 
 /// the one with most parameters
 template <class Mesh>
-void expect_flow_with_binormals(const Mesh& mesh, double tolerance)
+void expect_flow_with_binormals(Mesh mesh, double tolerance)
 {
   const Mesh_view view = view_of(mesh);
   expect_flow_with(mesh,
