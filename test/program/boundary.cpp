@@ -38,7 +38,7 @@ TEST_F(Boundary, tangents_turned_by_a_constant_angle_turn_a_flat_disk)
   write("a.off", off(mesh));
   const Program_run r = run("boundary a.off --tangent-rotation 30 -o b.ply --json b.json");
   ASSERT_EQ(r.code, 0) << r.err;
-  const Eigen::AngleAxisd turn(pi / 6, Eigen::Vector3d::UnitZ());
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(pi / 6, Eigen::Vector3d::UnitZ()).matrix();
   EXPECT_LT((points("b.ply") - turn * mesh.positions()).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_EQ(json("b.json")["result"]["boundary"]["condition"], "tangents prescribed");
   EXPECT_LT(json("b.json")["result"]["boundary"]["direction_error"]["max"], 1e-4);
@@ -146,7 +146,7 @@ TEST_F(Boundary, several_loops_are_told_apart)
   const auto mesh = cgp_test::annulus(0.4, 1, 60, 10);
   write("a.off", off(mesh));
   ASSERT_EQ(run("boundary -q a.off --tangent-rotation 20 -o b.ply").code, 0);
-  const Eigen::AngleAxisd turn(pi / 9, Eigen::Vector3d::UnitZ());
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(pi / 9, Eigen::Vector3d::UnitZ()).matrix();
   EXPECT_LT((centred(points("b.ply")) - turn * centred(mesh.positions())).cwiseAbs().maxCoeff(),
             1e-6);
   // Waves on one loop reach the other one weakened.

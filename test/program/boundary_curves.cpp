@@ -53,7 +53,7 @@ TEST_F(Curves, circle_gives_a_disk_that_begins_where_it_does)
   write("circle.txt", ellipse(5, 5, 600, pi / 2));
   const Program_run r = run("boundary a.off --curve circle.txt -o b.ply");
   ASSERT_EQ(r.code, 0) << r.err;
-  const Eigen::AngleAxisd turn(pi / 2, Eigen::Vector3d::UnitZ());
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(pi / 2, Eigen::Vector3d::UnitZ()).matrix();
   EXPECT_LT((points("b.ply") - turn * mesh.positions()).cwiseAbs().maxCoeff(), 1e-3);
 }
 
