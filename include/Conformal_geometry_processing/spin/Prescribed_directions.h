@@ -27,7 +27,9 @@ namespace Conformal_geometry_processing {
 /// The guide turns the surface as a whole, as well as that can be done, and then has at the
 /// boundary the smallest rotations into the targets, about the normal where they are half turns;
 /// inside it is harmonic. Where the problem has several solutions, the one nearest to it turns the
-/// surface least. \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+/// surface least.
+///
+/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits>
 class Prescribed_directions {
  public:

@@ -26,9 +26,12 @@ inline double greatest_misfit(const Mesh_view& mesh)
 /// \brief whether what was prescribed at the boundary can be.
 ///
 /// Of data that can, the singular value sigma of D - rho tends to zero with the length h of the
-/// edges; of data that cannot, it stays. The residual of the positions tends
-/// to zero with its square. \param sigma in 1/length, or zero where it is a true eigenvalue and no
-/// misfit \param report with what has been measured
+/// edges; of data that cannot, it stays. The residual of the positions tends to zero with the
+/// square of h.
+///
+/// \param sigma in 1/length, or zero where it is a true eigenvalue and no misfit
+///
+/// \param report with what has been measured
 inline Boundary_fault boundary_fault(const Mesh_view& mesh, double sigma, const Spin_report& report)
 {
   const double pi = std::acos(-1.), radius = std::sqrt(face_areas(mesh).sum() / pi);
