@@ -35,6 +35,8 @@
   X(vertex_scale_map)                                   \
   X(blend)                                              \
   X(time_step)                                          \
+  X(is_closed)                                          \
+  X(closing)                                            \
   X(maximum_number_of_substeps)                         \
   X(tolerance)                                          \
   X(eigenproblem)                                       \
@@ -42,17 +44,22 @@
   X(eigenvalue_solver)                                  \
   X(sparse_solver)                                      \
   X(one_form_generators)                                \
+  X(conformal_normals)                                  \
+  X(normalized_boundary)                                \
   X(filter_weight)                                      \
   X(filter_order)                                       \
   X(filter_amount)                                      \
   X(balance)                                            \
   X(balancing)                                          \
   X(vertex_target_area_map)                             \
-  X(curvature_direction)
+  X(curvature_direction)                                \
+  X(curvature_potential_map)                            \
+  X(spectral_shift)
 
 // Those of CGAL 5.5 to 6 that we understand: the tag in CGAL::internal_np without its _t, the name.
 #define CONFORMAL_GEOMETRY_PROCESSING_CGAL_PARAMETERS(X) \
   X(vertex_point, vertex_point_map)                      \
+  X(point, point_map)                                    \
   X(vertex_normal_map, vertex_normal_map)                \
   X(vertex_is_constrained, vertex_is_constrained_map)    \
   X(geom_traits, geom_traits)                            \

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/// \ingroup PkgConcepts
+/// \cgalConcept
+///
+/// \brief watches the flow of a curve while it runs, and may stop it.
+///
+/// All functions are called in the thread of the caller. What they throw passes through; an
+/// `Isometric_curve_flow` is at its last complete step then, and `isometric_curve_flow()` has
+/// written nothing. A model need be neither copied nor moved: it is passed as
+/// `parameters::visitor(std::ref(v))`.
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{`Conformal_geometry_processing::Curve_flow_visitor`}
+/// \cgalHasModelsEnd
+class CurveFlowVisitor {
+ public:
+  /// called once, with the points the flow starts from, one per column, and their energy
+  void on_flow_begin(const Conformal_geometry_processing::Plane_points& points, double energy);
+
+  /// asked before every step: `false` stops the flow
+  bool go_further();
+
+  /// called after every accepted step, with the new points
+  void on_step_end(const Conformal_geometry_processing::Curve_step_report& report,
+                   const Conformal_geometry_processing::Plane_points& points);
+};

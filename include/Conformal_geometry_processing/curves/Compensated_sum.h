@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_COMPENSATED_SUM_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_COMPENSATED_SUM_H
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgCurves
+/// \brief a running sum of vectors of the plane whose every value is as good as one rounding.
+///
+/// The vertices of a polygon are such sums of its edges. Summed plainly, their rounding errors
+/// grow with the number of edges, and the edge that closes the polygon gets them all.
+class Compensated_sum {
+ public:
+  void add(const Eigen::Vector2d& x)
+  {
+    const Eigen::Vector2d sum = m_sum + x;
+    const Eigen::Vector2d added = sum - m_sum;
+    m_lost += (m_sum - (sum - added)) + (x - added);
+    m_sum = sum;
+  }
+
+  Eigen::Vector2d value() const { return m_sum + m_lost; }
+
+ private:
+  Eigen::Vector2d m_sum = Eigen::Vector2d::Zero(), m_lost = Eigen::Vector2d::Zero();
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FLOW_REPORT_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FLOW_REPORT_H
+
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgCurves
+/// why a curve flow has stopped
+enum class Curve_flow_stop {
+  none,            ///< it has not: it can go on
+  energy_settled,  ///< the energy changes by less than the tolerance
+  steps_done,      ///< the steps asked for are done
+  cancelled,       ///< the visitor said no
+  step_failed      ///< no time step was small enough to close the curve and lower the energy
+};
+
+/// \relates Curve_flow_report
+/// the reason in words
+inline const char* to_string(Curve_flow_stop stop)
+{
+  switch (stop) {
+    case Curve_flow_stop::none:
+      return "not stopped";
+    case Curve_flow_stop::energy_settled:
+      return "the energy has settled";
+    case Curve_flow_stop::steps_done:
+      return "all steps are done";
+    case Curve_flow_stop::cancelled:
+      return "cancelled";
+    case Curve_flow_stop::step_failed:
+      return "the step failed";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgCurves
+/// \brief one step of a curve flow in numbers, which are its proof.
+struct [[nodiscard]] Curve_step_report {
+  int step = 0;                                  ///< its number, from 1
+  bool accepted = false;                         ///< the curve has moved
+  Curve_flow_stop stop = Curve_flow_stop::none;  ///< why no further step should follow, if so
+
+  double energy_before = 0, energy = 0;  ///< sum kappa^2 d, in 1/length
+  double time_step = 0;                  ///< tau of the last trial
+  int trials = 0;                        ///< how many time steps were tried, each half of the last
+  double first_gap = 0;          ///< between the ends before they were joined, by the length
+  double gap = 0;                ///< what the edges have to share: without exact closing, all of it
+  int newton_iterations = 0;     ///< of exact closing
+  double length_distortion = 0;  ///< the largest change of an edge, relative to its first length
+  int turning_number = 0;        ///< of a closed curve
+};
+
+/// \ingroup PkgCurves
+/// \brief a whole curve flow in numbers.
+struct [[nodiscard]] Curve_flow_report {
+  Curve_flow_stop stop = Curve_flow_stop::none;
+  std::vector<Curve_step_report> steps;  ///< the accepted ones
+  double length = 0;                     ///< of the curve
+  double initial_energy = 0, energy = 0;
+  int turning_number = 0;        ///< of a closed curve, before and after
+  double length_distortion = 0;  ///< from the first curve to the last one, the worst edge
+  double seconds = 0;            ///< wall clock
+
+  /// whether the flow has arrived
+  bool converged() const { return stop == Curve_flow_stop::energy_settled; }
+
+  /// whether it has arrived, or made the steps it was asked for
+  explicit operator bool() const { return converged() || stop == Curve_flow_stop::steps_done; }
+};
+
+/// \relates Curve_flow_report
+/// \brief adds a step if it was accepted, and takes over whether it is the last and why.
+/// \returns whether it was accepted
+inline bool append(Curve_flow_report& report, const Curve_step_report& step)
+{
+  report.stop = step.stop;
+  if (step.accepted) report.steps.push_back(step);
+  return step.accepted;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FRAME_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FRAME_H
+
+#include <Conformal_geometry_processing/curves/Polygon_lengths.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgCurves
+/// \brief the coordinates in which curves flow: `Normalized_frame` in the plane, so that neither
+/// the unit of length nor a far origin matters.
+class Curve_frame {
+ public:
+  /// \pre `points` has a column, all are finite
+  explicit Curve_frame(const Plane_points& points) : m_frame(in_space(points)) {}
+
+  /// the length of the frame's unit in the units of the curve, a power of two
+  double unit() const { return m_frame.unit(); }
+
+  Plane_points to_frame(const Plane_points& points) const
+  {
+    return m_frame.to_frame(in_space(points)).topRows(2);
+  }
+
+  /// from the frame back, into memory that is there
+  void from_frame(const Plane_points& points, Plane_points& result) const
+  {
+    result = (unit() * points).colwise() + m_frame.center().head<2>();
+  }
+
+ private:
+  static Points in_space(const Plane_points& points)
+  {
+    Points p = Points::Zero(3, points.cols());
+    p.topRows(2) = points;
+    return p;
+  }
+
+  Normalized_frame m_frame;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_BENDING_ENERGY_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_BENDING_ENERGY_H
+
+#include <Conformal_geometry_processing/curves/Polygon_lengths.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgCurves
+/// \brief the integral of the square of the curvature, sum kappa^2 d [CGP 6.4.3].
+///
+/// In 1/length; times the length of the curve it does not depend on scale, and is 4 pi^2 k^2 for a
+/// circle run through k times.
+/// \param curvatures the turning angles by the dual lengths, one per vertex
+inline double bending_energy(const Eigen::VectorXd& curvatures, const Polygon_lengths& lengths)
+{
+  return (curvatures.array().square() * lengths.duals().array()).sum();
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

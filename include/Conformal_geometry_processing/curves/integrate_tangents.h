@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_INTEGRATE_TANGENTS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_INTEGRATE_TANGENTS_H
+
+#include <Conformal_geometry_processing/curves/Compensated_sum.h>
+#include <Conformal_geometry_processing/curves/Polygon_lengths.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgCurves
+/// \brief the polygon whose edges are nearest to given ones: it minimises
+/// sum |f_{i+1} - f_i - T_i|^2 / l_i [CGP 6.4.3].
+///
+/// For a closed polygon this is the solution of the Poisson equation L f = b, where L is cyclic
+/// and tridiagonal with -1/l_i off its diagonal, and b_i = T_{i-1}/l_{i-1} - T_i/l_i (the thesis
+/// has b with the opposite sign, which gives -f). In the unknowns q_i = (f_{i+1} - f_i)/l_i it says
+/// q_i - q_{i-1} = T_i/l_i - T_{i-1}/l_{i-1}: the q are the T_i/l_i but for one constant, which is
+/// such that the polygon closes. So each edge takes a share of the gap, in proportion to its
+/// length, and two passes solve the equation in O(m), without the cancellation of an elimination,
+/// whose matrix has a condition number of the order of m^2. Every vertex is as good as one rounding
+/// of its coordinates.
+///
+/// \param tangents an edge per column \param points receives the vertices, the first one at 0
+/// \returns the sum of the edges of a closed polygon: the gap that was distributed
+inline Eigen::Vector2d integrate_tangents(const Plane_points& tangents,
+                                          const Polygon_lengths& lengths, Plane_points& points)
+{
+  Compensated_sum sum;
+  if (lengths.is_closed())
+    for (Eigen::Index i = 0; i < tangents.cols(); ++i) sum.add(tangents.col(i));
+  const Eigen::Vector2d gap = sum.value();
+  const Eigen::Vector2d share = gap / lengths.total();
+  const Eigen::Index m = lengths.size_of_vertices();
+  points.resize(2, m);
+  points.col(0).setZero();
+  Compensated_sum point;
+  for (Eigen::Index i = 0; i + 1 < m; ++i) {
+    point.add(tangents.col(i) - lengths.edges()[i] * share);
+    points.col(i + 1) = point.value();
+  }
+  return gap;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_TURNING_NUMBER_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_TURNING_NUMBER_H
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+/// a full turn
+inline constexpr double two_pi = 6.283185307179586476925286766559;
+
+/// \ingroup PkgCurves
+/// \brief how often the tangent of a closed polygon turns around, counterclockwise: 1 for a convex
+/// one, 0 for a figure eight [CGP 4.2].
+/// \param angles of `turning_angles()`
+inline int turning_number(const Eigen::VectorXd& angles)
+{
+  return static_cast<int>(std::lround(angles.sum() / two_pi));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

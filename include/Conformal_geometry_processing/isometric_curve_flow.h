@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_ISOMETRIC_CURVE_FLOW_H
+#define CONFORMAL_GEOMETRY_PROCESSING_ISOMETRIC_CURVE_FLOW_H
+
+#include <Conformal_geometry_processing/curves/Isometric_curve_flow.h>
+#include <Conformal_geometry_processing/curves/point_ranges.h>
+#include <Conformal_geometry_processing/mesh/named_parameters.h>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+template <class NamedParameters>
+Curve_flow_options curve_flow_options(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Curve_flow_options o;
+  o.is_closed = choose_parameter(get_parameter(np, internal_np::is_closed), o.is_closed);
+  o.time_step = choose_parameter(get_parameter(np, internal_np::time_step), o.time_step);
+  o.max_steps = static_cast<int>(
+      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_steps));
+  o.energy_tolerance =
+      choose_parameter(get_parameter(np, internal_np::tolerance), o.energy_tolerance);
+  o.closing = choose_parameter(get_parameter(np, internal_np::closing), o.closing);
+  return o;
+}
+
+}  // namespace internal
+
+/// \ingroup PkgEntryPoints
+/// \brief makes a curve in the plane as smooth as its turning number allows, in a handful of large
+/// steps that keep the length of every edge [CGP 4.2, 6.4.3].
+///
+/// The curve is a polygon, closed or open. Closed ones that turn around k times become circles run
+/// through k times, those that do not turn (k = 0) the figure eight of least bending energy, open
+/// ones straight. The energy, the integral of the square of the curvature, falls in every step; a
+/// step that would raise it is tried again with half of tau. The centroid stays.
+///
+/// Computes in double precision whatever the kernel. O(m) for each step, without a linear system
+/// to factor. Use `Isometric_curve_flow` to go step by step.
+///
+/// \tparam PointRange a model of `Range` with mutable iterators over what the point map takes as
+/// key
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param points the vertices in order, at least three; they are overwritten
+/// \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{is_closed}
+///     \cgalParamDescription{whether the last point is followed by the first}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{time_step}
+///     \cgalParamDescription{tau, between 0 and 1: a step multiplies what can go away by 1 - 2 tau,
+///                           so 1/2 goes furthest and small ones show the way}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0.5}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{how many steps at most}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{100}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tolerance}
+///     \cgalParamDescription{the flow stops where the energy changes by less than this share of it,
+///                           in a time of 1}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-8}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{closing}
+///     \cgalParamDescription{how the ends of a closed curve are brought together: without
+///                           stretching any edge, or by a little of that, as the thesis does}
+///     \cgalParamType{`Curve_closing`}
+///     \cgalParamDefault{`Curve_closing::exact`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told of every step and may stop the flow}
+///     \cgalParamType{a `std::reference_wrapper` of a model of `CurveFlowVisitor`}
+///     \cgalParamDefault{`Curve_flow_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{point_map}
+///     \cgalParamDescription{the point of each element of the range; read and written}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the value type of the range as key}
+///     \cgalParamDefault{`CGAL::Identity_property_map`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamType{a model of `ConformalGeometryTraits_2`}
+///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the report, which tells why the flow has stopped, and converts to `true` if it arrived
+/// or made the steps it was asked for. Whatever the reason, the points are those of the last
+/// complete step.
+/// \throw Precondition_error if there are fewer than three points, one has a coordinate that is not
+/// finite, two that follow each other coincide, the curve goes straight back somewhere, or
+/// a parameter is out of its range; the message names the point. Whatever is thrown, also by the
+/// visitor, the points are as they were.
+template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
+Curve_flow_report isometric_curve_flow(PointRange& points,
+                                       const NamedParameters& np = parameters::default_values())
+{
+  static_assert(
+      internal::only_known_parameters<
+          NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::geom_traits_t,
+          CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::visitor_t,
+          internal_np::is_closed_t, internal_np::time_step_t, internal_np::tolerance_t,
+          internal_np::closing_t>,
+      "isometric_curve_flow(): unknown named parameter, see the manual for those it accepts");
+  Curve_flow_visitor silent;
+  auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
+  Isometric_curve_flow flow(internal::read_points(points, np), internal::curve_flow_options(np),
+                            "isometric_curve_flow");
+  Curve_flow_report report = flow.run(visitor);
+  internal::write_points(points, flow.points(), np);
+  return report;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

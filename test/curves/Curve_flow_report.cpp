@@ -1,0 +1,47 @@
+// Tests curves/Curve_flow_report.h curves/Curve_frame.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/curves/Curve_flow_report.h>
+#include <Conformal_geometry_processing/curves/Curve_frame.h>
+
+#include <gtest/gtest.h>
+
+#include "support/plane_curves.h"
+
+namespace {
+
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+
+TEST(Curve_flow_stop, has_words_for_every_reason)
+{
+  using CGP::Curve_flow_stop;
+  for (const auto stop :
+       {Curve_flow_stop::none, Curve_flow_stop::energy_settled, Curve_flow_stop::steps_done,
+        Curve_flow_stop::cancelled, Curve_flow_stop::step_failed})
+    EXPECT_STRNE(to_string(stop), "unknown");
+}
+
+TEST(Curve_flow_report, does_not_take_in_steps_that_failed)
+{
+  CGP::Curve_flow_report report;
+  CGP::Curve_step_report step;
+  step.stop = CGP::Curve_flow_stop::step_failed;
+  EXPECT_FALSE(append(report, step));
+  EXPECT_TRUE(report.steps.empty());
+  EXPECT_FALSE(report);
+}
+
+TEST(Curve_frame, has_the_curve_around_its_origin)
+{
+  const Curve curve = (1e5 * flower(50)).colwise() + Eigen::Vector2d(3e8, 1);
+  const CGP::Curve_frame frame(curve);
+  const Curve inside = frame.to_frame(curve);
+  EXPECT_LT(inside.cwiseAbs().maxCoeff(), 2);
+  EXPECT_GT(inside.cwiseAbs().maxCoeff(), .5);
+  Curve back;
+  frame.from_frame(inside, back);
+  EXPECT_LT((back - curve).cwiseAbs().maxCoeff(), 1e-7);
+}
+
+}  // namespace
