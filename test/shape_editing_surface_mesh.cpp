@@ -57,6 +57,18 @@ TEST(Nearest_spin_transform_of_a_Surface_mesh, blends_and_scales_as_told)
   EXPECT_LT(scaled.distance, half.distance + 0.1);
 }
 
+TEST(Nearest_spin_transform_of_a_Surface_mesh, gives_a_boundary_the_binormals_if_told_so)
+{
+  Surface mesh = to_cgal_mesh<Surface>(disk(6));
+  const Mesh_view before = view_of(mesh);
+  const auto target = point_map(mesh, stretched(before));
+  CGP::Nearest_spin_transformation<> near(before, stretched(before), "test", {0, 0, 1});
+  const auto expected = near.transform();
+  ASSERT_TRUE(CGP::nearest_spin_transform(
+      mesh, target, CGP::parameters::boundary_direction(CGP::Boundary_direction{0, 0, 1})));
+  EXPECT_LT(greatest_distance(view_of(mesh).positions(), expected.positions), 1e-12);
+}
+
 TEST(Nearest_spin_transform_of_a_Surface_mesh, refuses_targets_and_scales_that_are_none)
 {
   Surface mesh = to_cgal_mesh<Surface>(icosphere(1));

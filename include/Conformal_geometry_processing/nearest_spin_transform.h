@@ -40,7 +40,8 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 /// \brief deforms a surface conformally, as nearly as it can in the way a given deformation does
 /// [CGP 5.9, 6.3].
 ///
-/// The curvature of the deformation, and at a boundary its tangents, are kept; its shear is not. So
+/// The curvature of the deformation, and at a boundary its tangents (or another direction), are
+/// kept; its shear is not. So
 /// an editor of any kind becomes a conformal one. The surface comes to lie as near to the target as
 /// it can by a similarity.
 ///
@@ -77,6 +78,11 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{boundary_direction}
+///     \cgalParamDescription{which direction of its frame the boundary takes from the target}
+///     \cgalParamType{`Boundary_direction`}
+///     \cgalParamDefault{the tangent}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits, sparse_solver, eigenvalue_solver, eigenproblem, tolerance,
 ///                    number_of_iterations, maximum_number_of_substeps, random_seed, visitor}
 ///     \cgalParamDescription{as of `spin_transform()`}
@@ -101,7 +107,7 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
           internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
           internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::tolerance_t,
           internal_np::maximum_number_of_substeps_t, internal_np::vertex_scale_map_t,
-          internal_np::blend_t>,
+          internal_np::blend_t, internal_np::boundary_direction_t>,
       "nearest_spin_transform(): unknown named parameter, see the manual for those it accepts");
   using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
                                                  Default_solver_traits>;
@@ -110,8 +116,12 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
                                Lobpcg_eigensolver_traits>;
   const char* const function = "nearest_spin_transform";
   const Graph_view<TriangleMesh> graph(mesh, np, function);
+  const Boundary_direction direction = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, internal_np::boundary_direction),
+      Boundary_direction{1, 0, 0});
   Nearest_spin_transformation<Solver_traits, Eigensolver_traits> nearest(
-      graph.view(), internal::read_points(mesh, target_points, np, function), function);
+      graph.view(), internal::read_points(mesh, target_points, np, function), function,
+      {direction.tangent, direction.normal, direction.binormal});
   if constexpr (internal::has_parameter<NamedParameters, internal_np::vertex_scale_map_t>) {
     const auto scales = CGAL::parameters::get_parameter(np, internal_np::vertex_scale_map);
     Eigen::VectorXd factor(graph.view().size_of_vertices());

@@ -61,6 +61,18 @@ TEST(Curvature_difference, of_a_surface_to_itself_is_zero_and_changes_sign_on_th
   EXPECT_LT(sum.cwiseAbs().maxCoeff(), 1e-13);
 }
 
+TEST(Curvature_difference, is_the_same_on_other_surfaces_as_a_half_density)
+{
+  const Mesh_view mesh = bumpy_sphere(2), target = other(mesh);
+  const auto there = CGP::curvature_difference(mesh, target.positions());
+  const auto back = CGP::curvature_difference(target, mesh.positions());
+  EXPECT_LT((CGP::transferred(there, mesh, target).values + back.values).cwiseAbs().maxCoeff(),
+            1e-12);
+  EXPECT_LT((CGP::transferred(there, mesh, mesh).values - there.values).norm(), 1e-14);
+  EXPECT_LT((CGP::transferred(there, mesh, scaled(mesh, 4)).values - there.values / 4).norm(),
+            1e-13);
+}
+
 TEST(Curvature_difference, is_in_the_units_of_the_mesh)
 {
   const Mesh_view mesh = bumpy_sphere(2), target = other(mesh);

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/bends.h"
 #include "support/bounded_meshes.h"
-#include "support/polyhedra.h"
 #include "support/random.h"
 #include "support/spheres.h"
 
@@ -38,13 +38,7 @@ TEST(Face_spins, are_the_rotation_and_the_mean_scaling_of_each_face)
 
 TEST(Face_spins, of_a_bend_by_324_degrees_have_consistent_signs_that_single_faces_have_not)
 {
-  const int n = 3;
-  const double total = 324 * pi / 180;
-  const Mesh_view beam = scaled(block(n, n, 6 * n), 1. / n);
-  const Mesh_view bent = mapped(beam, [&](const Eigen::Vector3d& p) {
-    const double radius = 6 / total, angle = total * p.z() / 6, r = radius + p.y();
-    return Eigen::Vector3d(p.x(), r * std::cos(angle), r * std::sin(angle));
-  });
+  const Mesh_view beam = cgp_test::beam(3), bent = bent_beam(beam, 324 * pi / 180);
   CGP::Quaternion_vector<double> q = CGP::face_spins(beam, bent.positions());
   const auto disagreeing = [&] {
     int count = 0;
@@ -78,8 +72,7 @@ TEST(Curvature_of_spins, of_a_bend_is_that_of_its_circle)
 {
   // conjugate(l) df l with l = cos(a/2) - sin(a/2) i and a = pi z / 6 on a beam along z: bends by
   // curvature pi/6, so the mean curvature changes by half of that, with the sign of the normal.
-  const int n = 4;
-  const Mesh_view beam = scaled(block(n, n, 6 * n), 1. / n);
+  const Mesh_view beam = cgp_test::beam(4);
   CGP::Quaternion_vector<double> mu(beam.size_of_vertices());
   for (int v = 0; v < beam.size_of_vertices(); ++v) {
     const double a = pi * beam.position(v).z() / 6;

@@ -28,8 +28,8 @@ struct Nearest_spin_result : Spin_result {
 
 /// \ingroup PkgSpin
 /// \brief finds the conformal deformation of a surface that is nearest to a given deformation: a
-/// spin transformation that has its curvature and, on surfaces with boundary, its tangents
-/// [CGP 5.9, 6.3].
+/// spin transformation that has its curvature and, on surfaces with boundary, its tangents or
+/// another direction of its boundary [CGP 5.9, 6.3].
 ///
 /// The rotations and scalings of the faces become spins mu of the vertices, which in general belong
 /// to no surface: integrated directly they leave a shear that no refinement takes away. Their
@@ -46,12 +46,16 @@ class Nearest_spin_transformation {
   /// \param mesh is copied
   /// \param target positions of the deformed surface, 3 x |V|
   /// \param function named in exceptions
+  /// \param direction of the boundary frame (T, N, B) that becomes that of the target; the
+  /// binormal, unlike the tangent, can be realised whatever the target is
   /// \throw Precondition_error if the mesh, or the target with its connectivity, is not a
-  /// connected, oriented manifold with finite coordinates and positive areas \throw Solver_error if
-  /// the analysis fails
+  /// connected, oriented manifold with finite coordinates and positive areas
+  /// \throw Solver_error if the analysis fails
   Nearest_spin_transformation(const Mesh_view& mesh, Points target,
-                              const std::string& function = "Nearest_spin_transformation")
-      : Nearest_spin_transformation(function, mesh, checked(mesh, std::move(target), function))
+                              const std::string& function = "Nearest_spin_transformation",
+                              const Eigen::Vector3d& direction = {1, 0, 0})
+      : Nearest_spin_transformation(function, mesh, checked(mesh, std::move(target), function),
+                                    direction)
   {
     Quaternion_vector<double> faces = face_spins(mesh, m_target);
     m_conflicts = make_consistent(mesh, faces);
@@ -59,9 +63,10 @@ class Nearest_spin_transformation {
   }
 
   /// \brief the deformation that spins mu describe, conjugate(mu) df mu, as of a field of
-  /// rotations. The target is what they integrate to. \param mu |V|, continuous in sign \throw
-  /// Precondition_error if their number is another, one is not finite, or what they integrate to
-  /// has faces of area zero
+  /// rotations. The target is what they integrate to.
+  /// \param mu |V|, continuous in sign
+  /// \throw Precondition_error if their number is another, one is not finite, or what they
+  /// integrate to has faces of area zero
   Nearest_spin_transformation(const Mesh_view& mesh, const Quaternion_vector<double>& mu,
                               const std::string& function = "Nearest_spin_transformation")
       : Nearest_spin_transformation(mesh, integrated(mesh, mu, function), function)
@@ -116,13 +121,16 @@ class Nearest_spin_transformation {
     Quaternion_vector<double> spins = nearest.lambda;
     align_spins(spins);
     for (Eigen::Index v = 0; v < spins.size(); ++v) spins[v] = spins[v] * (1 - t) + m_mu[v] * t;
-    return placed(m_transformation.integrate(std::move(spins)));
+    Spin_result between = m_transformation.integrate(std::move(spins));
+    tell_equation(nearest.report, between.report);
+    return placed(std::move(between));
   }
 
  private:
-  Nearest_spin_transformation(const std::string& function, const Mesh_view& mesh, Points target)
+  Nearest_spin_transformation(const std::string& function, const Mesh_view& mesh, Points target,
+                              const Eigen::Vector3d& direction)
       : m_target(std::move(target)),
-        m_transformation(mesh, boundary_condition(mesh, m_target), function),
+        m_transformation(mesh, boundary_condition(mesh, m_target, direction), function),
         m_areas(vertex_areas(mesh)),
         m_is_closed(m_transformation.dirac_equation().is_closed())
   {}
@@ -154,18 +162,31 @@ class Nearest_spin_transformation {
     return target;
   }
 
-  static Boundary_condition boundary_condition(const Mesh_view& mesh, const Points& target)
+  static Boundary_condition boundary_condition(const Mesh_view& mesh, const Points& target,
+                                               const Eigen::Vector3d& direction)
   {
     const Boundary_frames frames = boundary_frames({target, mesh.corners()});
     if (frames.vertices.empty()) return Boundary_condition::free();
-    Points tangents(3, static_cast<Eigen::Index>(frames.vertices.size()));
+    Points targets(3, static_cast<Eigen::Index>(frames.vertices.size()));
     for (std::size_t k = 0; k < frames.vertices.size(); ++k)
-      tangents.col(static_cast<Eigen::Index>(k)) = frames.tangent(k);
-    return Boundary_condition::tangents(std::move(tangents));
+      targets.col(static_cast<Eigen::Index>(k)) = frames.frames[k] * direction;
+    return Boundary_condition::directions(direction, std::move(targets));
+  }
+
+  /// what a report says about the Dirac equation, which was solved for lambda
+  static void tell_equation(const Spin_report& from, Spin_report& to)
+  {
+    to.eigenvalue = from.eigenvalue;
+    to.residual = from.residual;
+    to.gap = from.gap;
+    to.overlap = from.overlap;
+    to.iterations = from.iterations;
+    to.substeps = from.substeps;
+    to.spectral_shift = from.spectral_shift;
   }
 
   /// \brief multiplies lambda from the right by the constant that brings it nearest to mu: a
-  /// rotation and a scaling of the surface; where tangents are prescribed, a scaling only.
+  /// rotation and a scaling of the surface; where directions are prescribed, a scaling only.
   void align_spins(Quaternion_vector<double>& lambda) const
   {
     Quaternion<double> c =

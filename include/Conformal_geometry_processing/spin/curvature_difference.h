@@ -37,6 +37,18 @@ inline Curvature_potential curvature_difference(const Mesh_view& mesh, const Poi
   return Curvature_potential::on_vertices(change.cwiseQuotient(voronoi_areas(mesh).cwiseSqrt()));
 }
 
+/// \ingroup PkgSpin
+/// \brief the rho of one surface as that of another of the same connectivity: with the same
+/// half-density rho |df|; on vertices.
+/// \pre rho is on the vertices of `from`
+inline Curvature_potential transferred(const Curvature_potential& rho, const Mesh_view& from,
+                                       const Mesh_view& to)
+{
+  const Eigen::VectorXd shrinking =
+      voronoi_areas(from).cwiseQuotient(voronoi_areas(to)).cwiseSqrt();
+  return Curvature_potential::on_vertices(rho.values.cwiseProduct(shrinking));
+}
+
 }  // namespace Conformal_geometry_processing
 
 #endif
