@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""doc/thesis_map.md and doc/errata.md name files and tests that exist, and leave nothing out: the
+"""The pages on the thesis (doc/) name files and tests that exist, and leave nothing out: the
 map has every numbered equation of the thesis, every erratum says what shows it.
 
 In backticks, `operators/dirac.h` is a file below the root or below the include folder, and
@@ -14,6 +14,7 @@ import re
 import sources
 
 MAP, ERRATA = "doc/thesis_map.md", "doc/errata.md"
+CONVENTIONS = "doc/conventions.md"
 EQUATIONS = {2: 2, 3: 3, 4: 7, 5: 5, 6: 2}  # how many are numbered in each chapter
 SUFFIXES = {".h", ".cpp", ".py", ".md", ".png", ".svg", ".txt", ".cmake"}
 FILE = re.compile(r"[A-Za-z_][\w.+/-]*")
@@ -83,11 +84,11 @@ def errata_without_evidence():
 
 
 def complaints():
-    for page in (MAP, ERRATA):
+    for page in (MAP, ERRATA, CONVENTIONS):
         yield from names_that_do_not_exist(page)
     yield from equations_left_out()
     yield from errata_without_evidence()
 
 
 if __name__ == "__main__":
-    sources.finish(list(complaints()), f"{MAP} and {ERRATA}")
+    sources.finish(list(complaints()), "the pages on the thesis")
