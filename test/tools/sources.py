@@ -11,8 +11,10 @@ LIBRARY = "Conformal_geometry_processing"
 INCLUDE = ROOT / "include" / LIBRARY
 FOLDERS = ("include", "test", "examples", "benchmark", "doc")
 
-# The only headers that may reach CGAL's GPL parts: one per mesh type, and CHOLMOD's.
-GPL_HEADER = re.compile(r"(_Surface_mesh|_Polyhedron_3)\.h$|^linear_algebra/Cholmod_[^/]*\.h$")
+# The only headers that may reach CGAL's GPL parts: one per mesh type, the method for CGAL's package
+# of parameterizations, and CHOLMOD's.
+GPL_HEADER = re.compile(r"(_Surface_mesh|_Polyhedron_3|_parameterizer_3)\.h$"
+                        r"|^linear_algebra/Cholmod_[^/]*\.h$")
 
 # The headers over libraries that may be missing where the checks run, under licences of their own
 # (SLEPc and PETSc: BSD).

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_PARAMETERIZATION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_PARAMETERIZATION_H
+
+#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <complex>
+#include <string>
+#include <type_traits>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// a point of the plane of any type made of two numbers, in parentheses or in braces
+template <class Point>
+Point plane_point(const std::complex<double>& z)
+{
+  if constexpr (std::is_constructible_v<Point, double, double>)
+    return Point(z.real(), z.imag());
+  else
+    return Point{z.real(), z.imag()};
+}
+
+template <class NamedParameters>
+Parameterization_options parameterization_options(const NamedParameters& np)
+{
+  Parameterization_options options;
+  options.normals = parameter_or(np, internal_np::conformal_normals, Conformal_normals::of_faces);
+  options.boundary =
+      parameter_or(np, internal_np::normalized_boundary, Normalized_boundary::longest_loop);
+  options.tolerance = parameter_or(np, internal_np::tolerance, options.tolerance);
+  options.maximum_number_of_iterations = static_cast<int>(parameter_or(
+      np, CGAL::internal_np::number_of_iterations, options.maximum_number_of_iterations));
+  return options;
+}
+
+}  // namespace internal
+
+/// \ingroup PkgEntryPoints
+/// \brief flattens a surface with boundary with as little distortion of angles as a linear method
+/// can: the map to the plane of least conformal energy [CGP 6.1].
+///
+/// By default this is the spectral conformal parameterization of Mullen et al. Nothing is pinned:
+/// among all maps whose boundary has the same spread (mean squared distance from its centre) it is
+/// the one whose energy |D psi|^2, psi = u - v N, is least, by an eigenvector. It has no need of a
+/// disk: holes are taken as they come. That no face flips is likely and not guaranteed; the report
+/// counts them.
+///
+/// The image is as large as the surface (sum of the areas of the faces), its longest loop centred
+/// at the origin. Computes in double precision whatever the kernel. One factorization of a complex
+/// |V| x |V| matrix and a few solves.
+///
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
+/// \tparam VertexUVMap a model of `WritablePropertyMap` with the vertex descriptor as key and a
+/// point of the plane as value: of a kernel of \cgal, `Eigen::Vector2d`, `std::array<double, 2>`,
+/// `std::complex<double>`, or whatever else is made of two numbers
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \param mesh the surface
+/// \param uv_map receives the point of each vertex
+/// \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
+///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{conformal_normals}
+///     \cgalParamDescription{whose normals N are in the energy. Those of the vertices, as in the
+///                           thesis, give maps of scans that are much worse, and depend on how the
+///                           image is turned; on smooth meshes there is no difference.}
+///     \cgalParamType{`Conformal_normals`}
+///     \cgalParamDefault{`Conformal_normals::of_faces`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{normalized_boundary}
+///     \cgalParamDescription{which part of the boundary has its spread kept}
+///     \cgalParamType{`Normalized_boundary`}
+///     \cgalParamDefault{`Normalized_boundary::longest_loop`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tolerance}
+///     \cgalParamDescription{of the map, relative, in the norm of the energy}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-6}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{at most}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{100; three to ten are usual}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_solver}
+///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
+///     \cgalParamType{a model of `SparseHermitianSolverTraits`, for `std::complex<double>` too}
+///     \cgalParamDefault{`Default_solver_traits`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the report, which converts to `true` if the map was found. Otherwise nothing has been
+/// written.
+/// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
+/// boundary, finite coordinates and positive areas; the message names the element
+/// \throw Solver_error if the energy cannot be factorized
+/// \sa `minimal_surface()`, with planar boundary directions the flat image with those directions
+template <class TriangleMesh, class VertexUVMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Parameterization_report conformal_parameterization(
+    const TriangleMesh& mesh, VertexUVMap uv_map,
+    const NamedParameters& np = parameters::default_values())
+{
+  static_assert(
+      internal::only_known_parameters<
+          NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
+          CGAL::internal_np::number_of_iterations_t, internal_np::tolerance_t,
+          internal_np::conformal_normals_t, internal_np::normalized_boundary_t,
+          internal_np::sparse_solver_t>,
+      "conformal_parameterization(): unknown named parameter, see the manual for those it accepts");
+  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
+                                                 Default_solver_traits>;
+  using UV = typename boost::property_traits<VertexUVMap>::value_type;
+  const std::string function = "conformal_parameterization";
+  const Graph_view<TriangleMesh> graph(mesh, np, function);
+  const Parameterization_result result = spectral_parameterization<Solver_traits>(
+      graph.view(), internal::parameterization_options(np), function);
+  if (result.report)
+    for (int v = 0; v < graph.view().size_of_vertices(); ++v)
+      put(uv_map, graph.vertex(v), internal::plane_point<UV>(result.z[v]));
+  return result.report;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

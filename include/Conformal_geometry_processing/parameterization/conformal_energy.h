@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_CONFORMAL_ENERGY_H
+#define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_CONFORMAL_ENERGY_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <memory>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgParameterization
+/// \brief the conformal energy of maps z = a + i b to the plane: z^H L_C z = sum over the faces of
+/// area |J grad a - grad b|^2, the Dirichlet energies of a and b minus twice the area of the image.
+///
+/// It is |D psi|^2 for psi = a - b N without the part of D psi along the normal, where N is the
+/// normal of each face [CGP 6.1]. |V| x |V|, complex Hermitian, positive semidefinite: zero for
+/// constants, and otherwise for similarities of flat surfaces only. L_C (i z) = i L_C z, so turning
+/// the image changes nothing. Its real part is the cotan Laplacian, its imaginary part +-1/2 on the
+/// edges of the boundary. Dimensionless.
+/// \param pattern `vertex_graph(mesh)`
+inline Hermitian_sparse_matrix<std::complex<double>> conformal_energy(
+    const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern)
+{
+  Hermitian_sparse_matrix<std::complex<double>> L(std::move(pattern));
+  const Eigen::VectorXd w = cotan_weights(mesh);
+  for (int k = 0; k < mesh.size_of_edges(); ++k) {
+    L.value(edge_position(mesh, k)) -= w[k];
+    for (const int v : mesh.ends(k)) L.value(diagonal_position(L.pattern(), v)) += w[k];
+  }
+  // Twice the area is the sum of Im(conjugate(z_i) z_j) along the boundary; row i gets i/2.
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+    if (mesh.twin(h) < 0)
+      L.value(edge_position(mesh, mesh.edge(h))) +=
+          std::complex<double>(0, mesh.from(h) > mesh.to(h) ? 0.5 : -0.5);
+  return L;
+}
+
+/// \ingroup PkgParameterization
+/// the same on a pattern of its own
+inline Hermitian_sparse_matrix<std::complex<double>> conformal_energy(const Mesh_view& mesh)
+{
+  return conformal_energy(mesh, vertex_graph(mesh));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
