@@ -4,11 +4,11 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FILTER_CURVATURE_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/flow/Curvature_filter.h>
+#include <Conformal_geometry_processing/flow/filtered_on_surface.h>
 #include <Conformal_geometry_processing/mesh/Graph_view.h>
-#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/named_parameters.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/painting/Curvature_band.h>
 
 #include <CGAL/number_utils.h>
 
@@ -20,15 +20,6 @@
 #include <string>
 
 namespace Conformal_geometry_processing {
-
-/// \ingroup PkgEntryPoints
-/// \brief what `filter_curvature()` does to a function of frequencies l, with the response
-/// h = sigma l^k / (1 + sigma l^k) of the high ones
-enum class Curvature_band {
-  low,     ///< 1 - h: keeps the large features
-  high,    ///< h: keeps the small ones
-  unsharp  ///< 1 + amount h: lifts the small ones out
-};
 
 /// \ingroup PkgEntryPoints
 /// \brief filters a function on the vertices, such as rho or a height, by its frequencies on the
@@ -103,19 +94,11 @@ void filter_curvature(const TriangleMesh& mesh, VertexMap values, Curvature_band
       static_cast<int>(v.size()), [&](int i) { return !std::isfinite(v[i]); },
       internal::name_of_vertex, function, "#value not finite", "finite values are needed");
 
-  const Points& positions = graph.view().positions();
-  const Mesh_view in_frame(Normalized_frame(positions).to_frame(positions), graph.view().corners());
-  const Curvature_filter<Solver_traits> filter(
-      in_frame, choose_parameter(get_parameter(np, internal_np::filter_weight), 0.01),
-      choose_parameter(get_parameter(np, internal_np::filter_order), 1));
-  const Eigen::VectorXd high = filter(v);
-  const double amount = choose_parameter(get_parameter(np, internal_np::filter_amount), 1.);
-  if (band == Curvature_band::low)
-    v -= high;
-  else if (band == Curvature_band::high)
-    v = high;
-  else
-    v += amount * high;
+  Filter_options options;
+  options.weight = choose_parameter(get_parameter(np, internal_np::filter_weight), options.weight);
+  options.order = choose_parameter(get_parameter(np, internal_np::filter_order), options.order);
+  options.amount = choose_parameter(get_parameter(np, internal_np::filter_amount), options.amount);
+  v = filtered_on_surface<Solver_traits>(graph.view(), v, band, options);
   for (int i = 0; i < v.size(); ++i) put(values, graph.vertex(i), Value(v[i]));
 }
 

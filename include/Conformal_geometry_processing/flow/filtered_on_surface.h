@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FILTERED_ON_SURFACE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FILTERED_ON_SURFACE_H
+
+#include <Conformal_geometry_processing/flow/Curvature_filter.h>
+#include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/painting/Curvature_band.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgFlow
+/// of `filtered_on_surface()`
+struct Filter_options {
+  double weight = 0.01;  ///< sigma > 0, on the surface scaled to the area 4 pi: features larger
+                         ///< than about sigma^(1/(2 order)) are large
+  int order = 1;         ///< k >= 0, how sharp the cut is
+  double amount = 1;     ///< of `Curvature_band::unsharp`
+};
+
+/// \ingroup PkgFlow
+/// \brief filters a function on the vertices, such as rho or a height, by its frequencies on the
+/// surface: of an eigenfunction of the Laplacian with eigenvalue l, the share h = sigma l^k / (1 +
+/// sigma l^k) is its high part, see `Curvature_filter`; low-pass is (id + sigma Delta^k)^-1.
+/// \param v |V| numbers
+/// \pre `require_surface(mesh)` holds
+/// \throw Precondition_error if weight or order are out of range
+/// \throw Solver_error if a factorization fails
+template <class SolverTraits = Default_solver_traits>
+Eigen::VectorXd filtered_on_surface(const Mesh_view& mesh, const Eigen::VectorXd& v,
+                                    Curvature_band band, const Filter_options& options = {})
+{
+  const Points& positions = mesh.positions();
+  const Mesh_view in_frame(Normalized_frame(positions).to_frame(positions), mesh.corners());
+  const Curvature_filter<SolverTraits> filter(in_frame, options.weight, options.order);
+  return band_of(v, filter(v), band, options.amount);
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

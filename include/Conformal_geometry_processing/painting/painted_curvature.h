@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_PAINTING_PAINTED_CURVATURE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_PAINTING_PAINTED_CURVATURE_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/painting/Gray_image.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgPainting
+/// the means over the three corners of each face, |F| columns, of a column for each vertex: from
+/// positions the centroids, from texture coordinates the places of these in the texture
+template <int Rows>
+Eigen::Matrix<double, Rows, Eigen::Dynamic> means_of_corners(
+    const Mesh_view& mesh, const Eigen::Matrix<double, Rows, Eigen::Dynamic>& at_vertices)
+{
+  Eigen::Matrix<double, Rows, Eigen::Dynamic> means(at_vertices.rows(), mesh.size_of_faces());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const auto& v = mesh.corners(f);
+    means.col(f) = (at_vertices.col(v[0]) + at_vertices.col(v[1]) + at_vertices.col(v[2])) / 3;
+  }
+  return means;
+}
+
+/// \ingroup PkgPainting
+/// \brief rho painted as a picture [CGP 6.2]: amplitude (g - 1/2) on the faces, so that gray
+/// changes nothing and bright bulges along the normals.
+/// \param places (u, v) of the middle of each face in the picture, 2 x |F|
+/// \param amplitude in 1/length
+inline Curvature_potential painted_curvature(const Gray_image& image,
+                                             const Eigen::Matrix2Xd& places, double amplitude = 1)
+{
+  return Curvature_potential::on_faces(amplitude * (image(places).array() - 0.5));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
