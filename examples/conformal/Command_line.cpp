@@ -3,6 +3,7 @@
 #include "Command_line.h"
 
 #include "Failure.h"
+#include "curve_command_line.h"
 #include "help_texts.h"
 #include "option_groups.h"
 #include "versions.h"
@@ -24,6 +25,7 @@ class Parser {
     add_spin();
     add_flow();
     add_boundary_command();
+    add_curve();
     add_harmonic();
     add_compare();
   }
@@ -141,6 +143,13 @@ class Parser {
     add_limits(*command, m_flow.limits, m_flow.force);
   }
 
+  void add_curve()
+  {
+    CLI::App& command = *add_command("curve", about_curve);
+    add_curve_options(command, m_curve);
+    add_output(command);
+  }
+
   void add_harmonic()
   {
     CLI::App* command = add_command("harmonic", about_harmonic);
@@ -200,6 +209,7 @@ class Parser {
     if (line.command == "spin") line.options = m_spin;
     if (line.command == "flow") line.options = m_flow;
     if (line.command == "boundary") line.options = m_boundary;
+    if (line.command == "curve") line.options = m_curve;
     if (line.command == "harmonic") line.options = m_harmonic;
     if (line.command == "compare") line.options = m_compare;
     require_solver(m_spin.solver);
@@ -221,6 +231,7 @@ class Parser {
   Spin_options m_spin;
   Flow_options m_flow;
   Boundary_options m_boundary;
+  Curve_options m_curve;
   Harmonic_options m_harmonic;
   Compare_options m_compare;
   std::string m_problem = "standard";

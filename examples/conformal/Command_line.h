@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_COMMAND_LINE_H
 #define CONFORMAL_COMMAND_LINE_H
 
+#include "Curve_options.h"
 #include "Options.h"
 
 #include <string>
@@ -15,7 +16,7 @@ struct Command_line {
   Common_options common;
   std::string command;
   std::variant<std::monostate, Info_options, Spin_options, Flow_options, Boundary_options,
-               Harmonic_options, Compare_options>
+               Curve_options, Harmonic_options, Compare_options>
       options;
   std::string answer;  ///< of `--help` and `--version`; then there is nothing else to do
 };

@@ -59,6 +59,16 @@ inline constexpr const char* about_boundary =
     "A loop begins at its vertex of smallest number, and has the surface on its left.\n"
     "Example: conformal boundary disk.off --binormal-tilt '40*cos(6*pi*s)' -o flower.ply";
 
+inline constexpr const char* about_curve =
+    "Smooths curves in the plane without stretching them: every edge keeps its length, and every\n"
+    "closed curve its turning number. Those that turn k times become circles run through k times,\n"
+    "those that do not turn a figure eight, open ones straight.\n"
+    "Reads SVG (path, polygon, polyline), CSV (x,y per line, an empty line between), OBJ (l);\n"
+    "writes them too, by the extension of the output. Ends early where the energy has settled.\n"
+    "When interrupted (Ctrl-C, SIGTERM), it writes the curves after the last complete step, and\n"
+    "ends with exit code 130 or 143; a second signal ends it at once.\n"
+    "Example: conformal curve star.svg --steps 60 --time-step 0.05 --animate -o star_flow.svg";
+
 inline constexpr const char* about_harmonic =
     "Finds the harmonic 1-forms of a closed surface with handles, two for each, and their tangent\n"
     "fields; of a torus also the conformal modulus. -o writes a PLY file with the fields as\n"

@@ -7,6 +7,7 @@
 #include "Session.h"
 #include "boundary.h"
 #include "compare.h"
+#include "curve.h"
 #include "flow.h"
 #include "harmonic.h"
 #include "info.h"
@@ -68,6 +69,7 @@ void dispatch(const Command_line& line, Session& session)
   if (const auto* options = std::get_if<Flow_options>(&line.options)) flow(*options, session);
   if (const auto* options = std::get_if<Boundary_options>(&line.options))
     boundary(*options, session);
+  if (const auto* options = std::get_if<Curve_options>(&line.options)) curve(*options, session);
   if (const auto* options = std::get_if<Harmonic_options>(&line.options))
     harmonic(*options, session);
   if (const auto* options = std::get_if<Compare_options>(&line.options)) compare(*options, session);

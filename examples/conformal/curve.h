@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_CURVE_H
+#define CONFORMAL_CURVE_H
+
+#include "Curve_options.h"
+#include "Session.h"
+
+namespace conformal {
+
+/// Smooths curves in the plane without stretching them: `conformal curve`. When a signal comes, the
+/// curves after the last complete step are written, and the failure thrown.
+/// \throws Failure if the input is unsuitable, no step can be made, the result does not verify, or
+/// a signal has come, and what the readers and the writers throw
+void curve(const Curve_options& options, Session& session);
+
+}  // namespace conformal
+
+#endif
