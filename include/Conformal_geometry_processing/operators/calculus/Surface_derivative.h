@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_SURFACE_DERIVATIVE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_SURFACE_DERIVATIVE_H
+
+#include <Conformal_geometry_processing/algebra/Quaternionic_sparse_matrix.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgOperators
+/// real numbers as quaternions
+inline Quaternion_vector<double> as_quaternions(const Eigen::VectorXd& numbers)
+{
+  Quaternion_vector<double> q(numbers.size());
+  for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = {numbers[i], 0, 0, 0};
+  return q;
+}
+
+/// \ingroup PkgOperators
+/// vectors of R^3, one per column, as imaginary quaternions
+inline Quaternion_vector<double> as_quaternions(const Points& vectors)
+{
+  Quaternion_vector<double> q(vectors.cols());
+  for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = imaginary(vectors.col(i));
+  return q;
+}
+
+/// \ingroup PkgOperators
+/// \brief D with what takes its values apart: everything that the vector calculus of a surface is
+/// made from [CGP 3.3, Table 3.1].
+///
+/// Functions and vector fields are given at the vertices, where tangent vectors X and normals are
+/// vectors of R^3; derivatives live on the faces. A face value is q = a + X + b N, with its face
+/// normal N. In general
+///
+///     D(a + X + b N) = -curl X + (J grad a - S X + grad b) + (-div X - 2 H b) N,    J X = N x X
+///
+/// (the text has + 2 H b). The error of first derivatives is O(h).
+class Surface_derivative {
+ public:
+  /// \param mesh must outlive the object \pre no face has area zero
+  explicit Surface_derivative(const Mesh_view& mesh)
+      : m_mesh(mesh), m_D(dirac(mesh)), m_normals(face_normals(mesh)), m_areas(face_areas(mesh))
+  {}
+
+  const Mesh_view& mesh() const { return m_mesh; }
+  const Quaternionic_sparse_matrix<double>& matrix() const { return m_D; }
+
+  /// N, 3 x |F|
+  const Points& normals() const { return m_normals; }
+
+  /// D of functions, or of vectors: |F|
+  template <class Field>
+  Quaternion_vector<double> operator()(const Field& at_vertices) const
+  {
+    return m_D * as_quaternions(at_vertices);
+  }
+
+  /// \brief D once more, on values at faces: M_V^-1 D^H M_F q, |V|; D^2 with what comes before.
+  Quaternion_vector<double> adjoint(Quaternion_vector<double> q) const
+  {
+    for (Eigen::Index f = 0; f < q.size(); ++f) q[f] *= m_areas[f];
+    Quaternion_vector<double> p = m_D.adjoint_times(q);
+    const Eigen::VectorXd areas = vertex_areas(m_mesh);
+    for (Eigen::Index v = 0; v < p.size(); ++v) p[v] *= 1 / areas[v];
+    return p;
+  }
+
+  /// a, |F|
+  static Eigen::VectorXd real_part(const Quaternion_vector<double>& q)
+  {
+    return components(q).row(0).transpose();
+  }
+
+  /// b, |F|
+  Eigen::VectorXd normal_part(const Quaternion_vector<double>& q) const
+  {
+    return components(q).bottomRows<3>().cwiseProduct(m_normals).colwise().sum().transpose();
+  }
+
+  /// X, 3 x |F|
+  Points tangential_part(const Quaternion_vector<double>& q) const
+  {
+    return components(q).bottomRows<3>() - m_normals * normal_part(q).asDiagonal();
+  }
+
+ private:
+  const Mesh_view& m_mesh;
+  Quaternionic_sparse_matrix<double> m_D;
+  Points m_normals;
+  Eigen::VectorXd m_areas;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_CURL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_CURL_H
+
+#include <Conformal_geometry_processing/operators/calculus/Surface_derivative.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgOperators
+/// \brief curl X = -Re(D X), |F|: <del_1 X, E_2> - <del_2 X, E_1> in an oriented frame, the
+/// circulation per area. ([CGP Table 3.1] has the opposite sign.)
+/// \param X tangent vectors at the vertices, 3 x |V|
+inline Eigen::VectorXd curl(const Surface_derivative& d, const Points& X)
+{
+  return -d.real_part(d(X));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_LAPLACIANS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_LAPLACIANS_H
+
+#include <Conformal_geometry_processing/operators/calculus/Surface_derivative.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgOperators
+/// \brief Delta phi = Re(D^2 phi) at the vertices, |V|: positive semidefinite, and the cotan
+/// Laplacian over the vertex areas exactly.
+/// \param phi |V|
+inline Eigen::VectorXd laplacian(const Surface_derivative& d, const Eigen::VectorXd& phi)
+{
+  return d.real_part(d.adjoint(d(phi)));
+}
+
+/// \ingroup PkgOperators
+/// \brief the Laplacian of Hodge on vector fields, (D (Re DX + (DX)^N))^T at the vertices, 3 x |V|:
+/// D^2 X without what D makes of S X. Positive semidefinite.
+///
+/// [CGP Prop 3.4.9] has (DX)^N alone, which is -grad div X and no more.
+/// \param X tangent vectors at the vertices, 3 x |V| \param normals of the vertices, 3 x |V|
+inline Points vector_laplacian(const Surface_derivative& d, const Points& X, const Points& normals)
+{
+  Quaternion_vector<double> q = d(X);
+  components(q).bottomRows<3>() -= d.tangential_part(q);
+  const Quaternion_vector<double> p = d.adjoint(q);
+  const Points image = components(p).bottomRows<3>();
+  const Eigen::VectorXd along = image.cwiseProduct(normals).colwise().sum().transpose();
+  return image - normals * along.asDiagonal();
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
