@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DIRAC_SPHERE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DIRAC_SPHERE_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
+#include <Conformal_geometry_processing/surfaces/spherical_spinor.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// The centre of the sphere nearest to some points, in the sense of |p - c|^2 - r^2.
+inline Eigen::Vector3d center_of_sphere(const Points& positions)
+{
+  const Eigen::Vector3d mean = positions.rowwise().mean();
+  const Points p = positions.colwise() - mean;
+  const Eigen::RowVectorXd squares = p.colwise().squaredNorm();
+  // 2 <p, c> - squares is constant: the covariance of p with its squares tells c.
+  const Eigen::Matrix3d A = 2 * p * p.transpose();
+  const Eigen::Vector3d b = p * squares.transpose();
+  return mean + A.ldlt().solve(b);
+}
+
+}  // namespace internal
+
+/// \ingroup PkgSurfaces
+/// \brief the directions of the vertices of a round sphere from its centre, 3 x |V|.
+/// \throw Precondition_error if a vertex is farther from the sphere than a thousandth of its
+/// radius, or the normals point inward
+inline Points directions_on_sphere(const Mesh_view& mesh, const std::string& function)
+{
+  require_not_empty(mesh, function);
+  require_finite_positions(mesh, function);
+  const Eigen::Vector3d center = internal::center_of_sphere(mesh.positions());
+  Points directions = mesh.positions().colwise() - center;
+  const double radius = directions.colwise().norm().mean();
+  internal::refuse_if_any(
+      mesh.size_of_vertices(),
+      [&](int v) { return !(std::abs(directions.col(v).norm() - radius) <= 1e-3 * radius); },
+      internal::name_of_vertex, function, "#vertex away from the sphere",
+      "a round sphere is needed");
+  if (signed_volume(mesh) < 0)
+    throw Precondition_error(function, "the normals point inward; turn the faces around");
+  return directions / radius;
+}
+
+/// \ingroup PkgSurfaces
+/// \brief the surface of a spin, such as an eigenfunction that `Dirac_spectral_problem` finds; on
+/// the sphere a Dirac sphere, whose curvature half-density is a multiple of its length density.
+///
+/// `report.eigenvalue` is the signed quotient of lambda. With eigenvalue gamma of the unit sphere,
+/// the Willmore energy is 4 pi (1 + gamma)^2.
+/// \param lambda |V|, not all zero; is rescaled
+/// \throw Precondition_error if the mesh is unsuitable, or lambda does not fit it
+/// \throw Solver_error if a factorization fails
+template <class SolverTraits = Default_solver_traits>
+Spin_result surface_of_spin(const Mesh_view& mesh, Quaternion_vector<double> lambda,
+                            const std::string& function = "surface_of_spin")
+{
+  Spin_transformation<SolverTraits> transformation(mesh, function);
+  if (lambda.size() == mesh.size_of_vertices()) fix_gauge(lambda, vertex_areas(mesh));
+  Spin_result result = transformation.integrate(std::move(lambda));
+  result.report.eigenvalue = dirac_quotient(mesh, no_potential(mesh), result.lambda);
+  return result;
+}
+
+/// \ingroup PkgSurfaces
+/// \brief the Dirac sphere of the spherical spinor Omega_kappa,s, over a mesh of a round sphere
+/// [CGP 6.5.1].
+///
+/// Its Willmore energy is 4 pi kappa^2. For s = 0 it is immersed; for other s >= 0 it has branch
+/// points at both poles, where lambda is zero. Those of kappa and -kappa are mirror images in a
+/// point.
+/// \throw Precondition_error if kappa is zero, s is not one of -|kappa|, ..., |kappa| - 1, or the
+/// mesh is not a closed sphere with normals outward
+/// \throw Solver_error if a factorization fails
+template <class SolverTraits = Default_solver_traits>
+Spin_result spin_to_dirac_sphere(const Mesh_view& mesh, int kappa, int s,
+                                 const std::string& function = "spin_to_dirac_sphere")
+{
+  require_spherical_spinor(kappa, s, function);
+  require_surface(mesh, function);
+  require_closed(mesh, function);
+  const Points p = directions_on_sphere(mesh, function);
+  Quaternion_vector<double> lambda(p.cols());
+  for (Eigen::Index v = 0; v < p.cols(); ++v) lambda[v] = spherical_spinor(kappa, s, p.col(v));
+  return surface_of_spin<SolverTraits>(mesh, std::move(lambda), function);
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

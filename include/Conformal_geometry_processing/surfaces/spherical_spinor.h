@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_SPHERICAL_SPINOR_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_SPHERICAL_SPINOR_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
+#include <Conformal_geometry_processing/algebra/spherical_harmonic.h>
+#include <Conformal_geometry_processing/exceptions.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <complex>
+#include <cstdlib>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSurfaces
+/// \throw Precondition_error if there is no spherical spinor with these numbers
+inline void require_spherical_spinor(int kappa, int s, const std::string& function)
+{
+  if (kappa == 0) throw Precondition_error(function, "kappa is zero; any other integer is wanted");
+  if (s < -std::abs(kappa) || s >= std::abs(kappa))
+    throw Precondition_error(function, "s is " + std::to_string(s) + "; wanted " +
+                                           std::to_string(-std::abs(kappa)) + " to " +
+                                           std::to_string(std::abs(kappa) - 1) + " for kappa " +
+                                           std::to_string(kappa));
+}
+
+/// \ingroup PkgSurfaces
+/// \brief Omega_kappa,s on the unit sphere: the eigenfunctions of the Dirac operator in closed
+/// form, D Omega = -(kappa + 1) Omega [CGP 6.5.1].
+///
+/// With mu = s + 1/2 and l = |kappa + 1/2| - 1/2,
+///
+///     psi_1 = sgn(-kappa) sqrt((kappa - mu + 1/2) / (2 kappa + 1)) Y_l^(mu - 1/2),
+///     psi_2 =             sqrt((kappa + mu + 1/2) / (2 kappa + 1)) Y_l^(mu + 1/2)
+///
+/// (the text has Y_l^(mu - 1/2) in both), and Omega = psi_2 - j psi_1, where complex numbers act
+/// from the right as R + R k. Orthonormal on the sphere. Those of -s - 1 are those of s times a
+/// constant, so 0 <= s < |kappa| give all of the surfaces.
+/// \param kappa not zero \param s from -|kappa| to |kappa| - 1
+/// \param point not zero; its direction counts
+/// \pre `require_spherical_spinor()` holds
+inline Quaternion<double> spherical_spinor(int kappa, int s, const Eigen::Vector3d& point)
+{
+  const int l = kappa > 0 ? kappa : -kappa - 1;
+  const double sign = kappa > 0 ? -1 : 1;
+  // mu - 1/2 = s, mu + 1/2 = s + 1
+  const double a = sign * std::sqrt((kappa - s) / (2. * kappa + 1));
+  const double b = std::sqrt((kappa + s + 1) / (2. * kappa + 1));
+  const std::complex<double> psi_1 = a * spherical_harmonic(l, s, point);
+  const std::complex<double> psi_2 = b * spherical_harmonic(l, s + 1, point);
+  return {psi_2.real(), -psi_1.imag(), -psi_1.real(), psi_2.imag()};
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
