@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTANT_SPINS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTANT_SPINS_H
+
+#include <Conformal_geometry_processing/algebra/Reduced_basis.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief the constant spins that turn the directions at the boundary into those prescribed: an
+/// orthonormal basis over the reals of the quaternions q with q = B B^T q, at most four.
+///
+/// Kept directions allow 1, and if they are all parallel, as the binormals of a cylinder are, the
+/// rotations about them too.
+inline Vector<Quaternion<double>> constant_spins(const Reduced_basis<double>& basis)
+{
+  const int n = basis.rows().size();
+  Block<Quaternion<double>> units(n, 4);
+  for (int i = 0; i < n; ++i)
+    units.row(i) << Quaternion<double>{1, 0, 0, 0}, Quaternion<double>{0, 1, 0, 0},
+        Quaternion<double>{0, 0, 1, 0}, Quaternion<double>{0, 0, 0, 1};
+  const Block<Quaternion<double>> rest = units - basis.project(units);
+  Eigen::Matrix4d defect = Eigen::Matrix4d::Zero();
+  for (int i = 0; i < n; ++i)
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b) defect(a, b) += dot(rest(i, a), rest(i, b));
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(defect);
+  const double rounding = 1e-20 * n;
+  const Eigen::Index count = (solver.eigenvalues().array() <= rounding).count();
+  Vector<Quaternion<double>> spins(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::Vector4d q = solver.eigenvectors().col(k);
+    spins[k] = {q[0], q[1], q[2], q[3]};
+  }
+  return spins;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,30 @@
+// Tests include/Conformal_geometry_processing/spin/Dirac_spectrum.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+namespace CGP = Conformal_geometry_processing;
+
+TEST(With_multiplicities, joins_what_is_nearer_than_the_resolution)
+{
+  const Eigen::VectorXd values = (Eigen::VectorXd(6) << 2.04, -1, 1.96, 0.5, 2, 0.5).finished();
+  const auto groups = CGP::with_multiplicities(values, 0.1);
+  ASSERT_EQ(groups.size(), 3u);
+  EXPECT_EQ(groups[0].value, -1);
+  EXPECT_EQ(groups[0].multiplicity, 1);
+  EXPECT_EQ(groups[1].value, 0.5);
+  EXPECT_EQ(groups[1].multiplicity, 2);
+  EXPECT_NEAR(groups[2].value, 2, 1e-15);
+  EXPECT_EQ(groups[2].multiplicity, 3);
+}
+
+TEST(With_multiplicities, of_nothing_is_nothing)
+{
+  EXPECT_TRUE(CGP::with_multiplicities(Eigen::VectorXd(), 1).empty());
+}
+
+}  // namespace
