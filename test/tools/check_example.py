@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """An example runs on a generated surface: it succeeds and writes as many vertices as it read.
 
-usage: check_example.py PROGRAM   (which takes INPUT OUTPUT.ply)
+usage: check_example.py PROGRAM   (which takes INPUT OUTPUT.ply, or a curve and OUTPUT.svg)
 """
 
 import itertools
@@ -88,7 +88,22 @@ def write_off(path, points, faces):
     path.write_text("\n".join(lines) + "\n")
 
 
+def check_curve(program, size=100):
+    """The program draws a curve on its way: five polygons of as many points as it read."""
+    with tempfile.TemporaryDirectory() as folder:
+        source, target = (pathlib.Path(folder) / name for name in ("curve.txt", "picture.svg"))
+        angles = [2 * math.pi * i / size for i in range(size)]
+        source.write_text("".join(f"{math.cos(t)} {math.sin(t) + 0.3 * math.sin(2 * t)}\n"
+                                  for t in angles))
+        subprocess.run([program, str(source), str(target)], check=True)
+        curves = re.findall(r'<polygon [^>]*points="([^"]*)"', target.read_text())
+    if [len(curve.split()) for curve in curves] != 5 * [size]:
+        sys.exit(f"{len(curves)} curves written, wanted five of {size} points")
+
+
 def main():
+    if pathlib.Path(sys.argv[1]).stem == "unwind_a_curve":
+        return check_curve(sys.argv[1])
     points, faces = WANTED.get(pathlib.Path(sys.argv[1]).stem, lambda: sphere(4))()
     with tempfile.TemporaryDirectory() as folder:
         source, target = (pathlib.Path(folder) / name for name in ("surface.off", "result.ply"))
