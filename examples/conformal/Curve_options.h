@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_CURVE_OPTIONS_H
 #define CONFORMAL_CURVE_OPTIONS_H
 
+#include <optional>
 #include <string>
 
 namespace conformal {
@@ -17,8 +18,9 @@ struct Curve_options {
   double time_step = 0.5;
   Closing_choice closing = Closing_choice::exact;
   Ends_choice ends = Ends_choice::detect;
-  int samples = 16;  ///< of each Bezier segment
-  int every = 0;     ///< steps from a picture to the next; none if zero
+  int samples = 16;           ///< of each Bezier segment
+  std::optional<int> pieces;  ///< no edge is longer than this part of its curve; undecided: in SVG
+  int every = 0;              ///< steps from a picture to the next; none if zero
   bool animate = false;
   double seconds = 6;  ///< of the animation
 };

@@ -12,6 +12,7 @@
 #include "io/Temporary_file.h"
 #include "io/read_plane_curves.h"
 #include "io/write_plane_curves.h"
+#include "refine_curve.h"
 #include "write_result.h"
 
 #include <algorithm>
@@ -36,6 +37,12 @@ void require_usable(const Curve_options& options, const std::string& output)
     Temporary_file probe(output);
 }
 
+// A drawing has its edges as long as they happen to be; in data every point has a meaning.
+int pieces_of(const Curve_options& options)
+{
+  return options.pieces.value_or(*curve_format_of(options.input) == Curve_format::svg ? 200 : 0);
+}
+
 std::vector<Plane_curve> read(const Curve_options& options, Session& session)
 {
   Curve_reading reading;
@@ -45,6 +52,8 @@ std::vector<Plane_curve> read(const Curve_options& options, Session& session)
   std::vector<Plane_curve> curves = read_plane_curves(options.input, reading, notes);
   if (session.options().strict && !notes.empty()) throw unsuitable(options.input, notes.front());
   session.note_all(notes);
+  if (const int pieces = pieces_of(options); pieces > 0)
+    for (Plane_curve& curve : curves) refine(curve, pieces);
   session.end_stage("read");
   return curves;
 }

@@ -36,6 +36,11 @@ void add_curve_options(CLI::App& command, Curve_options& curve)
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   command
+      .add_option("--pieces", curve.pieces,
+                  "divide long edges, which cannot bend, until none is longer than 1/PIECES of the "
+                  "curve; 0 leaves all as they are; by default 200 for SVG, else 0")
+      ->check(CLI::Range(0, 100000000));
+  command
       .add_option("--every", curve.every,
                   "write every so many steps a snapshot, OUTPUT with the number of the step: "
                   "star_0005.svg; with --animate, the steps from one picture to the next")

@@ -1,5 +1,6 @@
 // Tests examples/conformal/curve.cpp examples/conformal/curve_report.cpp
 // Tests examples/conformal/Curve_flows.cpp examples/conformal/curve_command_line.cpp
+// Tests examples/conformal/refine_curve.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
@@ -74,7 +75,7 @@ TEST_F(Curve_command, reads_and_writes_every_format)
   EXPECT_EQ(points("b.obj"), points("b.csv"));
   for (const char* from : {"b.svg", "b.obj"}) {
     EXPECT_TRUE(curves(from).at(0).is_closed);
-    ASSERT_EQ(run(std::string("curve -q --steps 1 -o c.csv ") + from).code, 0);
+    ASSERT_EQ(run(std::string("curve -q --pieces 0 --steps 1 -o c.csv ") + from).code, 0);
     EXPECT_EQ(points("c.csv").cols(), 60);
   }
 }
@@ -161,8 +162,25 @@ TEST_F(Curve_command, animation_has_a_frame_for_each_step_and_ends_with_the_resu
 TEST_F(Curve_command, bezier_curves_are_sampled)
 {
   write("a.svg", "<svg><path d='M0,0 C0,1 1,1 1,0 C1,-1 0,-1 0,0 Z'/></svg>");
-  ASSERT_EQ(run("curve -q a.svg --steps 1 --samples 5 -o b.csv").code, 0);
+  ASSERT_EQ(run("curve -q a.svg --steps 1 --samples 5 --pieces 0 -o b.csv").code, 0);
   EXPECT_EQ(points("b.csv").cols(), 10);
+}
+
+TEST_F(Curve_command, long_edges_are_divided_so_that_they_can_bend)
+{
+  write("a.svg", "<svg><polygon points='0,0 3,0 3,1 0,1'/></svg>");
+  ASSERT_EQ(run("curve -q a.svg -o b.csv").code, 0);
+  EXPECT_EQ(points("b.csv").cols(), 200);
+  const auto radii = [](const Curve& c) {
+    const Eigen::Vector2d mean = c.rowwise().mean();
+    return Eigen::VectorXd((c.colwise() - mean).colwise().norm());
+  };
+  EXPECT_TRUE(radii(points("b.csv")).isApproxToConstant(8 / (2 * cgp_test::pi), 1e-3));
+  write("a.csv", "0,0\n3,0\n3,1\n0,1\n");
+  ASSERT_EQ(run("curve -q a.csv --ends open --pieces 7 --steps 1 -o b.csv").code, 0);
+  EXPECT_EQ(points("b.csv").cols(), 8);
+  ASSERT_EQ(run("curve -q a.csv --ends open --steps 1 -o b.csv").code, 0);
+  EXPECT_EQ(points("b.csv").cols(), 4);
 }
 
 TEST_F(Curve_command, tells_the_point_that_is_unsuitable)
@@ -192,7 +210,7 @@ TEST_F(Curve_command, nonsense_is_refused)
   write("a.csv", rows(cgp_test::flower(50)));
   for (const std::string option :
        {"--steps 0", "--steps many", "--time-step 0", "--time-step 1", "--every 0", "--samples 0",
-        "--ends loose", "--closing never", "--seconds 3", "--seconds 0 --animate"})
+        "--pieces -1", "--ends loose", "--closing never", "--seconds 3", "--seconds 0 --animate"})
     EXPECT_EQ(run("curve a.csv -o b.svg " + option).code, 2) << option;
   EXPECT_TRUE(fails(run("curve a.csv -o b.png"), 5, "b.png: has no known extension"));
   EXPECT_TRUE(fails(run("curve a.png -o b.svg"), 3, "a.png: has no known extension"));

@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_REFINE_CURVE_H
+#define CONFORMAL_REFINE_CURVE_H
+
+#include "io/Plane_curve.h"
+
+namespace conformal {
+
+/// \brief Divides edges into equal parts until none is longer than 1 / count of the whole curve,
+/// for an edge cannot bend: what is drawn as a straight line would stay one. \pre count > 0
+void refine(Plane_curve& curve, int count);
+
+}  // namespace conformal
+
+#endif
