@@ -10,6 +10,7 @@
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/best_turn.h>
 #include <Conformal_geometry_processing/spin/boundary_planes.h>
+#include <Conformal_geometry_processing/spin/least_twist.h>
 
 #include <Eigen/Core>
 
@@ -24,9 +25,9 @@ namespace Conformal_geometry_processing {
 /// \brief the space of spins that turn a direction of the boundary frames into prescribed
 /// directions, and a smooth member of it to which solutions are compared.
 ///
-/// The guide turns the surface as a whole, as well as that can be done, and then has at the
-/// boundary the smallest rotations into the targets, about the normal where they are half turns;
-/// inside it is harmonic. Where the problem has several solutions, the one nearest to it turns the
+/// The guide turns the surface as a whole, as well as that can be done, and has at the boundary
+/// the rotations into the targets that twist least along it and are nearest to that turn; inside
+/// it is harmonic. Where the problem has several solutions, the one nearest to it turns the
 /// surface least.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
@@ -99,16 +100,21 @@ class Prescribed_directions {
     const Points U = sources();
     if (!m_has_targets) m_targets = U;
     std::vector<Reduced_basis<double>::Plane> planes;
-    std::vector<Quaternion<double>> rotors;
     const Quaternion<double> turn = best_turn(U, m_targets);
     for (Eigen::Index k = 0; k < U.cols(); ++k) {
       const Eigen::Vector3d N = m_frames.normal(static_cast<std::size_t>(k));
       const Reduced_basis<double>::Plane rest =
           boundary_plane(spin(turn, U.col(k)), m_targets.col(k), spin(turn, N));
       planes.push_back({turn * rest[0], turn * rest[1]});
-      rotors.push_back(planes.back()[0]);
     }
-    make_continuous(m_frames.loops, rotors);
+    std::vector<Quaternion<double>> rotors;
+    auto first = planes.begin();
+    for (const std::vector<int>& loop : m_frames.loops) {
+      const auto end = first + static_cast<std::ptrdiff_t>(loop.size());
+      const auto section = least_twist({first, end}, turn);
+      rotors.insert(rotors.end(), section.begin(), section.end());
+      first = end;
+    }
     m_basis = {m_mesh.size_of_vertices(), m_frames.vertices, planes};
     m_guide = m_basis.project(harmonic_extension(rotors)).col(0);
   }
