@@ -11,6 +11,7 @@
 #include <Conformal_geometry_processing/flow/Flow_visitor.h>
 #include <Conformal_geometry_processing/flow/Time_step.h>
 #include <Conformal_geometry_processing/flow/Willmore_direction.h>
+#include <Conformal_geometry_processing/flow/step_fault.h>
 #include <Conformal_geometry_processing/linear_algebra/Stopwatch.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
@@ -41,9 +42,10 @@ namespace Conformal_geometry_processing {
 /// constants are, so that the flow ends at constant mean curvature. Where there are handles or
 /// holes, the edges must close up around them. Area and centroid stay.
 ///
-/// A step is accepted if its equation is solved, it is conformal enough, and the energy falls, but
-/// for steps that turn a boundary to prescribed directions; otherwise it is tried again with half
-/// of tau. So the surface in this object is always that of the last complete step.
+/// A step is accepted if its equation is solved, it is conformal enough, its edges close up, and
+/// the energy falls, but for steps that turn a boundary to prescribed directions; otherwise it is
+/// tried again with half of tau. So the surface in this object is always that of the last complete
+/// step.
 ///
 /// The order of elimination and the symbolic factorization are found once, in the constructor. A
 /// trial costs one numeric factorization of the Dirac matrix and some ten solves with it.
@@ -199,12 +201,8 @@ class Conformal_willmore_flow {
 
   Verdict judge(Spin_result result, Flow_step_report& report)
   {
-    if (!result.report.converged) return reject("the Dirac equation is not solved", report);
-    if (result.report.boundary_fault == Boundary_fault::not_realizable && is_turning())
-      return reject(to_string(result.report.boundary_fault), report);
-    const double distortion = result.report.conformality.quasi_conformal.mean;
-    if (m_options.backtracking && !(distortion < m_options.max_step_distortion))
-      return reject("the mean quasi-conformal error is " + std::to_string(distortion), report);
+    const std::string fault = step_fault(result.report, is_turning(), m_options);
+    if (!fault.empty()) return reject(fault, report);
     m_next.set_positions(std::move(result.positions));
     const double energy = energy_of(m_next), rise = energy - m_energy;
     if (!std::isfinite(energy)) return reject("the energy is not finite", report);

@@ -44,10 +44,12 @@ struct Flow_options {
   double min_time_step = 1e-2;  ///< backing off stops here
   int max_steps = 100;          ///< of one `run()`
 
-  /// whether a step that raises the energy, or distorts too much, is tried again with half of tau;
+  /// whether a step that raises the energy, distorts or tears too much, is tried again with half
+  /// of tau;
   /// after a success tau grows by half, up to `time_step`
   bool backtracking = true;
   double max_step_distortion = 1.5;  ///< mean quasi-conformal error of one step
+  double max_step_closure = 0.1;     ///< closure residual of one step
 
   /// stop where the energy changes by less than this share of it in a time of 1; where it goes to
   /// zero, of a hundredth of what it was in the beginning
