@@ -245,6 +245,21 @@ TYPED_TEST_P(Reduced_solver, refuses_what_has_another_size)
             Solver_status::wrong_state);
 }
 
+TYPED_TEST_P(Reduced_solver, gives_its_memory_back_and_factorizes_again)
+{
+  const auto b = random_block<Quaternion<double>>(this->problem.X.size(), 1, 29);
+  CGP::Block<Quaternion<double>> before, after;
+  this->solver.release();
+  ASSERT_EQ(this->analyze(this->problem), Solver_status::success);
+  ASSERT_EQ(this->factorize(this->problem), Solver_status::success);
+  ASSERT_EQ(this->solver.solve(b, before), Solver_status::success);
+  this->solver.release();
+  EXPECT_EQ(this->solver.solve(b, after), Solver_status::wrong_state);
+  ASSERT_EQ(this->factorize(this->problem), Solver_status::success);
+  ASSERT_EQ(this->solver.solve(b, after), Solver_status::success);
+  EXPECT_EQ(real_columns(after), real_columns(before));
+}
+
 TYPED_TEST_P(Reduced_solver, tells_the_cost)
 {
   EXPECT_EQ(this->solver.statistics().factor_entries, 0);
@@ -262,7 +277,8 @@ REGISTER_TYPED_TEST_SUITE_P(
     factorizes_again_with_other_values_and_planes, gives_solutions_that_lie_in_the_reduced_space,
     is_real_linear, gives_the_same_bits_twice, reports_indefinite_matrices_and_recovers,
     needs_the_reduced_matrix_alone_to_be_definite, reports_values_that_are_not_finite,
-    refuses_calls_in_the_wrong_order, refuses_what_has_another_size, tells_the_cost);
+    refuses_calls_in_the_wrong_order, refuses_what_has_another_size,
+    gives_its_memory_back_and_factorizes_again, tells_the_cost);
 
 }  // namespace cgp_test
 

@@ -64,13 +64,14 @@ class Tree_cotree {
   }
 
   /// the halfedges by which faces around f reach it
-  std::vector<int> halfedges_around(int f) const
+  template <class Visitor>
+  void for_each_halfedge_around(int f, Visitor visit) const
   {
-    if (f < outside()) return {3 * f, 3 * f + 1, 3 * f + 2};
-    std::vector<int> boundary;
-    for (int h = 0; h < m_mesh.size_of_halfedges(); ++h)
-      if (m_mesh.twin(h) < 0) boundary.push_back(h);
-    return boundary;
+    if (f < outside())
+      for (int h = 3 * f; h < 3 * f + 3; ++h) visit(h);
+    else
+      for (int h = 0; h < m_mesh.size_of_halfedges(); ++h)
+        if (m_mesh.twin(h) < 0) visit(h);
   }
 
   void grow_cotree()
@@ -80,15 +81,17 @@ class Tree_cotree {
     std::vector<char> is_met(m_exit.size(), 0);
     std::vector<int> queue = {0};
     is_met[0] = 1;
-    for (std::size_t i = 0; i < queue.size(); ++i)
-      for (int h : halfedges_around(queue[i])) {
-        const int f = queue[i] == outside() ? Mesh_view::face(h) : beyond(h);
-        if (is_met[at(f)]) continue;
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      const int here = queue[i];
+      for_each_halfedge_around(here, [&](int h) {
+        const int f = here == outside() ? Mesh_view::face(h) : beyond(h);
+        if (is_met[at(f)]) return;
         is_met[at(f)] = 1;
         m_exit[at(f)] = m_mesh.twin(h) < 0 ? h : m_mesh.twin(h);
         m_is_crossed[at(m_mesh.edge(h))] = 1;
         queue.push_back(f);
-      }
+      });
+    }
   }
 
   void grow_tree()

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/linear_algebra/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/linear_algebra/guarded.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced_matrix.h>
+#include <Conformal_geometry_processing/linear_algebra/release_factor.h>
 
 #include <memory>
 
@@ -70,6 +71,12 @@ class Real_reduced_solver {
       if (status == Solver_status::success) x = m_basis.embed(solution);
       return status;
     });
+  }
+
+  void release()
+  {
+    m_is_factorized = false;
+    release_factor(m_solver);
   }
 
   /// of the real factor

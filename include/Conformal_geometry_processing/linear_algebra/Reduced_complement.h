@@ -79,6 +79,13 @@ class Reduced_complement {
     return m_factor->info() == Eigen::Success;
   }
 
+  /// gives back the memory of the matrix and its factor
+  void release()
+  {
+    m_factor.reset();
+    m_matrix.resize(0, 0);
+  }
+
   /// the last rows of y, in the order of elimination: from right-hand sides to solutions
   void solve(Vector<Scalar>& y) const
   {

@@ -79,6 +79,12 @@ class Reduced_hermitian_solver {
     return std::visit([&](auto& solver) { return solver.solve(b, x); }, m_solver);
   }
 
+  /// gives back the memory of the factor; the analysis stays, and `factorize()` must come next
+  void release()
+  {
+    std::visit([](auto& solver) { solver.release(); }, m_solver);
+  }
+
   /// the cost of the factorization, entries counted as real numbers; zeros before `analyze()`
   Solver_statistics statistics() const
   {

@@ -90,6 +90,13 @@ class Schur_reduced_solver {
     });
   }
 
+  void release()
+  {
+    m_is_factorized = false;
+    if (m_factor) m_factor->release();
+    if (m_complement) m_complement->release();
+  }
+
   /// of both factors, in real numbers
   Solver_statistics statistics() const
   {

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_EIGENPROBLEM_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_EIGENPROBLEM_H
 
+#include <Conformal_geometry_processing/algebra/random_quaternions.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/Lobpcg.h>
@@ -17,7 +18,6 @@
 
 #include <cmath>
 #include <memory>
-#include <random>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -122,19 +122,12 @@ class Dirac_eigenproblem {
     return EigensolverTraits()(m_X, m_areas, m_solver, std::move(start), options, go_further);
   }
 
-  /// \brief two start vectors: `guide`, and X^-1 applied to noise, which has a part of every low
-  /// eigenvector, symmetric or not.
+  /// \brief two start vectors: `guide`, and X^-1 applied to noise.
   /// \pre `set_potential()` has been called
   Vectors start(const Quaternion_vector<double>& guide, unsigned seed) const
   {
-    std::mt19937 generator(seed);
-    // The distributions of the standard library differ between implementations; these bits do not.
-    const auto noise = [&] { return static_cast<double>(generator()) / 4294967296. - 0.5; };
-    Vectors b(guide.size(), 1), x;
-    for (Eigen::Index i = 0; i < guide.size(); ++i) {
-      b(i, 0) = {noise(), noise(), noise(), noise()};
-      b(i, 0) *= m_areas[i];
-    }
+    const Vectors b = block_operator(m_areas)(random_quaternions(guide.size(), 1, seed));
+    Vectors x;
     check("solution", apply_inverse(m_solver, b, x));
     Vectors both(guide.size(), 2);
     both << guide, x;

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_REDUCED_DIRAC_EQUATION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_REDUCED_DIRAC_EQUATION_H
 
+#include <Conformal_geometry_processing/algebra/random_quaternions.h>
 #include <Conformal_geometry_processing/linear_algebra/Lobpcg.h>
 #include <Conformal_geometry_processing/linear_algebra/Reduced_hermitian_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced_operators.h>
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <random>
 #include <string>
 #include <utility>
 
@@ -55,6 +55,9 @@ class Reduced_dirac_equation {
 
   /// solves with R = B^T (X + shift) B for the last rho
   const Reduced_hermitian_solver& solver() const { return m_solver; }
+
+  /// gives back the memory of the factor, until the next `solve()`
+  void release() { m_solver.release(); }
 
   /// \brief assembles X for rho and factors R, shifted as `Dirac_eigenproblem` does.
   /// \throw Solver_error if R is not positive definite to rounding, or memory is short
@@ -151,17 +154,12 @@ class Reduced_dirac_equation {
     return r;
   }
 
-  /// the first columns and X^-1 of noise, which has a part of every low eigenvector
+  /// the first columns and X^-1 of noise
   Vectors with_noise(const Vectors& first, int columns, unsigned seed) const
   {
-    std::mt19937 generator(seed);
-    const auto noise = [&] { return static_cast<double>(generator()) / 4294967296. - 0.5; };
-    Vectors b(first.rows(), columns - first.cols()), x;
-    for (Eigen::Index c = 0; c < b.cols(); ++c)
-      for (Eigen::Index i = 0; i < b.rows(); ++i) {
-        b(i, c) = {noise(), noise(), noise(), noise()};
-        b(i, c) *= m_problem.areas()[i];
-      }
+    const Vectors b = block_operator(m_problem.areas())(
+        random_quaternions(first.rows(), columns - first.cols(), seed));
+    Vectors x;
     check("solution", m_solver.solve(b, x));
     Vectors all(first.rows(), columns);
     all << first, x;

@@ -148,7 +148,11 @@ class Surface_dirac_equation {
   }
 
   /// gives back the memory of factors, until the next `solve()`
-  void release() { m_closed.release(); }
+  void release()
+  {
+    m_closed.release();
+    if (m_reduced) m_reduced->release();
+  }
 
   /// \brief see `Dirac_equation::solve()`.
   /// \throw Precondition_error if the generalized problem is asked for on a surface with boundary
