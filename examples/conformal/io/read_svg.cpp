@@ -5,6 +5,7 @@
 #include "Svg_scanner.h"
 #include "numbers.h"
 #include "svg_path.h"
+#include "svg_transform.h"
 
 #include <algorithm>
 #include <array>
@@ -54,11 +55,15 @@ class Svg_reader {
   {
     m_is_svg = m_is_svg || tag.name == "svg";
     if (is_one_of(tag.name, definitions)) m_depth += int{tag.opens} - int{tag.closes};
-    if (!tag.opens || m_depth > 0) return;
-    if (tag.attribute("transform"))
-      m_scanner.fail(
-          "the attribute transform is not understood; try: applying it in a program "
-          "that draws");
+    if (tag.opens)
+      m_maps.push_back(m_maps.back() *
+                       parse_svg_transform(tag.attribute("transform").value_or(""), fault()));
+    if (tag.opens && m_depth == 0) read_shape(tag);
+    if (tag.closes && m_maps.size() > 1) m_maps.pop_back();
+  }
+
+  void read_shape(const Svg_tag& tag)
+  {
     if (is_one_of(tag.name, other_shapes)) ++m_left_out[std::string(tag.name)];
     if (tag.name == "path")
       add_path(tag);
@@ -87,6 +92,7 @@ class Svg_reader {
 
   void add(const Svg_tag& tag, Plane_curve curve)
   {
+    curve.points = m_maps.back() * curve.points;
     curve.points.row(1) *= -1;  // y is down in SVG
     curve.name = "curve " + std::to_string(m_curves.size()) + " (" + std::string(tag.name) +
                  " in line " + std::to_string(tag.line) + ")";
@@ -97,6 +103,7 @@ class Svg_reader {
   const Curve_reading& m_reading;
   std::vector<Plane_curve> m_curves;
   std::map<std::string, int> m_left_out;
+  std::vector<Eigen::Affine2d> m_maps = {Eigen::Affine2d::Identity()};  // of the open elements
   int m_depth = 0;
   bool m_is_svg = false;
 };

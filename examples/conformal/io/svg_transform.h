@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_SVG_TRANSFORM_H
+#define CONFORMAL_IO_SVG_TRANSFORM_H
+
+#include "svg_path.h"
+
+#include <Eigen/Geometry>
+
+#include <string_view>
+
+namespace conformal {
+
+/// The map of the plane that `transform="..."` stands for, in SVG's coordinates: `matrix`,
+/// `translate`, `scale`, `rotate`, `skewX` and `skewY`, the last one first. No text is no map.
+Eigen::Affine2d parse_svg_transform(std::string_view text, const Svg_fault& fault);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_PROGRAM_IO_CURVE_SUPPORT_H
+#define TEST_PROGRAM_IO_CURVE_SUPPORT_H
+
+#include "conformal/io/Plane_curve.h"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+
+/// What the tests of files with curves share.
+namespace program_test {
+
+inline Eigen::Matrix2Xd points(std::initializer_list<Eigen::Vector2d> list)
+{
+  return conformal::columns(std::vector<Eigen::Vector2d>(list));
+}
+
+/// the action throws, and the message has the words
+template <class Action>
+::testing::AssertionResult refuses(Action action, const std::string& words)
+{
+  try {
+    action();
+  } catch (const std::runtime_error& error) {
+    if (std::string(error.what()).find(words) != std::string::npos)
+      return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << error.what();
+  }
+  return ::testing::AssertionFailure() << "accepted";
+}
+
+}  // namespace program_test
+
+#endif
