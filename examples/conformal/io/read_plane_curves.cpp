@@ -44,8 +44,9 @@ bool looks_closed(const Plane_curve& curve, Curve_format format)
   return gap == 0 || (format == Curve_format::csv && gap <= longest_edge(curve.points));
 }
 
-// Editors leave an edge of rounding errors where a path closes.
-constexpr double negligible_edge = 1e-6;  // of the longest one
+// Editors leave an edge of rounding errors where a path closes, and samples of a Bezier segment
+// whose points coincide differ by such. Both are parts of the longest edge.
+constexpr double negligible_last_edge = 1e-6, negligible_edge = 1e-12;
 
 // Leaves out points that repeat the one before, around the curve if it is closed; returns how many,
 // without the last one of a closed curve, whose repetition says that it is closed.
@@ -53,10 +54,11 @@ std::size_t leave_out_repetitions(Plane_curve& curve)
 {
   std::vector<Eigen::Vector2d> kept;
   const auto count = static_cast<std::size_t>(curve.points.cols());
+  const double longest = longest_edge(curve.points);
   for (const auto& p : curve.points.colwise())
-    if (kept.empty() || kept.back() != p) kept.emplace_back(p);
+    if (kept.empty() || (kept.back() - p).norm() > negligible_edge * longest) kept.emplace_back(p);
   const std::size_t repeated = count - kept.size();
-  const double least = negligible_edge * longest_edge(curve.points);
+  const double least = negligible_last_edge * longest;
   if (curve.is_closed && kept.size() > 1 && (kept.back() - kept.front()).norm() <= least)
     kept.pop_back();
   curve.points = columns(kept);

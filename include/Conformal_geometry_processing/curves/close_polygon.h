@@ -47,13 +47,13 @@ inline void correct_curvatures(const Eigen::Vector2d& gap, double turning,
                                Eigen::VectorXd& curvatures)
 {
   // What turns at vertex i by d_i k_i turns the end p about f_i: the gap changes by
-  // J (p - f_i) d_i k_i. Moments, d_i k_i (1, f_i - p), tell all.
+  // J (p - f_i) d_i k_i. So moments, d_i k_i (1, f_i), tell all; p, which is the gap away from 0,
+  // matters to second order only.
   const Eigen::VectorXd& d = lengths.duals();
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (Eigen::Index i = 0; i < d.size(); ++i) {
-    const Eigen::Vector2d f = points.col(i) - gap;
-    moments += d[i] * Eigen::Vector3d(1, f.x(), f.y()) * functions.values(shape.col(i)).transpose();
-  }
+  for (Eigen::Index i = 0; i < d.size(); ++i)
+    moments += d[i] * Eigen::Vector3d(1, points(0, i), points(1, i)) *
+               functions.values(shape.col(i)).transpose();
   const Eigen::Vector3d wanted(turning - d.dot(curvatures), gap.y(), -gap.x());
   const Eigen::Vector3d share = moments.fullPivLu().solve(wanted);
   for (Eigen::Index i = 0; i < d.size(); ++i)

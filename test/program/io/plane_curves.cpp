@@ -121,6 +121,14 @@ TEST_F(Curve_files, rounding_errors_where_a_path_closes_are_no_edge)
   EXPECT_EQ(curve[0].points.cols(), 3);
 }
 
+TEST_F(Curve_files, points_that_repeat_but_for_rounding_are_left_out)
+{
+  const auto curve = read_text("a.svg", "<svg><path d='M.1 .3C.1 .3 .1 .3 .1 .3L1 0 1 1z'/></svg>");
+  EXPECT_EQ(curve[0].points.cols(), 3);
+  ASSERT_EQ(m_notes.size(), 1u);
+  EXPECT_NE(m_notes[0].find("16 points that repeat the one before"), std::string::npos);
+}
+
 TEST_F(Curve_files, that_cannot_be_read_or_written_are_refused)
 {
   EXPECT_TRUE(refuses([&] { read("a.dxf"); }, "has no known extension"));
