@@ -4,6 +4,7 @@
 
 #include "Failure.h"
 #include "curve_command_line.h"
+#include "flatten_options.h"
 #include "help_texts.h"
 #include "option_groups.h"
 #include "versions.h"
@@ -26,6 +27,7 @@ class Parser {
     add_flow();
     add_boundary_command();
     add_curve();
+    add_flatten();
     add_harmonic();
     add_compare();
   }
@@ -150,6 +152,14 @@ class Parser {
     add_output(command);
   }
 
+  void add_flatten()
+  {
+    CLI::App& command = *add_command("flatten", about_flatten);
+    add_flatten_options(command, m_flatten);
+    add_output(command);
+    add_limits(command, m_flatten.limits, m_flatten.force);
+  }
+
   void add_harmonic()
   {
     CLI::App* command = add_command("harmonic", about_harmonic);
@@ -210,6 +220,7 @@ class Parser {
     if (line.command == "flow") line.options = m_flow;
     if (line.command == "boundary") line.options = m_boundary;
     if (line.command == "curve") line.options = m_curve;
+    if (line.command == "flatten") line.options = m_flatten;
     if (line.command == "harmonic") line.options = m_harmonic;
     if (line.command == "compare") line.options = m_compare;
     require_solver(m_spin.solver);
@@ -232,6 +243,7 @@ class Parser {
   Flow_options m_flow;
   Boundary_options m_boundary;
   Curve_options m_curve;
+  Flatten_options m_flatten;
   Harmonic_options m_harmonic;
   Compare_options m_compare;
   std::string m_problem = "standard";

@@ -81,6 +81,19 @@ struct Boundary_options {
   bool minimal = false;  ///< rho is -H
 };
 
+enum class Flatten_method { spectral, dirac };
+
+struct Flatten_options {
+  std::string input;
+  Flatten_method method = Flatten_method::spectral;
+  bool planar = false;       ///< by curvature instead
+  bool planar_mesh = false;  ///< writes the flat mesh
+  bool all_loops = false;    ///< the spread of all boundary loops is kept
+  double tolerance = 1e-6;   ///< of the spectral map
+  bool force = false;
+  Verification_limits limits;
+};
+
 struct Harmonic_options {
   std::string input;
   std::optional<int> form;  ///< the only one to be written

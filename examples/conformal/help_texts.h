@@ -69,6 +69,16 @@ inline constexpr const char* about_curve =
     "ends with exit code 130 or 143; a second signal ends it at once.\n"
     "Example: conformal curve star.svg --steps 60 --time-step 0.05 --animate -o star_flow.svg";
 
+inline constexpr const char* about_flatten =
+    "Maps a surface with boundary to the plane with little distortion of angles, and writes the\n"
+    "map as texture coordinates in the unit square, beside the mesh as it was, or the flat mesh\n"
+    "itself, as large as the surface. Holes are taken as they come. The property quality is the\n"
+    "quasi-conformal error.\n"
+    "--planar has the surface unbend by curvature: its mean curvature becomes zero, and the\n"
+    "tangents of its boundary, which must be one loop, those of a plane curve that turns as it\n"
+    "did.\n"
+    "Example: conformal flatten face.off -o face.glb --json face.json";
+
 inline constexpr const char* about_harmonic =
     "Finds the harmonic 1-forms of a closed surface with handles, two for each, and their tangent\n"
     "fields; of a torus also the conformal modulus. -o writes a PLY file with the fields as\n"

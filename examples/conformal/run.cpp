@@ -8,6 +8,7 @@
 #include "boundary.h"
 #include "compare.h"
 #include "curve.h"
+#include "flatten.h"
 #include "flow.h"
 #include "harmonic.h"
 #include "info.h"
@@ -70,6 +71,7 @@ void dispatch(const Command_line& line, Session& session)
   if (const auto* options = std::get_if<Boundary_options>(&line.options))
     boundary(*options, session);
   if (const auto* options = std::get_if<Curve_options>(&line.options)) curve(*options, session);
+  if (const auto* options = std::get_if<Flatten_options>(&line.options)) flatten(*options, session);
   if (const auto* options = std::get_if<Harmonic_options>(&line.options))
     harmonic(*options, session);
   if (const auto* options = std::get_if<Compare_options>(&line.options)) compare(*options, session);

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "flatten.h"
+
+#include "Failure.h"
+#include "Surface_input.h"
+#include "flat_image.h"
+#include "interruption.h"
+#include "io/texture_coordinates.h"
+#include "io/write_surface.h"
+#include "suitable_surface.h"
+#include "write_result.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace conformal {
+namespace {
+
+void verify(const Flat_image& image, const Flatten_options& options, Session& session)
+{
+  session.report().set("verified", image.fault.empty());
+  if (image.fault.empty()) return;
+  if (!options.force) throw Failure(Exit_code::failed, options.input + ": " + image.fault);
+  session.note("written all the same, as --force says: " + image.fault);
+}
+
+/// \brief texture coordinates in the unit square, of the same shape as the image, at its lower left
+/// corner; (0, 0) for vertices without a face.
+std::vector<std::array<double, 2>> in_unit_square(const Surface_input& input,
+                                                  const CGP::Points& positions)
+{
+  const Eigen::Vector2d low = positions.topRows<2>().rowwise().minCoeff();
+  const Eigen::Vector2d extent = positions.topRows<2>().rowwise().maxCoeff() - low;
+  std::vector<std::array<double, 2>> uv(input.file.points.size(), {0, 0});
+  for (std::size_t v = 0; v < input.vertex_in_file.size(); ++v) {
+    const Eigen::Vector2d p =
+        (positions.col(static_cast<Eigen::Index>(v)).head<2>() - low) / extent.maxCoeff();
+    uv[static_cast<std::size_t>(input.vertex_in_file[v])] = {p.x(), p.y()};
+  }
+  return uv;
+}
+
+}  // namespace
+
+void flatten(const Flatten_options& options, Session& session)
+{
+  const std::string& output = session.options().output;
+  require_writable(output);
+  const Surface_input input = read_bounded_surface(options.input, session);
+  const Flat_image image = flat_image(input, options, session);
+  throw_if_interrupted();
+  session.end_stage("solve");
+  verify(image, options, session);
+  Surface_file file = options.planar_mesh ? moved(input, image.positions) : input.file;
+  set_texture_coordinates(file, in_unit_square(input, image.positions));
+  set_quality(input, image.positions, file);
+  session.note_all(write_surface(output, file));
+  session.end_stage("write");
+}
+
+}  // namespace conformal
