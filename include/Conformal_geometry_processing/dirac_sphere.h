@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_DIRAC_SPHERE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_DIRAC_SPHERE_H
+
+#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/spin_transform.h>
+#include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgEntryPoints
+/// \brief turns a mesh of a round sphere into a Dirac sphere: a conformal image whose mean
+/// curvature half-density is a multiple of its length density, with Willmore energy 4 pi kappa^2
+/// [CGP 6.5.1].
+///
+/// Its spin is the spherical spinor Omega_kappa,s in closed form, around the axis z. For s = 0 the
+/// surface is immersed, else it has branch points at both poles. For surfaces of other
+/// eigenfunctions see `dirac_spectrum()` and `surface_of_spin()`.
+///
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh a round sphere with normals outward, wherever and however large; its points are
+/// overwritten, area and centroid stay
+/// \param kappa any integer but zero; -1 gives the sphere itself
+/// \param s from -|kappa| to |kappa| - 1; -s - 1 gives the same surface as s
+/// \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices; read, and written unless
+///                           `output_vertex_point_map` is given}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{output_vertex_point_map}
+///     \cgalParamDescription{where the new points go}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{the vertex point map}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_spin_map}
+///     \cgalParamDescription{receives lambda}
+///     \cgalParamType{a model of `WritablePropertyMap`; its value is any type that
+///                    `Quaternion_access` knows}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
+///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_solver}
+///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
+///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
+///     \cgalParamDefault{`Default_solver_traits`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the report; `eigenvalue` is near -(kappa + 1) over the radius
+/// \throw Precondition_error if kappa is zero, s is out of its range, or the mesh is not a closed
+/// round sphere with normals outward, finite coordinates and positive areas
+/// \throw Solver_error if the Laplacian cannot be factored
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Spin_report dirac_sphere(TriangleMesh& mesh, int kappa, int s,
+                         const NamedParameters& np = parameters::default_values())
+{
+  static_assert(
+      internal::only_known_parameters<NamedParameters, CGAL::internal_np::vertex_point_t,
+                                      CGAL::internal_np::geom_traits_t,
+                                      internal_np::output_vertex_point_map_t,
+                                      internal_np::vertex_spin_map_t, internal_np::sparse_solver_t>,
+      "dirac_sphere(): unknown named parameter, see the manual for those it accepts");
+  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
+                                                 Default_solver_traits>;
+  const Graph_view<TriangleMesh> graph(mesh, np, "dirac_sphere");
+  const Spin_result result =
+      spin_to_dirac_sphere<Solver_traits>(graph.view(), kappa, s, "dirac_sphere");
+  if (result.report.converged) internal::write_spin_result(mesh, graph, result, np);
+  return result.report;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
