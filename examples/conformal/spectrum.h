@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_SPECTRUM_H
+#define CONFORMAL_SPECTRUM_H
+
+#include "Session.h"
+#include "Spectrum_options.h"
+
+namespace conformal {
+
+/// Finds eigenvalues of the Dirac operator: `conformal spectrum`.
+/// \throws Failure if the input is unsuitable, not all of them are found, or a signal has come, and
+/// what the readers, the library and the writers throw
+void spectrum(const Spectrum_options& options, Session& session);
+
+}  // namespace conformal
+
+#endif
