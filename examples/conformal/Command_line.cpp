@@ -5,8 +5,10 @@
 #include "Failure.h"
 #include "curve_command_line.h"
 #include "flatten_options.h"
+#include "flow_command_line.h"
 #include "help_texts.h"
 #include "option_groups.h"
+#include "spectrum_command_line.h"
 #include "versions.h"
 
 #include <CLI/CLI.hpp>
@@ -29,6 +31,8 @@ class Parser {
     add_curve();
     add_flatten();
     add_harmonic();
+    add_spectrum();
+    add_sphere();
     add_compare();
   }
 
@@ -111,38 +115,12 @@ class Parser {
 
   void add_flow()
   {
-    CLI::App* command = add_command("flow", about_flow);
-    add_input(*command, m_flow.input);
-    add_output(*command);
-    command->add_option("--steps", m_flow.steps, "how many steps at most")
-        ->check(above_zero)
-        ->capture_default_str();
-    command
-        ->add_option("--time-step", m_flow.time_step,
-                     "the largest; 1 goes furthest, 2 is the limit of stability")
-        ->check(above_zero)
-        ->check(CLI::Range(0., 2.))
-        ->capture_default_str();
-    command
-        ->add_option("--filter-weight", m_flow.filter_weight,
-                     "keeps the large features; detail finer than this to the power "
-                     "1/(2 order), in radii of the sphere of the same area, is smoothed")
-        ->check(above_zero);
-    command->add_option("--filter-order", m_flow.filter_order, "sharpness of the filter, 0 to 3")
-        ->check(CLI::Range(0, 3))
-        ->needs("--filter-weight")
-        ->capture_default_str();
-    add_boundary(*command, m_flow.boundary);
-    add_choice(*command, "--balance", m_flow.balance, {"none", "initial", "canonical"},
-               "undoes drift of closed surfaces by sphere inversions: towards the initial areas, "
-               "or those of the canonical metric (genus > 0)");
-    command
-        ->add_option("--every", m_flow.every,
-                     "write every so many steps a snapshot, OUTPUT with the number of the step: "
-                     "bear_0005.ply")
-        ->check(above_zero);
-    add_eigenvector(*command, m_common);
-    add_limits(*command, m_flow.limits, m_flow.force);
+    CLI::App& command = *add_command("flow", about_flow);
+    add_input(command, m_flow.input);
+    add_output(command);
+    add_flow_options(command, m_flow);
+    add_eigenvector(command, m_common);
+    add_limits(command, m_flow.limits, m_flow.force);
   }
 
   void add_curve()
@@ -167,6 +145,21 @@ class Parser {
     command->add_option("-o,--output", m_common.output, "the mesh with the fields");
     command->add_option("--form", m_harmonic.form, "write only this one, counted from 0")
         ->check(CLI::NonNegativeNumber);
+  }
+
+  void add_spectrum()
+  {
+    CLI::App& command = *add_command("spectrum", about_spectrum);
+    command.add_option("-o,--output", m_common.output, "the surface of an eigenfunction");
+    add_spectrum_options(command, m_spectrum);
+    add_eigenvector(command, m_common);
+  }
+
+  void add_sphere()
+  {
+    CLI::App& command = *add_command("sphere", about_sphere);
+    add_sphere_options(command, m_sphere);
+    add_output(command);
   }
 
   void add_compare()
@@ -222,6 +215,8 @@ class Parser {
     if (line.command == "curve") line.options = m_curve;
     if (line.command == "flatten") line.options = m_flatten;
     if (line.command == "harmonic") line.options = m_harmonic;
+    if (line.command == "spectrum") line.options = m_spectrum;
+    if (line.command == "sphere") line.options = m_sphere;
     if (line.command == "compare") line.options = m_compare;
     require_solver(m_spin.solver);
     require_solver(m_boundary.spin.solver);
@@ -245,6 +240,8 @@ class Parser {
   Curve_options m_curve;
   Flatten_options m_flatten;
   Harmonic_options m_harmonic;
+  Spectrum_options m_spectrum;
+  Sphere_options m_sphere;
   Compare_options m_compare;
   std::string m_problem = "standard";
   CLI::App m_app;

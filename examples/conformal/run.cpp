@@ -15,6 +15,8 @@
 #include "interruption.h"
 #include "io/Temporary_file.h"
 #include "io/io_errors.h"
+#include "spectrum.h"
+#include "sphere.h"
 #include "spin.h"
 #include "threads.h"
 
@@ -74,6 +76,9 @@ void dispatch(const Command_line& line, Session& session)
   if (const auto* options = std::get_if<Flatten_options>(&line.options)) flatten(*options, session);
   if (const auto* options = std::get_if<Harmonic_options>(&line.options))
     harmonic(*options, session);
+  if (const auto* options = std::get_if<Spectrum_options>(&line.options))
+    spectrum(*options, session);
+  if (const auto* options = std::get_if<Sphere_options>(&line.options)) sphere(*options, session);
   if (const auto* options = std::get_if<Compare_options>(&line.options)) compare(*options, session);
 }
 

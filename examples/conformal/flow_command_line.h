@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_FLOW_COMMAND_LINE_H
+#define CONFORMAL_FLOW_COMMAND_LINE_H
+
+#include "Options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace conformal {
+
+/// what `conformal flow` takes of its own
+void add_flow_options(CLI::App& command, Flow_options& flow);
+
+}  // namespace conformal
+
+#endif
