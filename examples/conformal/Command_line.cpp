@@ -84,6 +84,7 @@ class Parser {
     add_input(command, m_spin.input);
     add_output(command);
     add_rho(command, m_spin.rho)->require_option(1);
+    add_filter(command, m_spin.rho.filter);
     add_boundary(command, m_spin.boundary);
     add_solver(command, m_spin);
     command

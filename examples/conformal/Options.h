@@ -19,12 +19,25 @@ struct Common_options {
 
 enum class Projection { uv, x, y, z, sphere };
 
+enum class Filter_choice { none, low_pass, high_pass, unsharp };
+
+/// what becomes of rho before it is used; what is not given has its default
+struct Filter_request {
+  Filter_choice choice = Filter_choice::none;
+  std::optional<bool> on_image;  ///< else on the surface; undecided: where there is one
+  std::optional<double> radius;  ///< in pixels, on the image
+  std::optional<double> weight;  ///< on the surface, as of `CGP::Curvature_filter`
+  std::optional<int> order;      ///< likewise
+  std::optional<double> amount;  ///< of the unsharp mask
+};
+
 /// where rho comes from: exactly one of the four is not empty
 struct Rho_options {
   std::string expression, property, file, image;
   Projection projection = Projection::uv;
   double amplitude = 1;
   std::optional<bool> on_faces;  ///< undecided: vertices, or whatever the data fit
+  Filter_request filter;
 };
 
 /// beyond these the result of a transformation does not verify

@@ -28,8 +28,10 @@ inline constexpr const char* about_spin =
     "with which they would not close up, and the rest is reached in as many steps as it takes; "
     "the\n"
     "table tells how much. A boundary is free, unless --boundary says what it keeps.\n"
+    "--filter keeps the large features of rho, the small ones, or lifts these out.\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
-    "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply";
+    "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply\n"
+    "Example: conformal spin bear.obj --paint fur.png --filter unsharp --amplitude 8 -o bear.ply";
 
 inline constexpr const char* about_flow =
     "Smooths a surface by the conformal Willmore flow: as smooth as its conformal class allows, a\n"

@@ -35,7 +35,7 @@ CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho)
   source->add_option("--rho-property", rho.property, "vertex or face property of the mesh");
   source->add_option("--rho-file", rho.file,
                      "text file, a number per vertex or face; # begins a comment");
-  source->add_option("--rho-image", rho.image,
+  source->add_option("--paint,--rho-image", rho.image,
                      "picture (PNG, JPEG, PGM, PPM): rho = gray - 0.5, gray from 0 to 1");
   add_choice(command, "--projection", rho.projection, {"uv", "x", "y", "z", "sphere"},
              "of the picture: uv, along an axis (x, y, z), or sphere around the z axis");
@@ -48,6 +48,39 @@ CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho)
                                         "where rho has its values (default: vertices)")
       ->check(CLI::IsMember({"vertices", "faces"}));
   return source;
+}
+
+void add_filter(CLI::App& command, Filter_request& filter)
+{
+  add_choice(command, "--filter", filter.choice, {"none", "low-pass", "high-pass", "unsharp"},
+             "keeps the large features of rho, the small ones, or lifts the small ones out");
+  const auto set_on = [&filter](const std::string& word) { filter.on_image = word == "image"; };
+  command
+      .add_option_function<std::string>("--filter-on", set_on,
+                                        "the picture before it is painted, or rho on the surface "
+                                        "(default: the picture, if there is one)")
+      ->check(CLI::IsMember({"image", "surface"}));
+  command
+      .add_option("--filter-radius", filter.radius,
+                  "on a picture, the standard deviation of the Gauss function in pixels "
+                  "(default: 6)")
+      ->check(above_zero);
+  command
+      .add_option("--filter-weight", filter.weight,
+                  "on the surface, features larger than this to the power 1/(2 order), in radii of "
+                  "the sphere of the same area, are large (default: 0.01)")
+      ->check(above_zero);
+  command
+      .add_option("--filter-order", filter.order,
+                  "on the surface, the sharpness of the filter, 0 to 3 (default: 1)")
+      ->check(CLI::Range(0, 3));
+  command
+      .add_option("--filter-amount", filter.amount,
+                  "how often the unsharp mask adds the small features (default: 1)")
+      ->check(finite);
+  for (const char* const detail :
+       {"--filter-on", "--filter-radius", "--filter-weight", "--filter-order", "--filter-amount"})
+    command.get_option(detail)->needs("--filter");
 }
 
 void add_solver(CLI::App& command, Spin_options& options)

@@ -37,6 +37,9 @@ void add_input(CLI::App& command, std::string& input);
 /// `--rho-expression` and the others; the group of which at most one is allowed
 CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho);
 
+/// `--filter` and what belongs to it
+void add_filter(CLI::App& command, Filter_request& filter);
+
 void add_solver(CLI::App& command, Spin_options& options);
 void add_boundary(CLI::App& command, Boundary_choice& boundary);
 void add_prescription(CLI::App& command, Prescription_options& prescription);

@@ -5,6 +5,7 @@
 #include "Expression.h"
 #include "Failure.h"
 #include "Table.h"
+#include "filter_rho.h"
 
 #include <Conformal_geometry_processing/mesh/normals.h>
 
@@ -70,10 +71,11 @@ CGP::Curvature_potential rho_from_expression(const Surface_input& input, const R
 
 CGP::Curvature_potential read_rho(const Surface_input& input, const Rho_options& options)
 {
+  require_possible_filter(options);
   CGP::Curvature_potential rho = rho_from(input, options);
   rho.values *= options.amplitude;
   require_finite(input, rho);
-  return rho;
+  return is_filtered_on_surface(options) ? filtered(input, rho, options.filter) : rho;
 }
 
 }  // namespace conformal

@@ -28,11 +28,11 @@ class User_frame {
 };
 
 /// \brief The change of curvature that the user asks for, in 1/length of the *user's frame*, with
-/// the amplitude applied. Divided by `User_frame::unit()` it is what the library takes.
+/// the amplitude applied, and filtered. Divided by `User_frame::unit()` the library takes it.
 /// \throws Failure, Read_error
 CGP::Curvature_potential read_rho(const Surface_input& input, const Rho_options& options);
 
-/// each of the four sources, without the amplitude
+/// each of the four sources, without the amplitude and filters on the surface
 CGP::Curvature_potential rho_from_expression(const Surface_input& input, const Rho_options&);
 CGP::Curvature_potential rho_from_property(const Surface_input& input, const Rho_options&);
 CGP::Curvature_potential rho_from_file(const Surface_input& input, const Rho_options&);

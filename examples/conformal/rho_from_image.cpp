@@ -3,13 +3,16 @@
 #include "rho.h"
 
 #include "Failure.h"
-#include "Gray_image.h"
-#include "Table.h"
+#include "filter_rho.h"
 #include "io/texture_coordinates.h"
+#include "read_gray_image.h"
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/painting/painted_curvature.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace conformal {
 namespace {
@@ -48,27 +51,49 @@ CGP::Points in_box(const CGP::Mesh_view& mesh, Projection projection)
   return points;
 }
 
-CGP::Curvature_potential from_projection(const Surface_input& input, const Gray_image& image,
-                                         Projection projection)
+/// of the vertices, or of the middles of the faces
+Eigen::Matrix2Xd places_by_projection(const Surface_input& input, const Rho_options& options)
 {
-  const CGP::Points points = in_box(input.mesh, projection);
-  Eigen::VectorXd gray(points.cols());
-  for (Eigen::Index v = 0; v < points.cols(); ++v) {
-    const Coordinates uv = projected(points.col(v), projection);
-    gray[v] = image(uv.x(), uv.y());
-  }
-  return CGP::Curvature_potential::on_vertices(std::move(gray));
+  CGP::Points points = in_box(input.mesh, options.projection);
+  if (options.on_faces.value_or(false)) points = CGP::means_of_corners(input.mesh, points);
+  Eigen::Matrix2Xd places(2, points.cols());
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    places.col(i) = projected(points.col(i), options.projection);
+  return places;
+}
+
+/// the texture coordinates of a vertex of a face, which may have others in its other faces; no
+/// numbers where it has none
+Coordinates place_in_texture(const Surface_input& input, const Corner_values& texture, int f, int v)
+{
+  const Polygons& polygons = input.file.polygons;
+  const auto face = static_cast<std::size_t>(input.face_in_file[static_cast<std::size_t>(f)]);
+  const int vertex = input.vertex_in_file[static_cast<std::size_t>(v)];
+  const auto all = polygons.corners.begin();
+  const auto corner =
+      std::find(all + static_cast<std::ptrdiff_t>(polygons.first[face]),
+                all + static_cast<std::ptrdiff_t>(polygons.first[face + 1]), vertex);
+  const int row = texture.index[static_cast<std::size_t>(corner - all)];
+  if (row < 0) return Coordinates::Constant(std::numeric_limits<double>::quiet_NaN());
+  const auto& uv = texture.values[static_cast<std::size_t>(row)];
+  return {uv[0], uv[1]};
+}
+
+Eigen::VectorXd gray_of_faces(const Surface_input& input, const Corner_values& texture,
+                              const CGP::Gray_image& image)
+{
+  Eigen::Matrix2Xd places = Eigen::Matrix2Xd::Zero(2, input.mesh.size_of_faces());
+  for (int f = 0; f < input.mesh.size_of_faces(); ++f)
+    for (const int v : input.mesh.corners(f))
+      places.col(f) += place_in_texture(input, texture, f, v) / 3;
+  return image(places);
 }
 
 // The mean over the corners at each vertex, which may have different coordinates at a seam.
-CGP::Curvature_potential from_texture(const Surface_input& input, const Gray_image& image)
+Eigen::VectorXd gray_of_vertices(const Surface_input& input, const Corner_values& texture,
+                                 const CGP::Gray_image& image)
 {
   const Surface_file& file = input.file;
-  const Corner_values texture = texture_coordinates(file);
-  if (texture.index.empty())
-    throw unsuitable(file.path,
-                     "has no texture coordinates for --rho-image; try: --projection sphere, or x, "
-                     "y, z");
   std::vector<double> sum(file.points.size(), 0), count(sum);
   for (std::size_t c = 0; c < texture.index.size(); ++c) {
     if (texture.index[c] < 0) continue;
@@ -82,30 +107,33 @@ CGP::Curvature_potential from_texture(const Surface_input& input, const Gray_ima
     const auto i = static_cast<std::size_t>(input.vertex_in_file[static_cast<std::size_t>(v)]);
     gray[v] = sum[i] / count[i];  // no number where a vertex has no coordinates: refused later
   }
-  return CGP::Curvature_potential::on_vertices(std::move(gray));
+  return gray;
 }
 
-CGP::Curvature_potential on_faces(const CGP::Mesh_view& mesh, const Eigen::VectorXd& at_vertices)
+Eigen::VectorXd gray_from_texture(const Surface_input& input, const CGP::Gray_image& image,
+                                  bool on_faces)
 {
-  Eigen::VectorXd values(mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const auto& v = mesh.corners(f);
-    values[f] = (at_vertices[v[0]] + at_vertices[v[1]] + at_vertices[v[2]]) / 3;
-  }
-  return CGP::Curvature_potential::on_faces(std::move(values));
+  const Corner_values texture = texture_coordinates(input.file);
+  if (texture.index.empty())
+    throw unsuitable(input.file.path,
+                     "has no texture coordinates for --paint; try: --projection sphere, or x, y, "
+                     "z");
+  return on_faces ? gray_of_faces(input, texture, image) : gray_of_vertices(input, texture, image);
 }
 
 }  // namespace
 
 CGP::Curvature_potential rho_from_image(const Surface_input& input, const Rho_options& options)
 {
-  const Gray_image image = read_gray_image(options.image);
-  CGP::Curvature_potential rho = options.projection == Projection::uv
-                                     ? from_texture(input, image)
-                                     : from_projection(input, image, options.projection);
+  const CGP::Gray_image image = filtered(read_gray_image(options.image), options);
+  const bool on_faces = options.on_faces.value_or(false);
+  const Eigen::VectorXd gray = options.projection == Projection::uv
+                                   ? gray_from_texture(input, image, on_faces)
+                                   : image(places_by_projection(input, options));
   const double middle_gray = 0.5;
-  rho.values.array() -= middle_gray;
-  return options.on_faces.value_or(false) ? on_faces(input.mesh, rho.values) : rho;
+  const Eigen::VectorXd rho = gray.array() - middle_gray;
+  return on_faces ? CGP::Curvature_potential::on_faces(rho)
+                  : CGP::Curvature_potential::on_vertices(rho);
 }
 
 }  // namespace conformal

@@ -1,6 +1,6 @@
 // Tests examples/conformal/rho.cpp examples/conformal/rho_from_values.cpp
 // Tests examples/conformal/rho_from_image.cpp examples/conformal/Expression.cpp
-// Tests examples/conformal/Gray_image.cpp
+// Tests examples/conformal/read_gray_image.cpp examples/conformal/filter_rho.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/rho.h"
@@ -10,8 +10,8 @@
 
 #include "conformal/Expression.h"
 #include "conformal/Failure.h"
-#include "conformal/Gray_image.h"
 #include "conformal/io/read_surface.h"
+#include "conformal/read_gray_image.h"
 
 #include <cmath>
 
@@ -51,16 +51,6 @@ TEST(Expression, that_is_no_formula_names_the_place)
     EXPECT_NE(std::string(failure.what()).find("\"foo\" found, at place 3"), std::string::npos)
         << failure.what();
   }
-}
-
-TEST(Gray_image, is_linear_between_pixels_and_begins_below)
-{
-  const Gray_image image(2, 2, {0, 1, 2, 3});
-  EXPECT_DOUBLE_EQ(image(0.25, 0.75), 0);
-  EXPECT_DOUBLE_EQ(image(0.75, 0.25), 3);
-  EXPECT_DOUBLE_EQ(image(0.5, 0.5), 1.5);
-  EXPECT_DOUBLE_EQ(image(1, 0), 3);
-  EXPECT_DOUBLE_EQ(image(1.75, 0.25), 3);
 }
 
 TEST_F(Rho, of_an_expression_lives_in_the_frame_of_diagonal_2)
@@ -136,6 +126,122 @@ TEST_F(Rho, of_a_picture_takes_the_mean_at_a_seam)
   const auto rho = read_rho(input, options);
   EXPECT_NEAR(rho.values[0], 1. / 3 - 0.5, 1e-12);
   EXPECT_NEAR(rho.values[1], -0.5, 1e-12);
+}
+
+TEST_F(Rho, of_a_picture_on_faces_is_that_of_their_middles)
+{
+  write("gray.pgm", std::string("P5 2 1 255\n") + '\0' + '\xff');
+  Rho_options options;
+  options.image = path("gray.pgm");
+  options.on_faces = true;
+  const std::string seam =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0.6 1\n"
+      "f 1/1 3/1 2/3\nf 1/1 2/3 4/3\nf 1/2 4/1 3/1\nf 2/1 3/1 4/1\n";
+  const auto rho = read_rho(prepare(parse_surface(seam, "a.obj")), options);
+  // The middles are at u = 0.2, 0.4, 1/3, 0; gray is linear from 0.25 to 0.75.
+  EXPECT_LT((rho.values - Eigen::Vector4d(-0.5, -0.2, 1. / 6 - 0.5, -0.5)).norm(), 1e-12);
+}
+
+TEST_F(Rho, of_a_picture_by_a_projection_is_taken_at_the_middles_of_faces)
+{
+  std::string ramp = "P5 64 1 255\n";
+  for (int i = 0; i < 64; ++i) ramp += static_cast<char>(4 * i);
+  write("ramp.pgm", ramp);
+  const Surface_input input = prepare(parse_surface(off(cgp_test::icosahedron()), "a.off"));
+  Rho_options options;
+  options.image = path("ramp.pgm");
+  options.projection = Projection::y;
+  const Eigen::VectorXd at_vertices = read_rho(input, options).values;
+  options.on_faces = true;
+  const Eigen::VectorXd at_faces = read_rho(input, options).values;
+  ASSERT_EQ(at_faces.size(), 20);
+  for (int f = 0; f < 20; ++f) {
+    const auto& [a, b, c] = input.mesh.corners(f);
+    const double mean = (at_vertices[a] + at_vertices[b] + at_vertices[c]) / 3;
+    EXPECT_NEAR(at_faces[f], mean, 0.01);  // but for half a pixel at the border
+  }
+}
+
+TEST_F(Rho, of_a_picture_is_refused_where_a_face_has_no_place_in_it)
+{
+  write("gray.pgm", std::string("P5 2 1 255\n") + '\0' + '\xff');
+  write("a.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\n"
+        "f 1/1 3/1 2/1\nf 1/1 2/1 4/1\nf 1/1 4/1 3/1\nf 2 3 4\n");
+  EXPECT_TRUE(fails(run("spin -q a.obj -o b.ply --paint gray.pgm --on faces"), 4,
+                    "not a finite number at 1 face (first: face 3"));
+}
+
+/// a picture of stripes, and what becomes of it
+class Filtered_picture : public Program {
+ protected:
+  Filtered_picture()
+  {
+    std::string pixels = "P5 16 16 255\n";
+    for (int i = 0; i < 256; ++i) pixels += i / 4 % 2 == 0 ? '\x30' : '\xb0';
+    write("gray.pgm", pixels);
+    write("a.off", off(cgp_test::icosphere(2)));
+    m_options.image = path("gray.pgm");
+    m_options.projection = Projection::sphere;
+  }
+
+  Eigen::VectorXd rho(Filter_choice choice)
+  {
+    m_options.filter.choice = choice;
+    return read_rho(prepare(read_surface(path("a.off"))), m_options).values;
+  }
+
+  /// low and high add up, the one is less, and the unsharp mask adds `amount` times the other
+  void expect_bands(double amount)
+  {
+    m_options.filter.amount.reset();
+    const Eigen::VectorXd all = rho(Filter_choice::none), low = rho(Filter_choice::low_pass);
+    const Eigen::VectorXd high = rho(Filter_choice::high_pass);
+    m_options.filter.amount = amount;
+    const Eigen::VectorXd sharp = rho(Filter_choice::unsharp);
+    EXPECT_LT((low + high - all).norm(), 1e-12 * all.norm());
+    EXPECT_LT((all + amount * high - sharp).norm(), 1e-12 * sharp.norm());
+    EXPECT_LT(low.norm(), 0.8 * all.norm());
+  }
+
+  Rho_options m_options;
+};
+
+TEST_F(Filtered_picture, has_bands_that_add_up_on_the_picture_and_on_the_surface)
+{
+  m_options.filter.radius = 2;
+  expect_bands(1.5);
+  m_options.filter.radius.reset();
+  m_options.filter.on_image = false;
+  m_options.filter.weight = 0.1;
+  m_options.filter.order = 2;
+  expect_bands(3);
+}
+
+TEST_F(Filtered_picture, is_painted_by_the_program)
+{
+  const std::string spin = "spin -q a.off -o b.ply --projection sphere --paint gray.pgm ";
+  for (const std::string filter : {"low-pass --filter-radius 2", "high-pass", "unsharp",
+                                   "unsharp --filter-on surface --filter-amount 2"}) {
+    const Program_run done = run(spin + "--filter " + filter);
+    EXPECT_EQ(done.code, 0) << done.err;
+  }
+  EXPECT_EQ(run("spin -q a.off -o b.ply --rho-expression 'x*y' --filter low-pass").code, 0);
+}
+
+TEST_F(Filtered_picture, wants_options_that_go_together)
+{
+  const std::string begin = "spin -q a.off -o b.ply ";
+  const std::string paint = begin + "--projection z --paint gray.pgm ";
+  const std::string formula = begin + "--rho-expression x --filter low-pass ";
+  EXPECT_TRUE(fails(run(paint + "--filter-radius 2"), 2, "--filter"));
+  EXPECT_TRUE(fails(run(paint + "--filter blur"), 2, "low-pass"));
+  EXPECT_TRUE(fails(run(paint + "--filter low-pass --filter-radius 0"), 2, "above 0"));
+  EXPECT_TRUE(fails(run(paint + "--filter low-pass --filter-amount 2"), 2, "unsharp only"));
+  EXPECT_TRUE(fails(run(paint + "--filter low-pass --filter-weight 2"), 2, "--filter-radius"));
+  EXPECT_TRUE(fails(run(formula + "--filter-on image"), 2, "wants a picture"));
+  EXPECT_TRUE(fails(run(formula + "--filter-radius 2"), 2, "of pictures"));
+  EXPECT_TRUE(fails(run(formula + "--on faces"), 2, "--on vertices"));
 }
 
 TEST_F(Rho, generalized_problem_wants_it_on_faces)
