@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/Spectral_conformal_parameterizer_3.h>
+#include <Conformal_geometry_processing/conformal_parameterization.h>
+
+#include "parameterization/cgal_method.h"
+
+namespace cgp_benchmark {
+namespace {
+
+namespace CGP = Conformal_geometry_processing;
+
+Method ours(const std::string& name, CGP::Conformal_normals normals)
+{
+  return {name, [normals](Surface& mesh, Border, UV_map uv) -> std::string {
+            const CGP::Parameterization_report report = CGP::conformal_parameterization(
+                mesh, uv, CGP::parameters::conformal_normals(normals));
+            return report ? "OK" : "not converged";
+          }};
+}
+
+}  // namespace
+
+std::vector<Method> our_methods()
+{
+  return {ours("spectral", CGP::Conformal_normals::of_faces),
+          cgal_method("spectral, as a Parameterizer_3",
+                      CGP::Spectral_conformal_parameterizer_3<Surface>()),
+          ours("spectral, normals of vertices", CGP::Conformal_normals::of_vertices)};
+}
+
+}  // namespace cgp_benchmark
