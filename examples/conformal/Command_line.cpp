@@ -4,6 +4,7 @@
 
 #include "Failure.h"
 #include "curve_command_line.h"
+#include "editing_options.h"
 #include "flatten_options.h"
 #include "flow_command_line.h"
 #include "help_texts.h"
@@ -28,8 +29,10 @@ class Parser {
     add_spin();
     add_flow();
     add_boundary_command();
-    add_curve();
+    add_fit();
+    add_blend();
     add_flatten();
+    add_curve();
     add_harmonic();
     add_spectrum();
     add_sphere();
@@ -114,6 +117,24 @@ class Parser {
     add_limits(command, spin.limits, spin.force);
   }
 
+  void add_fit()
+  {
+    CLI::App& command = *add_command("fit", about_fit);
+    add_fit_options(command, m_fit);
+    add_output(command);
+    add_eigenvector(command, m_common);
+    add_limits(command, m_fit.spin.limits, m_fit.spin.force);
+  }
+
+  void add_blend()
+  {
+    CLI::App& command = *add_command("blend", about_blend);
+    add_blend_options(command, m_blend);
+    add_output(command);
+    add_eigenvector(command, m_common);
+    add_limits(command, m_blend.spin.limits, m_blend.spin.force);
+  }
+
   void add_flow()
   {
     CLI::App& command = *add_command("flow", about_flow);
@@ -124,19 +145,19 @@ class Parser {
     add_limits(command, m_flow.limits, m_flow.force);
   }
 
-  void add_curve()
-  {
-    CLI::App& command = *add_command("curve", about_curve);
-    add_curve_options(command, m_curve);
-    add_output(command);
-  }
-
   void add_flatten()
   {
     CLI::App& command = *add_command("flatten", about_flatten);
     add_flatten_options(command, m_flatten);
     add_output(command);
     add_limits(command, m_flatten.limits, m_flatten.force);
+  }
+
+  void add_curve()
+  {
+    CLI::App& command = *add_command("curve", about_curve);
+    add_curve_options(command, m_curve);
+    add_output(command);
   }
 
   void add_harmonic()
@@ -175,10 +196,11 @@ class Parser {
   {
     if (name.empty() || name[0] == '-') return;
     const auto has_name = [&](const CLI::App* command) { return command->get_name() == name; };
-    if (m_app.get_subcommands(has_name).empty())
-      throw Failure(Exit_code::usage, "unknown command '" + name +
-                                          "'; try: info, spin, flow, boundary, harmonic, compare "
-                                          "or --help");
+    if (!m_app.get_subcommands(has_name).empty()) return;
+    std::string all;
+    for (const CLI::App* command : m_app.get_subcommands([](const CLI::App*) { return true; }))
+      all += command->get_name() + ", ";
+    throw Failure(Exit_code::usage, "unknown command '" + name + "'; try: " + all + "or --help");
   }
 
   // Of `--wrong 3 input`, where 3 was taken for the input, the option is what is wrong.
@@ -213,14 +235,17 @@ class Parser {
     if (line.command == "spin") line.options = m_spin;
     if (line.command == "flow") line.options = m_flow;
     if (line.command == "boundary") line.options = m_boundary;
-    if (line.command == "curve") line.options = m_curve;
+    if (line.command == "fit") line.options = m_fit;
+    if (line.command == "blend") line.options = m_blend;
     if (line.command == "flatten") line.options = m_flatten;
+    if (line.command == "curve") line.options = m_curve;
     if (line.command == "harmonic") line.options = m_harmonic;
     if (line.command == "spectrum") line.options = m_spectrum;
     if (line.command == "sphere") line.options = m_sphere;
     if (line.command == "compare") line.options = m_compare;
     require_solver(m_spin.solver);
     require_solver(m_boundary.spin.solver);
+    require_solver(m_blend.spin.solver);
     return line;
   }
 
@@ -238,8 +263,10 @@ class Parser {
   Spin_options m_spin;
   Flow_options m_flow;
   Boundary_options m_boundary;
-  Curve_options m_curve;
+  Fit_options m_fit;
+  Blend_options m_blend;
   Flatten_options m_flatten;
+  Curve_options m_curve;
   Harmonic_options m_harmonic;
   Spectrum_options m_spectrum;
   Sphere_options m_sphere;

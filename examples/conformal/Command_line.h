@@ -17,8 +17,8 @@ struct Command_line {
   Common_options common;
   std::string command;
   std::variant<std::monostate, Info_options, Spin_options, Flow_options, Boundary_options,
-               Flatten_options, Curve_options, Harmonic_options, Compare_options, Spectrum_options,
-               Sphere_options>
+               Fit_options, Blend_options, Flatten_options, Curve_options, Harmonic_options,
+               Compare_options, Spectrum_options, Sphere_options>
       options;
   std::string answer;  ///< of `--help` and `--version`; then there is nothing else to do
 };

@@ -50,10 +50,6 @@ class Flow_watch : public CGP::Flow_visitor {
   std::optional<Patience> m_patience;
 };
 
-/// `output` with the number of a step before its extension: `bear_0005.ply`
-/// \pre `output` has an extension
-std::string snapshot_path(const std::string& output, int step);
-
 }  // namespace conformal
 
 #endif

@@ -94,6 +94,21 @@ struct Boundary_options {
   bool minimal = false;  ///< rho is -H
 };
 
+struct Fit_options {
+  Spin_options spin;  ///< what this command has in common with that; input is the source
+  std::string target;
+  double blend = 0;   ///< 0 is conformal, 1 nearest to the target
+  std::string scale;  ///< a formula of factors for the scales of the target, none if empty
+  Boundary_choice boundary = Boundary_choice::tangents;  ///< what it has of the target; not free
+};
+
+struct Blend_options {
+  Spin_options spin;         ///< what this command has in common with that; input is A
+  std::string other, onto;   ///< files; the difference is added to A, unless there is another
+  double t = 0.5, from = 0;  ///< of B - A; the first of the frames
+  int frames = 0;
+};
+
 enum class Flatten_method { spectral, dirac };
 
 struct Flatten_options {

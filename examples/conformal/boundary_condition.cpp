@@ -101,13 +101,12 @@ void require_directions(const Surface_input& input, const Boundary_condition& co
 
 Boundary_condition condition_of(const Surface_input& input, const Prescription_options& options)
 {
-  const auto frames_of = [&](const std::string& path) {
-    return CGP::boundary_frames(target_surface(input, path));
-  };
   if (!options.tangents_from.empty())
-    return Boundary_condition::tangents(axes(frames_of(options.tangents_from), 0));
+    return directions_of(input, target_surface(input, options.tangents_from),
+                         Boundary_choice::tangents);
   if (!options.binormals_from.empty())
-    return Boundary_condition::binormals(axes(frames_of(options.binormals_from), 2));
+    return directions_of(input, target_surface(input, options.binormals_from),
+                         Boundary_choice::binormals);
   if (!options.positions_from.empty())
     return positions_of(target_surface(input, options.positions_from));
   if (!options.curve.empty())
@@ -141,6 +140,17 @@ void require_boundary_to_keep(const Surface_input& input, Boundary_choice choice
   if (choice != Boundary_choice::free && CGP::topology(input.mesh).is_closed())
     throw unsuitable(input.file.path,
                      "the surface is closed, and has no boundary to keep; try: without --boundary");
+}
+
+Boundary_condition directions_of(const Surface_input& input, const CGP::Mesh_view& target,
+                                 Boundary_choice choice)
+{
+  const CGP::Boundary_frames frames = CGP::boundary_frames(target);
+  const Boundary_condition condition = choice == Boundary_choice::tangents
+                                           ? Boundary_condition::tangents(axes(frames, 0))
+                                           : Boundary_condition::binormals(axes(frames, 2));
+  require_directions(input, condition);
+  return condition;
 }
 
 Boundary_condition prescribed_boundary(const Surface_input& input,

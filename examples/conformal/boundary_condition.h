@@ -22,6 +22,12 @@ void require_boundary_to_keep(const Surface_input& input, Boundary_choice choice
 CGP::Boundary_condition prescribed_boundary(const Surface_input& input,
                                             const Prescription_options& options);
 
+/// \brief the condition that the boundary has the tangents or the binormals that it has on another
+/// surface with the same faces.
+/// \throws Failure if it is folded there
+CGP::Boundary_condition directions_of(const Surface_input& input, const CGP::Mesh_view& target,
+                                      Boundary_choice choice);
+
 }  // namespace conformal
 
 #endif

@@ -15,36 +15,35 @@
 #include <cmath>
 
 namespace conformal {
-namespace {
 
-Spin_solution solve(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                    const Spin_options& options, const Common_options& common)
+Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& solve,
+                      const Common_options& common, const std::string& part)
 {
   Progress progress(common.quiet);
-  progress.show("factorization", 0);
+  progress.show(part + "factorization", 0);
   const auto go_further = [&](const CGP::Eigen_progress& p) {
     progress.show(
-        "iteration " + std::to_string(p.iteration) + ", residual " + text_of(p.estimate, 2),
+        part + "iteration " + std::to_string(p.iteration) + ", residual " + text_of(p.estimate, 2),
         std::log(p.estimate) / std::log(common.tolerance));
     return signal_received() == 0;
   };
-  Spin_solution solution = solve_spin(mesh, problem, options, common, go_further);
+  Spin_solution solution = solve(go_further);
   throw_if_interrupted();
   return solution;
 }
 
-void tell(const Surface_input& input, const Spin_problem& problem, const CGP::Spin_report& spin,
-          Session& session)
+void tell_certificate(const Surface_input& input, const Deformation& deformation, Session& session)
 {
+  const CGP::Spin_report& spin = deformation.solution.report;
   report_certificate(spin, session.report());
   Table table = certificate_table(spin, input.mesh.size_of_faces());
-  report_boundary(input.mesh, problem.boundary, spin, session.report());
-  add_boundary(input.mesh, problem.boundary, spin, table);
+  report_boundary(input.mesh, deformation.boundary, spin, session.report());
+  add_boundary(input.mesh, deformation.boundary, spin, table);
   session.print(table.text());
 }
 
-void verify(const Surface_input& input, const Spin_solution& solution, const Spin_options& options,
-            const std::string& easier, Session& session)
+void verify(const std::string& what, const Surface_input& input, const Spin_solution& solution,
+            const Spin_options& options, const std::string& easier, Session& session)
 {
   const std::string fault = objection(solution.report, solution.positions,
                                       input.mesh.size_of_faces(), options.limits, easier);
@@ -53,24 +52,31 @@ void verify(const Surface_input& input, const Spin_solution& solution, const Spi
     session.note("only " + text_of(100 * solution.report.reached, 3) +
                  " % of the way to rho: beyond, the handles and holes do not stay closed");
   if (fault.empty()) return;
-  if (!options.force) throw Failure(Exit_code::failed, options.input + ": " + fault);
+  if (!options.force) throw Failure(Exit_code::failed, what + ": " + fault);
   session.note("written all the same, as --force says: " + fault);
 }
 
-}  // namespace
+void write_deformation(const std::string& path, const Surface_input& input,
+                       const Deformation& deformation, const std::string& lambda, Session& session)
+{
+  session.note_all(
+      write_surface(path, spin_result_file(input, deformation.rho, deformation.solution, lambda)));
+}
 
 void deform(const Surface_input& input, Spin_problem problem, const Spin_options& options,
             const std::string& easier, Session& session)
 {
   session.end_stage("prepare");
-  const CGP::Curvature_potential rho = problem.rho;
+  Deformation deformation{problem.rho, problem.boundary, {}};
   problem.rho.values /= User_frame(input.mesh).unit();
-  const Spin_solution solution = solve(input.mesh, problem, options, session.options());
+  const auto solve = [&](const Go_further& go_further) {
+    return solve_spin(input.mesh, problem, options, session.options(), go_further);
+  };
+  deformation.solution = watched(solve, session.options());
   session.begin_stage();
-  tell(input, problem, solution.report, session);
-  verify(input, solution, options, easier, session);
-  session.note_all(write_surface(session.options().output,
-                                 spin_result_file(input, rho, solution, options.lambda)));
+  tell_certificate(input, deformation, session);
+  verify(options.input, input, deformation.solution, options, easier, session);
+  write_deformation(session.options().output, input, deformation, options.lambda, session);
   session.end_stage("write");
 }
 

@@ -7,9 +7,39 @@
 #include "Surface_input.h"
 #include "solve_spin.h"
 
+#include <functional>
 #include <string>
 
 namespace conformal {
+
+/// a surface that has been computed, and what was asked for
+struct Deformation {
+  CGP::Curvature_potential rho;  ///< in the *user's frame*
+  CGP::Boundary_condition boundary;
+  Spin_solution solution;
+};
+
+using Go_further = std::function<bool(const CGP::Eigen_progress&)>;
+
+/// \brief Solves under a line of progress, unless a signal comes.
+/// \param part said before the words of progress
+/// \throws Failure if one has come, and what `solve` throws
+Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& solve,
+                      const Common_options& common, const std::string& part = "");
+
+/// Enters the certificate and what came of the boundary into the report, and prints them.
+void tell_certificate(const Surface_input& input, const Deformation& deformation, Session& session);
+
+/// \brief Judges a result.
+/// \param what is said to be at fault
+/// \param easier what to try that asks for less
+/// \throws Failure if it does not verify, unless the options force it
+void verify(const std::string& what, const Surface_input& input, const Spin_solution& solution,
+            const Spin_options& options, const std::string& easier, Session& session);
+
+/// Writes the surface into a file. \throws Write_error
+void write_deformation(const std::string& path, const Surface_input& input,
+                       const Deformation& deformation, const std::string& lambda, Session& session);
 
 /// \brief What `conformal spin` and `conformal boundary` have in common: solves the problem, tells
 /// the certificate, and writes the surface if it verifies.

@@ -61,15 +61,24 @@ inline constexpr const char* about_boundary =
     "A loop begins at its vertex of smallest number, and has the surface on its left.\n"
     "Example: conformal boundary disk.off --binormal-tilt '40*cos(6*pi*s)' -o flower.ply";
 
-inline constexpr const char* about_curve =
-    "Smooths curves in the plane without stretching them: every edge keeps its length, and every\n"
-    "closed curve its turning number. Those that turn k times become circles run through k times,\n"
-    "those that do not turn a figure eight, open ones straight.\n"
-    "Reads SVG (path, polygon, polyline), CSV (x,y per line, an empty line between), OBJ (l);\n"
-    "writes them too, by the extension of the output. Ends early where the energy has settled.\n"
-    "When interrupted (Ctrl-C, SIGTERM), it writes the curves after the last complete step, and\n"
-    "ends with exit code 130 or 143; a second signal ends it at once.\n"
-    "Example: conformal curve star.svg --steps 60 --time-step 0.05 --animate -o star_flow.svg";
+inline constexpr const char* about_fit =
+    "Deforms a surface conformally, as nearly as it can in the way another program has deformed\n"
+    "it. SOURCE and TARGET have the same faces. The curvature of the target is kept, and at a\n"
+    "boundary its tangents (or binormals); its shear is not, so what only shears and stretches\n"
+    "is undone. The result is placed to lie near the target. It has the vertex property quality\n"
+    "(quasi-conformal error against the source, 1 is perfect) and the face property rho.\n"
+    "A result that does not verify is not written, and the exit code is 1.\n"
+    "Example: conformal fit bear.off bear_posed.off -o bear_fit.ply";
+
+inline constexpr const char* about_blend =
+    "Goes from A towards B, or beyond: adds t times the difference of their mean curvature\n"
+    "half-densities. A and B have the same faces and are conformally equivalent, as results of\n"
+    "conformal spin and flow are to their inputs; so is every surface on the way. Area and\n"
+    "centroid are those of A; at a boundary the binormals turn evenly. --onto adds the\n"
+    "difference to a third surface. The output has the vertex properties quality\n"
+    "(quasi-conformal error, 1 is perfect) and rho.\n"
+    "What does not verify is not written, and the exit code is 1.\n"
+    "Example: conformal blend bear.off bear_spin.ply --t 1.5 -o bear_more.ply";
 
 inline constexpr const char* about_flatten =
     "Maps a surface with boundary to the plane with little distortion of angles, and writes the\n"
@@ -80,6 +89,16 @@ inline constexpr const char* about_flatten =
     "tangents of its boundary, which must be one loop, those of a plane curve that turns as it\n"
     "did.\n"
     "Example: conformal flatten face.off -o face.glb --json face.json";
+
+inline constexpr const char* about_curve =
+    "Smooths curves in the plane without stretching them: every edge keeps its length, and every\n"
+    "closed curve its turning number. Those that turn k times become circles run through k times,\n"
+    "those that do not turn a figure eight, open ones straight.\n"
+    "Reads SVG (path, polygon, polyline), CSV (x,y per line, an empty line between), OBJ (l);\n"
+    "writes them too, by the extension of the output. Ends early where the energy has settled.\n"
+    "When interrupted (Ctrl-C, SIGTERM), it writes the curves after the last complete step, and\n"
+    "ends with exit code 130 or 143; a second signal ends it at once.\n"
+    "Example: conformal curve star.svg --steps 60 --time-step 0.05 --animate -o star_flow.svg";
 
 inline constexpr const char* about_harmonic =
     "Finds the harmonic 1-forms of a closed surface with handles, two for each, and their tangent\n"

@@ -5,9 +5,11 @@
 #include "Command_line.h"
 #include "Failure.h"
 #include "Session.h"
+#include "blend.h"
 #include "boundary.h"
 #include "compare.h"
 #include "curve.h"
+#include "fit.h"
 #include "flatten.h"
 #include "flow.h"
 #include "harmonic.h"
@@ -72,8 +74,10 @@ void dispatch(const Command_line& line, Session& session)
   if (const auto* options = std::get_if<Flow_options>(&line.options)) flow(*options, session);
   if (const auto* options = std::get_if<Boundary_options>(&line.options))
     boundary(*options, session);
-  if (const auto* options = std::get_if<Curve_options>(&line.options)) curve(*options, session);
+  if (const auto* options = std::get_if<Fit_options>(&line.options)) fit(*options, session);
+  if (const auto* options = std::get_if<Blend_options>(&line.options)) blend(*options, session);
   if (const auto* options = std::get_if<Flatten_options>(&line.options)) flatten(*options, session);
+  if (const auto* options = std::get_if<Curve_options>(&line.options)) curve(*options, session);
   if (const auto* options = std::get_if<Harmonic_options>(&line.options))
     harmonic(*options, session);
   if (const auto* options = std::get_if<Spectrum_options>(&line.options))

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "same_faces.h"
 
+#include "Defects.h"
 #include "Failure.h"
 #include "Table.h"
 
@@ -48,6 +49,17 @@ CGP::Points positions_in(const Surface_input& first, const Surface_file& second)
     points.col(v) = Eigen::Vector3d::Map(second.points[static_cast<std::size_t>(i)].data());
   }
   return points;
+}
+
+Surface_input read_surface_like(const Surface_input& first, const std::string& path)
+{
+  Surface_input second = first;
+  second.file = read_surface_input(path).file;
+  require_same_faces(first.file, second.file);
+  second.mesh.set_positions(positions_in(first, second.file));
+  const Defects defects = find_defects(second);
+  if (!defects.of_geometry.empty()) throw unsuitable(path, defects.of_geometry.front());
+  return second;
 }
 
 }  // namespace conformal

@@ -67,6 +67,14 @@ void require_writable(const std::string& path)
     Temporary_file probe(path);
 }
 
+std::string snapshot_path(const std::string& output, int step)
+{
+  std::string number = std::to_string(step);
+  number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
+  const std::size_t dot = output.rfind('.');
+  return output.substr(0, dot) + "_" + number + output.substr(dot);
+}
+
 Surface_file moved(const Surface_input& input, const CGP::Points& positions)
 {
   Surface_file file = input.file;

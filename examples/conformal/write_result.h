@@ -14,6 +14,10 @@ namespace conformal {
 /// Refuses before the work an output that cannot be written after it. \throws Write_error
 void require_writable(const std::string& path);
 
+/// `output` with the number of a step before its extension: `bear_0005.ply`
+/// \pre `output` has an extension
+std::string snapshot_path(const std::string& output, int step);
+
 /// the input's file with other positions: normals, which are wrong now, are left out; vertices
 /// without a face stay where they are
 Surface_file moved(const Surface_input& input, const CGP::Points& positions);

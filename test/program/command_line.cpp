@@ -14,7 +14,7 @@ using Command_line = Program;
 TEST_F(Command_line, help_of_every_command_has_an_example)
 {
   for (const std::string command :
-       {"", "info", "spin", "flow", "boundary", "harmonic", "compare"}) {
+       {"", "info", "spin", "flow", "boundary", "fit", "blend", "harmonic", "compare"}) {
     const Program_run r = run(command + " --help");
     EXPECT_EQ(r.code, 0);
     EXPECT_NE(r.out.find("Example: conformal " + command), std::string::npos) << r.out;

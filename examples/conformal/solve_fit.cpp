@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solve_fit.h"
+
+#include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
+
+#include <utility>
+
+namespace conformal {
+
+Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
+                       const Common_options& common,
+                       const std::function<bool(const CGP::Eigen_progress&)>& go_further)
+{
+  CGP::Nearest_spin_transformation<> nearest(mesh, problem.target, "fit", problem.direction);
+  if (problem.scales.size() > 0) nearest.scale_lengths(mesh, problem.scales);
+  CGP::Dirac_options dirac;
+  dirac.tolerance = common.tolerance;
+  dirac.random_seed = common.seed;
+  CGP::Nearest_spin_result result = nearest.transform(dirac, std::cref(go_further));
+  if (problem.blend != 0 && result.report) result = nearest.blend(result, problem.blend);
+  return {{std::move(result.positions), std::move(result.lambda), result.report},
+          nearest.potential(),
+          nearest.sign_conflicts()};
+}
+
+}  // namespace conformal

@@ -1,0 +1,141 @@
+// Tests examples/conformal/fit.cpp examples/conformal/solve_fit.cpp
+// Tests examples/conformal/same_faces.cpp examples/conformal/deform.cpp
+// Tests examples/conformal/editing_options.cpp examples/conformal/boundary_condition.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "program/bounded_support.h"
+#include "support/bends.h"
+#include "support/moebius.h"
+#include "support/spheres.h"
+
+namespace {
+
+using namespace program_test;
+using Fit = Bounded_program;
+
+double mean_error(const nlohmann::json& report)
+{
+  return report["result"]["quasi_conformal"]["mean"];
+}
+
+TEST_F(Fit, takes_the_shear_out_of_a_bend)
+{
+  const auto beam = cgp_test::beam(4);
+  write("a.off", off(beam));
+  write("t.off", off(cgp_test::bent_beam(beam, cgp_test::pi / 2)));
+  const Program_run r = run("fit a.off t.off -o b.ply --json b.json --lambda q");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const auto report = json("b.json");
+  const double of_target = report["result"]["target"]["quasi_conformal"]["mean"];
+  EXPECT_GT(of_target, 1.08);
+  EXPECT_LT(mean_error(report) - 1, (of_target - 1) / 4);
+  EXPECT_EQ(report["result"]["target"]["sign_conflicts"], 0);
+  EXPECT_TRUE(report["verified"]);
+  EXPECT_NE(r.out.find("quasi-conformal error of the target, mean"), std::string::npos);
+  const auto b = conformal::read_surface(path("b.ply"));
+  for (const char* name : {"quality", "q_w", "q_z"})
+    EXPECT_NE(find_property(b.vertices, name), nullptr) << name;
+  EXPECT_NE(find_property(b.faces, "rho"), nullptr);
+}
+
+TEST_F(Fit, of_a_conformal_target_is_the_target)
+{
+  const auto mesh = cgp_test::bumpy_sphere(3);
+  const auto target = cgp_test::inverted(mesh, Eigen::Vector3d(0.4, 0.3, 2.5));
+  write("a.off", off(mesh));
+  write("t.off", off(target));
+  ASSERT_EQ(run("fit a.off t.off -o b.ply --json b.json").code, 0);
+  const Points difference = points("b.ply") - target.positions();
+  const double diagonal =
+      (target.positions().rowwise().maxCoeff() - target.positions().rowwise().minCoeff()).norm();
+  const double rms = difference.norm() / std::sqrt(double(difference.cols())) / diagonal;
+  EXPECT_LT(rms, 0.003);
+  EXPECT_NEAR(json("b.json")["result"]["distance"]["rms"], rms, 1e-12);
+}
+
+TEST_F(Fit, blends_towards_the_target)
+{
+  const auto beam = cgp_test::beam(3);
+  write("a.off", off(beam));
+  write("t.off", off(cgp_test::bent_beam(beam, 2)));
+  double error = 1, distance = 1;
+  for (const std::string t : {"0", "0.5", "1"}) {
+    ASSERT_EQ(run("fit a.off t.off -o b.ply --json b.json --blend " + t).code, 0);
+    EXPECT_GT(mean_error(json("b.json")), error) << t;
+    EXPECT_LT(json("b.json")["result"]["distance"]["rms"], distance) << t;
+    error = mean_error(json("b.json"));
+    distance = json("b.json")["result"]["distance"]["rms"];
+    EXPECT_GT(json("b.json")["result"]["iterations"], 0);
+  }
+}
+
+TEST_F(Fit, scales_what_it_blends_in_as_a_formula_says)
+{
+  write("a.off", off(cgp_test::icosphere(2)));
+  const std::string fit = "fit a.off a.off -o b.ply --blend 0.5 --scale-expression ";
+  ASSERT_EQ(run(fit + "'exp(0.8*z)'").code, 0);
+  // Where lengths are to grow towards +z, they do.
+  const Points a = cgp_test::icosphere(2).positions(), b = points("b.ply");
+  Eigen::Index top, bottom;
+  a.row(2).maxCoeff(&top);
+  a.row(2).minCoeff(&bottom);
+  const auto shortest = [](Points p, Eigen::Index v) {
+    const Eigen::Vector3d center = p.col(v);
+    p.colwise() -= center;
+    p.col(v).setConstant(1e9);
+    return p.colwise().norm().minCoeff();
+  };
+  EXPECT_GT(shortest(b, top) / shortest(a, top), 1.2 * shortest(b, bottom) / shortest(a, bottom));
+  EXPECT_TRUE(fails(run(fit + "z"), 4, "wanted finite numbers above 0"));
+  EXPECT_TRUE(fails(run(fit + "'exp('"), 2, "--scale-expression"));
+  EXPECT_TRUE(fails(run("fit a.off a.off -o b.ply --scale-expression 2"), 2, "--blend"));
+}
+
+TEST_F(Fit, gives_a_boundary_the_directions_of_the_target)
+{
+  const auto mesh = cgp_test::disk(10);
+  const auto cap = cgp_test::cap_from_disk(mesh, 1.2);
+  write("a.off", off(mesh));
+  write("t.off", off(cap));
+  for (const std::string what : {"tangents", "binormals"}) {
+    ASSERT_EQ(run("fit a.off t.off -o b.ply --json b.json --boundary " + what).code, 0);
+    const auto result = json("b.json")["result"];
+    EXPECT_EQ(result["boundary"]["condition"], what + " prescribed");
+    EXPECT_LT(result["distance"]["rms"], 3e-3) << what;
+    EXPECT_LT(result["boundary"]["direction_error"]["mean"], 3) << what;
+  }
+}
+
+TEST_F(Fit, refuses_targets_that_do_not_fit_and_names_the_element)
+{
+  const auto mesh = cgp_test::icosphere(1);
+  write("a.off", off(mesh, "7 8 9\n", 1));
+  write("other.off", off(cgp_test::icosphere(2)));
+  write("turned.off", off(cgp_test::with_reversed_faces(mesh), "7 8 9\n", 1));
+  Points flat = mesh.positions();
+  flat.col(mesh.corners(3)[0]) = flat.col(mesh.corners(3)[1]);
+  write("flat.off", off({flat, mesh.corners()}, "7 8 9\n", 1));
+  const std::string fit = "fit -q -o b.ply a.off ";
+  EXPECT_TRUE(fails(run(fit + "other.off"), 4, "other.off: has not the faces of a.off"));
+  EXPECT_TRUE(fails(run(fit + "turned.off"), 4, "face 0 has the vertices"));
+  EXPECT_TRUE(fails(run(fit + "flat.off"), 4, "flat.off: 2 faces of area zero (first: face"));
+  EXPECT_TRUE(fails(run(fit + "absent.off"), 3, "absent.off"));
+  EXPECT_EQ(run("fit a.off -o b.ply").code, 2);
+  EXPECT_FALSE(has("b.ply"));
+}
+
+TEST_F(Fit, writes_what_does_not_verify_only_by_force)
+{
+  const auto beam = cgp_test::beam(2);
+  write("a.off", off(beam));
+  write("t.off", off(cgp_test::bent_beam(beam, 2)));
+  const std::string fit = "fit -q a.off t.off -o b.ply --json b.json --max-quasi-conformal 1.001";
+  EXPECT_TRUE(fails(run(fit), 1, "the mean quasi-conformal error is 1."));
+  EXPECT_FALSE(has("b.ply"));
+  EXPECT_FALSE(json("b.json")["verified"]);
+  EXPECT_EQ(run(fit + " --force").code, 0);
+  EXPECT_TRUE(has("b.ply"));
+  EXPECT_EQ(temporary_files(), 0u);
+}
+
+}  // namespace
