@@ -32,7 +32,9 @@ void add_curve_options(CLI::App& command, Curve_options& curve)
              "than the longest edge");
   add_choice(command, "--closing", curve.closing, {"exact", "least-squares"},
              "how closed curves are kept closed: without stretching an edge, or by a little of it");
-  command.add_option("--samples", curve.samples, "points of each Bezier segment")
+  command
+      .add_option("--samples", curve.samples,
+                  "points of each Bezier segment, and of a quarter of an ellipse")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   command

@@ -3,6 +3,7 @@
 #include "svg_path.h"
 
 #include "numbers.h"
+#include "svg_arc.h"
 
 #include <cctype>
 #include <charconv>
@@ -51,6 +52,13 @@ class Words {
               " is not a number, wanted a coordinate");
     m_text.remove_prefix(static_cast<std::size_t>(end - m_text.data()));
     return value;
+  }
+
+  // A flag is one character, and needs no separator.
+  bool flag()
+  {
+    if (at_end() || (m_text[0] != '0' && m_text[0] != '1')) m_fault("an arc wants the flag 0 or 1");
+    return command() == '1';
   }
 
   Point point()
@@ -105,12 +113,13 @@ class Path {
       case 'Q':
       case 'T':
         return quadratic(kind == 'T');
+      case 'A':
+        return arc();
       case 'Z':
         return finish(true);
       default:
         m_fault("the path command " + in_quotes(std::string(1, m_command)) +
-                " is not understood, wanted M, L, H, V, C, S, Q, T or Z; try: converting arcs to "
-                "Bezier curves");
+                " is not understood, wanted M, L, H, V, C, S, Q, T, A or Z");
     }
   }
 
@@ -158,6 +167,18 @@ class Path {
     m_control = c;
     m_is_cubic = false;
     m_is_quadratic = true;
+  }
+
+  void arc()
+  {
+    Svg_arc arc;
+    arc.from = m_at;
+    arc.radii = m_words.point();
+    arc.rotation = m_words.number();
+    arc.is_large = m_words.flag();
+    arc.sweeps = m_words.flag();
+    arc.to = next_point();
+    for (const Point& p : conformal::sample(arc, m_samples)) line(p);
   }
 
   void sample(const Point& a, const Point& b, const Point& to)

@@ -18,8 +18,9 @@ using Svg_fault = std::function<void(const std::string& message)>;
 /// The numbers of `points="..."`, in pairs, in SVG's coordinates: y down.
 std::vector<Eigen::Vector2d> parse_svg_points(std::string_view text, const Svg_fault& fault);
 
-/// The parts of a path, `d="..."`, in SVG's coordinates: y down. Lines, and cubic and quadratic
-/// Bezier segments with so many samples each, absolute or relative; elliptic arcs are refused.
+/// The parts of a path, `d="..."`, in SVG's coordinates: y down. Lines, cubic and quadratic Bezier
+/// segments with so many samples each, and elliptic arcs with so many for each quarter of an
+/// ellipse, absolute or relative.
 /// A part that ends with Z is closed, as is one that comes back to its first point.
 std::vector<Plane_curve> parse_svg_path(std::string_view text, int samples, const Svg_fault& fault);
 

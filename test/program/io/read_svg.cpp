@@ -1,5 +1,6 @@
 // Tests examples/conformal/io/read_svg.cpp examples/conformal/io/Svg_scanner.cpp
 // Tests examples/conformal/io/svg_path.cpp examples/conformal/io/svg_transform.cpp
+// Tests examples/conformal/io/svg_arc.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/read_svg.h"
@@ -8,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "program/io/curve_support.h"
+
+#include <cmath>
 
 namespace {
 
@@ -90,10 +93,42 @@ TEST(Svg_path, quadratic_segments_are_parabolas)
     EXPECT_NEAR(part(1, i), 2 * part(0, i) - part(0, i) * part(0, i), 1e-15);
 }
 
+// From (1, 0) to (0, 1) on a unit circle: around (0, 0) or (1, 1), the short or the long way.
+TEST(Svg_path, arcs_are_on_the_ellipse_that_the_flags_tell)
+{
+  const struct {
+    const char* d;
+    Eigen::Vector2d center, middle;
+    int points;
+  } cases[] = {{"M1 0A1 1 0 0 1 0 1", {0, 0}, {1, 1}, 5},
+               {"M1 0a1 1 0 11-1 1", {1, 1}, {1, 1}, 13},
+               {"M1 0A1,1,0,0,0,0,1", {1, 1}, {-1, -1}, 5},
+               {"M1 0a1 1 0 10-1 1", {0, 0}, {-1, -1}, 13}};
+  for (const auto& c : cases) {
+    const auto p = path(c.d)[0].points;
+    ASSERT_EQ(p.cols(), c.points) << c.d;
+    for (const auto& q : p.colwise()) EXPECT_NEAR((q - c.center).norm(), 1, 1e-14) << c.d;
+    const Eigen::Vector2d middle = p.col(c.points / 2) - c.center;
+    EXPECT_LT((middle - c.middle / std::sqrt(2.)).norm(), 1e-14) << c.d;
+  }
+}
+
+TEST(Svg_path, arcs_of_turned_ellipses_and_of_radii_that_do_not_do)
+{
+  const auto half = path("M-3 0A3 1 0 0 1 3 0", 2)[0].points;  // over (0, -1)
+  EXPECT_LT((half.col(2) - Eigen::Vector2d(0, -1)).norm(), 1e-14);
+  const auto upright = path("M0 -3A3 1 90 0 1 0 3", 2)[0].points;  // over (1, 0)
+  EXPECT_LT((upright.col(2) - Eigen::Vector2d(1, 0)).norm(), 1e-14);
+  const auto enlarged = path("M-3 0A.3 .1 0 0 1 3 0", 2)[0].points;
+  EXPECT_LT((enlarged - half).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_EQ(path("M0 0A0 1 0 0 1 3 0")[0].points, points({{0, 0}, {3, 0}}));
+}
+
 TEST(Svg_path, names_what_it_does_not_understand)
 {
-  EXPECT_TRUE(
-      refuses([] { path("M0 0A1 1 0 0 1 2 2"); }, "the path command 'A' is not understood"));
+  EXPECT_TRUE(refuses([] { path("M0 0B1 1"); }, "the path command 'B' is not understood"));
+  EXPECT_TRUE(refuses([] { path("M0 0A1 1 0 2 1 2 2"); }, "an arc wants the flag 0 or 1"));
+  EXPECT_TRUE(refuses([] { path("M0 0A1 1 0 0"); }, "an arc wants the flag 0 or 1"));
   EXPECT_TRUE(refuses([] { path("L0 0"); }, "does not begin with M"));
   EXPECT_TRUE(refuses([] { path("1 2 3 4"); }, "a number where it should have a command"));
   EXPECT_TRUE(refuses([] { path("M0 0L1"); }, "the numbers end"));
