@@ -4,7 +4,6 @@
 
 #include "Curve_flows.h"
 #include "Failure.h"
-#include "Flow_watch.h"
 #include "Progress.h"
 #include "Table.h"
 #include "curve_report.h"
