@@ -79,7 +79,8 @@ def dome(rings):
 
 WANTED = {"uncurl_a_torus": lambda: torus(48), "minimal_surface": lambda: disk(12),
           "soap_film_cmc": lambda: dome(12), "bend_the_boundary": lambda: dome(12),
-          "flatten_a_face": lambda: dome(12)}
+          "flatten_a_face": lambda: dome(12),
+          "paint_and_filter": lambda: disk(48)}
 
 
 def write_off(path, points, faces):
