@@ -53,8 +53,9 @@ TEST_F(Boundary_fault_of_a_disk, is_in_the_data_if_the_singular_value_is_more_th
 TEST_F(Boundary_fault_of_a_disk, is_forgiven_where_the_edges_fit_together_nonetheless)
 {
   report.closure_residual = .009;
-  EXPECT_EQ(fault(.29 / radius), Boundary_fault::none);
-  EXPECT_EQ(fault(.31 / radius), Boundary_fault::not_realizable);
+  const Mesh_view fine = disk(70);
+  EXPECT_EQ(CGP::boundary_fault(fine, .145, report), Boundary_fault::none);
+  EXPECT_EQ(CGP::boundary_fault(fine, .155, report), Boundary_fault::not_realizable);
 }
 
 TEST_F(Boundary_fault_of_a_disk, is_a_gap_if_the_edges_do_not_fit_together)

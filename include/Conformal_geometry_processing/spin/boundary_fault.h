@@ -37,7 +37,7 @@ inline double greatest_misfit(const Mesh_view& mesh)
 inline Boundary_fault boundary_fault(const Mesh_view& mesh, double sigma, const Spin_report& report)
 {
   const double pi = std::acos(-1.), radius = std::sqrt(face_areas(mesh).sum() / pi);
-  const double h = mean_edge_length(mesh) / radius, small_gap = 0.01, great_misfit = 0.3;
+  const double h = mean_edge_length(mesh) / radius, small_gap = 0.01, great_misfit = 0.15;
   const double closing = report.closure_residual;
   if (sigma > greatest_misfit(mesh) && (closing > small_gap || sigma * radius > great_misfit))
     return Boundary_fault::not_realizable;
