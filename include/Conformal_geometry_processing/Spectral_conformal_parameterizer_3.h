@@ -26,8 +26,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
-/// \brief the spectral conformal parameterization as a method of \cgal's package \ref
-/// PkgSurfaceMeshParameterization: in place of `LSCM_parameterizer_3` in
+/// \brief the spectral conformal parameterization as a method of \cgal's package Triangulated
+/// Surface Mesh Parameterization: in place of `LSCM_parameterizer_3` in
 /// `CGAL::Surface_mesh_parameterization::parameterize()`.
 ///
 /// Free border, nothing pinned, no choice of two vertices. Flattens the connected component of the

@@ -98,7 +98,9 @@ Parameterization_options parameterization_options(const NamedParameters& np)
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_solver}
 ///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
-///     \cgalParamType{a model of `SparseHermitianSolverTraits`, for `std::complex<double>` too}
+///     \cgalParamType{a model of `SparseHermitianSolverTraits`, for `std::complex<double>` too;
+///     direct,
+///                    in double precision}
 ///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

@@ -27,7 +27,7 @@ template <class Scalar>
 struct Subspace_result {
   Vector<Scalar> vector;  ///< of length one under the mass; rounding decides how much it has of
                           ///< what neither the mass nor A sees, the constants
-  double eigenvalue = 0;       ///< of the vector
+  double eigenvalue = 0;  ///< of the vector
   double next_eigenvalue = 0;  ///< an upper bound, sharp where it is well separated
   double residual = HUGE_VAL;  ///< estimated error of the vector before, relative, in the norm of A
   int iterations = 0;
