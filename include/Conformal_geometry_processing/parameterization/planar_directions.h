@@ -38,6 +38,10 @@ inline Eigen::VectorXd turning_angles(const Mesh_view& mesh, const Vertex_loop& 
 /// Gauss and Bonnet the total curvature of the surface, is spread evenly along it. So a flat disk
 /// keeps its shape, and a hemisphere becomes a round disk. Any other directions in the plane that
 /// turn once will do as well.
+/// \code
+/// const auto flat = spin_to_minimal_surface(mesh,
+///                                           Boundary_condition::tangents(planar_directions(mesh)));
+/// \endcode
 ///
 /// \returns 3 x number of boundary vertices, unit vectors with z = 0, in the order of
 /// `boundary_frames()`; as targets of `Boundary_condition::tangents()`
