@@ -77,9 +77,30 @@ def dome(rings):
     return disk(rings, lambda r: (math.sin(math.pi / 2 * r), math.cos(math.pi / 2 * r)))
 
 
+def beam(n, length=6):
+    """(points, faces) of a block of 1 x 1 x length, n squares along its short edges."""
+    number, faces = {}, []
+    size = (n, n, length * n)
+
+    def vertex(*place):
+        return number.setdefault(place, len(number))
+
+    for axis, side in itertools.product(range(3), (0, 1)):
+        a, b = (axis + 1) % 3, (axis + 2) % 3
+        for i, j in itertools.product(range(size[a]), range(size[b])):
+            corners = []
+            for u, v in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
+                place = [0, 0, 0]
+                place[axis], place[a], place[b] = side * size[axis], u, v
+                corners.append(vertex(*place))
+            p, q, r, s = corners if side else corners[::-1]
+            faces += [(p, q, r), (p, r, s)] if (i + j) % 2 else [(p, q, s), (q, r, s)]
+    return [tuple(x / n for x in place) for place in number], faces
+
+
 WANTED = {"uncurl_a_torus": lambda: torus(48), "minimal_surface": lambda: disk(12),
           "soap_film_cmc": lambda: dome(12), "bend_the_boundary": lambda: dome(12),
-          "flatten_a_face": lambda: dome(12),
+          "nearest_to_a_bend": lambda: beam(6), "flatten_a_face": lambda: dome(12),
           "paint_and_filter": lambda: disk(48)}
 
 
