@@ -5,9 +5,11 @@
 
 #include <Eigen/Core>
 
+#include "support/mesh_tools.h"
+
+#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <string>
 #include <vector>
 
 /// Closed curves in the plane, sampled at equal steps of their parameter, and their measures,
@@ -15,7 +17,6 @@
 namespace cgp_test {
 
 using Curve = Eigen::Matrix2Xd;
-const double pi = std::acos(-1.);
 
 /// the points shape(t), t = 2 pi i / m
 template <class Shape>
