@@ -57,9 +57,9 @@ int main(int argc, char* argv[])
         sum += mesh.point(v) - CGAL::ORIGIN;
       rho[f] = 20 * (image(0.5 + sum.x() / 6, 0.5 + sum.y() / 6) - 0.5);
     }
-    const auto tangents_stay =
-        CGP::parameters::boundary_direction(CGP::Boundary_direction{1, 0, 0});
-    const CGP::Spin_report report = CGP::spin_transform(mesh, rho, tangents_stay);
+    const auto binormals_stay =
+        CGP::parameters::boundary_direction(CGP::Boundary_direction{0, 0, 1});
+    const CGP::Spin_report report = CGP::spin_transform(mesh, rho, binormals_stay);
     std::cout << "mean quasi-conformal error " << report.conformality.quasi_conformal.mean << '\n';
     //! [paint]
     if (!report) return EXIT_FAILURE;
