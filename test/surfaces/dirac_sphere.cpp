@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
 #include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
 
 #include <gtest/gtest.h>
@@ -78,6 +79,22 @@ TEST(Surface_of_spin, of_a_constant_is_the_surface)
   ASSERT_TRUE(result.report);
   EXPECT_LT(CGP::align(result.positions, mesh.positions()).max, 1e-12);
   EXPECT_NEAR(result.report.eigenvalue, 0, 1e-14);
+}
+
+TEST(Surface_of_spin, of_any_eigenfunction_has_the_energy_of_its_eigenvalue)
+{
+  const Mesh_view sphere = icosphere(4);
+  const CGP::Dirac_spectrum s =
+      CGP::Dirac_spectral_problem<>(sphere).find(CGP::no_potential(sphere), 7);
+  ASSERT_TRUE(s.converged);
+  for (int k = 0; k < 7; ++k) {
+    const CGP::Spin_result result = CGP::surface_of_spin(sphere, s.vectors.col(k));
+    ASSERT_TRUE(result.report);
+    EXPECT_NEAR(result.report.eigenvalue, s.eigenvalues[k], 1e-6);
+    EXPECT_LT(result.report.closure_residual, 5e-3) << k;
+    const double expected = std::pow(1 + std::round(s.eigenvalues[k]), 2);
+    EXPECT_NEAR(energy(result, sphere), expected, 0.05 * expected) << k;
+  }
 }
 
 TEST(Directions_on_sphere, do_not_depend_on_center_and_radius)
