@@ -20,8 +20,8 @@
 /// \cgalHasModelsEnd
 class SparseHermitianSolverTraits {
  public:
-  /// a model of `SparseHermitianSolver` for `Scalar`, which is `double` or `Quaternion<double>`, and
-  /// for parameterizations also `std::complex<double>`
+  /// a model of `SparseHermitianSolver` for `Scalar`, which is `double` or `Quaternion<double>`,
+  /// and for parameterizations also `std::complex<double>`
   template <class Scalar>
   using Solver = unspecified_type;
 };
