@@ -4,7 +4,10 @@
 /// Compares parameterizations: CGAL's, CGAL's with the solver of this library, and those of this
 /// library, all judged by the same measures. Prints a line of JSON for each mesh and method.
 ///
-/// Usage: benchmark_parameterization [--method NAME]... MESH.off...
+/// Usage: benchmark_parameterization [--method NAME]... [--cones N] MESH.off...
+///
+/// With cones, three or four, the meshes are spheres: they are cut open along a path through as
+/// many vertices, and CGAL's orbifold Tutte embeddings are among the methods. Zero ends that.
 ///
 /// Every method runs in a process of its own, for at most ten minutes: some do not end on some
 /// meshes. Seconds are those of the processor on one thread, the least of up to five runs; memory
@@ -29,6 +32,7 @@
 #include <string>
 #include <vector>
 
+#include "parameterization/Cut_surface.h"
 #include "parameterization/Method.h"
 #include "support/Record.h"
 #include "support/clock.h"
@@ -58,10 +62,10 @@ std::string name_of(const std::string& path)
   return file.substr(0, file.rfind('.'));
 }
 
-Record begin_record(const std::string& path, const Surface& mesh, const Method& method)
+Record begin_record(const std::string& name, const Surface& mesh, const Method& method)
 {
   Record record;
-  record.add("mesh", name_of(path)).add("faces", static_cast<int>(mesh.number_of_faces()));
+  record.add("mesh", name).add("faces", static_cast<int>(mesh.number_of_faces()));
   return record.add("method", method.name);
 }
 
@@ -85,7 +89,7 @@ void judge(const Surface& mesh, const UV_map& uv, Record& record)
   record.add("spread", map.scale.log_deviation);
 }
 
-void measure(const std::string& path, Surface& mesh, const Method& method)
+void measure(const std::string& name, Surface& mesh, const Method& method)
 {
   const Border border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
   UV_map uv = mesh.add_property_map<Surface::Vertex_index, Kernel::Point_2>("v:uv").first;
@@ -98,39 +102,56 @@ void measure(const std::string& path, Surface& mesh, const Method& method)
   };
   const double bytes = peak_bytes(run);
   for (int runs = 1; runs < most_runs && all < enough_seconds; ++runs) run();
-  Record record = begin_record(path, mesh, method);
+  Record record = begin_record(name, mesh, method);
   record.add("status", status).add("seconds", seconds).add("megabytes", bytes / 1e6);
   judge(mesh, uv, record);
   record.print();
 }
 
-void run_in_a_process(const std::string& path, Surface& mesh, const Method& method)
+void run_in_a_process(const std::string& name, Surface& mesh, const Method& method)
 {
   const pid_t child = fork();
   if (child == 0) {
     alarm(time_limit);
     try {
-      measure(path, mesh, method);
+      measure(name, mesh, method);
     } catch (const std::exception& error) {
-      begin_record(path, mesh, method).add("status", error.what()).print();
+      begin_record(name, mesh, method).add("status", error.what()).print();
     }
     _exit(EXIT_SUCCESS);
   }
   int status = 0;
   if (child < 0 || waitpid(child, &status, 0) != child || status == 0) return;
   const bool is_late = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
-  begin_record(path, mesh, method)
+  begin_record(name, mesh, method)
       .add("status", std::string(is_late ? "not finished in ten minutes" : "crashed"))
       .print();
 }
 
-void compare(const std::string& path, const std::vector<std::string>& wanted)
+struct Options {
+  std::vector<std::string> methods;  // all if there are none
+  int cones = 0;
+};
+
+void compare(const std::string& name, Surface& mesh, const std::vector<Method>& methods,
+             const std::vector<std::string>& wanted)
+{
+  for (const Method& method : methods)
+    if (wanted.empty() || std::find(wanted.begin(), wanted.end(), method.name) != wanted.end())
+      run_in_a_process(name, mesh, method);
+}
+
+void compare(const std::string& path, const Options& options)
 {
   Surface mesh;
   if (!CGAL::IO::read_polygon_mesh(path, mesh)) throw std::runtime_error("cannot read " + path);
-  for (const Method& method : all_methods())
-    if (wanted.empty() || std::find(wanted.begin(), wanted.end(), method.name) != wanted.end())
-      run_in_a_process(path, mesh, method);
+  std::vector<Method> methods = all_methods();
+  if (options.cones == 0) return compare(name_of(path), mesh, methods, options.methods);
+  Cut_surface cut(mesh, options.cones);
+  const std::vector<Method> more = orbifold_methods(cut);
+  methods.insert(methods.begin(), more.begin(), more.end());
+  compare(name_of(path) + ", " + std::to_string(options.cones) + " cones", cut.disk, methods,
+          options.methods);
 }
 
 }  // namespace
@@ -138,12 +159,14 @@ void compare(const std::string& path, const std::vector<std::string>& wanted)
 int main(int argc, char* argv[])
 {
   try {
-    std::vector<std::string> wanted;
+    Options options;
     for (int i = 1; i < argc; ++i)
       if (argv[i] == std::string("--method") && i + 1 < argc)
-        wanted.push_back(argv[++i]);
+        options.methods.push_back(argv[++i]);
+      else if (argv[i] == std::string("--cones") && i + 1 < argc)
+        options.cones = std::stoi(argv[++i]);
       else
-        compare(argv[i], wanted);
+        compare(argv[i], options);
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
     std::cerr << "benchmark_parameterization: " << error.what() << '\n';

@@ -92,7 +92,8 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 /// \returns the report, which converts to `true` if the equation was solved. Otherwise nothing has
 /// been written.
 /// \throw Precondition_error if the mesh, or the target, is not a connected, oriented manifold
-/// triangle mesh with finite coordinates and positive areas, or a factor is not positive
+/// triangle mesh with finite coordinates and positive areas, or a factor is not positive, or the
+/// target of a closed mesh is of another spin structure
 /// \throw Solver_error if a factorization fails
 template <class TriangleMesh, class PointMap,
           class NamedParameters = parameters::Default_named_parameters>

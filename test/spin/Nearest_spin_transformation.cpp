@@ -8,6 +8,7 @@
 
 #include "support/bends.h"
 #include "support/bounded_meshes.h"
+#include "support/figure_eight_torus.h"
 #include "support/moebius.h"
 #include "support/spheres.h"
 
@@ -137,6 +138,20 @@ TEST(Nearest_spin_transformation, refuses_targets_that_do_not_fit)
   EXPECT_THROW(near.scale_lengths(mesh, Eigen::VectorXd::Ones(4)), CGP::Precondition_error);
   EXPECT_THROW(near.scale_lengths(mesh, Eigen::VectorXd::Zero(mesh.size_of_vertices())),
                CGP::Precondition_error);
+}
+
+TEST(Nearest_spin_transformation, keeps_the_spin_structure_and_refuses_targets_of_another)
+{
+  using Near = CGP::Nearest_spin_transformation<>;
+  const Mesh_view circle = turned_torus(32, 16, false, 0), odd = turned_torus(48, 24, true, 1);
+  EXPECT_THROW(Near(circle, turned_torus(32, 16, true, 0).positions()), CGP::Precondition_error);
+  for (const Mesh_view& mesh : {circle, odd}) {
+    Points target = mesh.positions();
+    target.row(2) += .1 * target.row(0).cwiseProduct(target.row(1));
+    const CGP::Nearest_spin_result result = Near(mesh, target).transform();
+    EXPECT_TRUE(result.report.converged);
+    EXPECT_NO_THROW(CGP::require_same_spin_structure(mesh, result.positions, "result"));
+  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/curvature_of_spins.h>
 #include <Conformal_geometry_processing/spin/face_spins.h>
+#include <Conformal_geometry_processing/spin/spin_structure.h>
 
 #include <Eigen/Core>
 
@@ -49,7 +50,8 @@ class Nearest_spin_transformation {
   /// \param direction of the boundary frame (T, N, B) that becomes that of the target; the
   /// binormal, unlike the tangent, can be realised whatever the target is
   /// \throw Precondition_error if the mesh, or the target with its connectivity, is not a
-  /// connected, oriented manifold with finite coordinates and positive areas
+  /// connected, oriented manifold with finite coordinates and positive areas; or if the target of a
+  /// closed mesh is of another spin structure
   /// \throw Solver_error if the analysis fails
   Nearest_spin_transformation(const Mesh_view& mesh, Points target,
                               const std::string& function = "Nearest_spin_transformation",
@@ -159,6 +161,7 @@ class Nearest_spin_transformation {
     const Mesh_view deformed(target, mesh.corners());
     require_finite_positions(deformed, function + ", target");
     require_positive_areas(deformed, function + ", target");
+    if (boundary_loops(mesh).empty()) require_same_spin_structure(mesh, target, function);
     return target;
   }
 
