@@ -46,21 +46,10 @@ void tell(const CGP::Parameterization_report& map, int faces, Session& session)
 std::string fault_of(const CGP::Parameterization_report& map, int faces,
                      const Verification_limits& limits)
 {
-  const auto exceeds = [](const std::string& what, double value, double limit) {
-    return what + " is " + text_of(value, 3) + ", more than " + text_of(limit, 3) +
-           "; try: " + other_ways;
-  };
   if (!map)
     return "the eigenvector did not converge: residual " + text_of(map.residual, 3) + " after " +
            count_of(static_cast<std::size_t>(map.iterations), "iteration") + "; try: " + other_ways;
-  if (!(map.conformality.quasi_conformal.mean <= limits.quasi_conformal))
-    return exceeds("the mean quasi-conformal error", map.conformality.quasi_conformal.mean,
-                   limits.quasi_conformal) +
-           ", or --max-quasi-conformal";
-  const double share = static_cast<double>(map.conformality.flipped_faces) / faces;
-  if (!(share <= limits.flipped))
-    return exceeds("the share of flipped faces", share, limits.flipped) + ", or --max-flipped";
-  return {};
+  return objection(map.conformality, faces, limits, other_ways);
 }
 
 Flat_image spectral_image(const Surface_input& input, const Flatten_options& options,

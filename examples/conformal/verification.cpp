@@ -26,15 +26,16 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
   return {};
 }
 
+std::string exceeds(const std::string& what, double value, double limit)
+{
+  return what + " is " + text_of(value, 3) + ", more than " + text_of(limit, 3);
+}
+
 }  // namespace
 
 std::string objection(const CGP::Spin_report& report, const CGP::Points& positions, int faces,
                       const Verification_limits& limits, const std::string& easier)
 {
-  const CGP::Conformality& map = report.conformality;
-  const auto exceeds = [](const std::string& what, double value, double limit) {
-    return what + " is " + text_of(value, 3) + ", more than " + text_of(limit, 3);
-  };
   if (report.steps == 0)
     return "no part of rho could be reached with handles and holes closed; try: a weaker rho, a "
            "finer mesh, or --open-handles";
@@ -49,6 +50,12 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
   if (!(report.closure_residual <= limits.closure))
     return exceeds("the closure residual", report.closure_residual, limits.closure) +
            ": the surface does not close up; try: " + easier + ", or --max-closure";
+  return objection(report.conformality, faces, limits, easier);
+}
+
+std::string objection(const CGP::Conformality& map, int faces, const Verification_limits& limits,
+                      const std::string& easier)
+{
   if (!(map.quasi_conformal.mean <= limits.quasi_conformal))
     return exceeds("the mean quasi-conformal error", map.quasi_conformal.mean,
                    limits.quasi_conformal) +

@@ -25,6 +25,10 @@ namespace CGP = Conformal_geometry_processing;
 std::string objection(const CGP::Spin_report& report, const CGP::Points& positions, int faces,
                       const Verification_limits& limits, const std::string& easier);
 
+/// The same for what the map alone tells.
+std::string objection(const CGP::Conformality& map, int faces, const Verification_limits& limits,
+                      const std::string& easier);
+
 /// Enters the certificate into the report (`result/...`, `seconds/...`).
 void report_certificate(const CGP::Spin_report& spin, Report& report);
 

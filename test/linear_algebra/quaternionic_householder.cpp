@@ -7,7 +7,7 @@
 
 #include <limits>
 
-#include "linear_algebra/hermitian_matrices.h"
+#include "linear_algebra/eigen_decompositions.h"
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
@@ -15,44 +15,28 @@ using Q = CGP::Quaternion<double>;
 
 namespace {
 
-CGP::Block<Q> random_hermitian(int d, std::uint64_t seed)
-{
-  CGP::Block<Q> A = random_block<Q>(d, d, seed);
-  for (int j = 0; j < d; ++j) {
-    A(j, j) = Q{A(j, j).w, 0, 0, 0};
-    for (int i = 0; i < j; ++i) A(j, i) = CGP::conjugate(A(i, j));
-  }
-  return A;
-}
-
 void expect_decomposes(const CGP::Block<Q>& A, double tolerance)
 {
-  const auto e = CGP::quaternionic_householder(A);
-  const int d = static_cast<int>(A.rows());
-  ASSERT_EQ(e.values.size(), d);
-  const Eigen::MatrixXd V = dense(e.vectors), D = four_times(e.values).asDiagonal();
-  EXPECT_LE((dense(A) * V - V * D).norm(), tolerance);
-  EXPECT_LE((V.transpose() * V - Eigen::MatrixXd::Identity(4 * d, 4 * d)).norm(), tolerance);
-  for (int i = 1; i < d; ++i) EXPECT_LE(e.values[i - 1], e.values[i]);
+  expect_decomposition(CGP::quaternionic_householder(A), A, tolerance, tolerance);
 }
 
 }  // namespace
 
 TEST(Quaternionic_householder, diagonalises_random_matrices)
 {
-  for (int d : {1, 2, 3, 4, 7, 20}) expect_decomposes(random_hermitian(d, at(d)), 1e-12);
+  for (int d : {1, 2, 3, 4, 7, 20}) expect_decomposes(random_hermitian_block(d, at(d)), 1e-12);
 }
 
 TEST(Quaternionic_householder, finds_the_values_of_the_method_of_jacobi)
 {
-  const CGP::Block<Q> A = random_hermitian(15, 3);
+  const CGP::Block<Q> A = random_hermitian_block(15, 3);
   EXPECT_LE((CGP::quaternionic_householder(A).values - CGP::quaternionic_jacobi(A).values).norm(),
             1e-13);
 }
 
 TEST(Quaternionic_householder, makes_a_real_tridiagonal_matrix)
 {
-  const CGP::Block<Q> A = random_hermitian(9, 5);
+  const CGP::Block<Q> A = random_hermitian_block(9, 5);
   const auto T = CGP::tridiagonalized(A);
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(36, 36);
   const auto set = [&](int i, int j, double x) {
@@ -66,7 +50,7 @@ TEST(Quaternionic_householder, makes_a_real_tridiagonal_matrix)
 
 TEST(Quaternionic_householder, copes_with_equal_eigenvalues_and_zeros)
 {
-  CGP::Block<Q> U = CGP::quaternionic_jacobi(random_hermitian(6, 4)).vectors, UD = U;
+  CGP::Block<Q> U = CGP::quaternionic_jacobi(random_hermitian_block(6, 4)).vectors, UD = U;
   const double values[] = {1, 1, 1, 5, 5, -2};
   for (int j = 0; j < 6; ++j) CGP::scale_column(UD, j, values[j]);
   CGP::Block<Q> UH(6, 6);
@@ -78,7 +62,7 @@ TEST(Quaternionic_householder, copes_with_equal_eigenvalues_and_zeros)
 
 TEST(Quaternionic_householder, of_a_real_matrix_is_real)
 {
-  CGP::Block<Q> A = random_hermitian(8, 6);
+  CGP::Block<Q> A = random_hermitian_block(8, 6);
   for (Eigen::Index k = 0; k < A.size(); ++k) A.data()[k] = Q{A.data()[k].w, 0, 0, 0};
   expect_decomposes(A, 1e-13);
   const CGP::Block<Q> V = CGP::quaternionic_householder(A).vectors;
@@ -87,7 +71,7 @@ TEST(Quaternionic_householder, of_a_real_matrix_is_real)
 
 TEST(Quaternionic_householder, refuses_values_that_are_not_finite)
 {
-  CGP::Block<Q> A = random_hermitian(4, 7);
+  CGP::Block<Q> A = random_hermitian_block(4, 7);
   A(2, 2).w = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)CGP::quaternionic_householder(A), CGP::Solver_error);
 }

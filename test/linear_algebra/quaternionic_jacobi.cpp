@@ -8,23 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "linear_algebra/hermitian_matrices.h"
+#include "linear_algebra/eigen_decompositions.h"
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
 using Q = CGP::Quaternion<double>;
 
 namespace {
-
-CGP::Block<Q> random_matrix(int d, std::uint64_t seed)
-{
-  CGP::Block<Q> A = random_block<Q>(d, d, seed);
-  for (int j = 0; j < d; ++j) {
-    A(j, j) = Q{A(j, j).w, 0, 0, 0};
-    for (int i = 0; i < j; ++i) A(j, i) = CGP::conjugate(A(i, j));
-  }
-  return A;
-}
 
 // Written out here, not to depend on the products of the library.
 CGP::Block<Q> product(const CGP::Block<Q>& a, const CGP::Block<Q>& b)
@@ -38,25 +28,19 @@ CGP::Block<Q> product(const CGP::Block<Q>& a, const CGP::Block<Q>& b)
 
 void expect_decomposes(const CGP::Block<Q>& A, double tolerance)
 {
-  const auto e = CGP::quaternionic_jacobi(A);
-  const int d = static_cast<int>(A.rows());
-  ASSERT_EQ(e.values.size(), d);
-  const Eigen::MatrixXd V = dense(e.vectors), D = four_times(e.values).asDiagonal();
-  EXPECT_LE((dense(A) * V - V * D).norm(), tolerance);
-  EXPECT_LE((V.transpose() * V - Eigen::MatrixXd::Identity(4 * d, 4 * d)).norm(), 1e-13);
-  for (int i = 1; i < d; ++i) EXPECT_LE(e.values[i - 1], e.values[i]);
+  expect_decomposition(CGP::quaternionic_jacobi(A), A, tolerance, 1e-13);
 }
 
 }  // namespace
 
 TEST(Quaternionic_jacobi, diagonalises_random_matrices)
 {
-  for (int d = 0; d <= 12; ++d) expect_decomposes(random_matrix(d, at(d) + 1), 1e-13);
+  for (int d = 0; d <= 12; ++d) expect_decomposes(random_hermitian_block(d, at(d) + 1), 1e-13);
 }
 
 TEST(Quaternionic_jacobi, finds_each_eigenvalue_of_the_complex_form_once)
 {
-  const CGP::Block<Q> A = random_matrix(7, 3);
+  const CGP::Block<Q> A = random_hermitian_block(7, 3);
   Eigen::MatrixXcd C(14, 14);
   for (int j = 0; j < 7; ++j)
     for (int i = 0; i < 7; ++i) C.block<2, 2>(2 * i, 2 * j) = CGP::complex_block(A(i, j));
@@ -83,7 +67,7 @@ TEST(Quaternionic_jacobi, knows_a_two_by_two_matrix)
 TEST(Quaternionic_jacobi, copes_with_equal_eigenvalues)
 {
   // U diag(1, 1, 1, 5, 5, -2) U^H with a unitary U.
-  const CGP::Block<Q> U = CGP::quaternionic_jacobi(random_matrix(6, 4)).vectors;
+  const CGP::Block<Q> U = CGP::quaternionic_jacobi(random_hermitian_block(6, 4)).vectors;
   const Eigen::VectorXd values = (Eigen::VectorXd(6) << 1, 1, 1, 5, 5, -2).finished();
   CGP::Block<Q> UD = U, UH(6, 6);
   for (int j = 0; j < 6; ++j)
@@ -111,7 +95,7 @@ TEST(Quaternionic_jacobi, leaves_diagonal_matrices_alone)
 
 TEST(Quaternionic_jacobi, keeps_small_eigenvalues_beside_large_ones)
 {
-  CGP::Block<Q> A = random_matrix(5, 6);
+  CGP::Block<Q> A = random_hermitian_block(5, 6);
   const double scales[] = {1, 1e2, 1e4, 1e6, 1e8};
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j) A(i, j) *= scales[i] * scales[j];
@@ -120,7 +104,7 @@ TEST(Quaternionic_jacobi, keeps_small_eigenvalues_beside_large_ones)
 
 TEST(Quaternionic_jacobi, works_in_single_and_extended_precision)
 {
-  const CGP::Block<Q> A = random_matrix(4, 7);
+  const CGP::Block<Q> A = random_hermitian_block(4, 7);
   CGP::Block<CGP::Quaternion<float>> F(4, 4);
   CGP::Block<CGP::Quaternion<long double>> L(4, 4);
   for (int j = 0; j < 4; ++j)

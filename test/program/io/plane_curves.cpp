@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "program/io/curve_support.h"
+#include "program/io/io_support.h"
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 namespace {
@@ -61,14 +61,7 @@ TEST(Obj_lines, that_are_wrong_are_refused)
 
 class Curve_files : public testing::Test {
  protected:
-  Curve_files()
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "conformal-test-XXXXXX").string();
-    m_folder = ::mkdtemp(name.data());
-  }
-  ~Curve_files() override { std::filesystem::remove_all(m_folder); }
-
-  std::string path_of(const std::string& name) const { return (m_folder / name).string(); }
+  std::string path_of(const std::string& name) const { return m_folder / name; }
 
   std::vector<Plane_curve> read(const std::string& name, const Curve_reading& reading = {})
   {
@@ -82,7 +75,7 @@ class Curve_files : public testing::Test {
     return read(name);
   }
 
-  std::filesystem::path m_folder;
+  io_test::Folder m_folder;
   std::vector<std::string> m_notes;
 };
 
