@@ -11,7 +11,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
-/// \brief the quaternion w + x i + y j + z k with ij = k, jk = i, ki = j [CGP 2.7].
+/// \brief the quaternion w + x i + y j + z k with ij = k, jk = i, ki = j [CGP 2.5].
 ///
 /// Vectors of R^3 are the imaginary quaternions (w = 0); for those pq = p x q - <p, q>.
 /// An aggregate of four numbers without padding: an array of quaternions is an array of numbers.
@@ -124,7 +124,7 @@ Quaternion<typename Vector3::Scalar> imaginary(const Eigen::MatrixBase<Vector3>&
 
 /// \relates Quaternion
 /// conjugate(q) v q for a vector v: rotates by +theta about u (right hand rule) where
-/// q = |q| (cos(theta/2) - sin(theta/2) u), and scales by |q|^2 [CGP 2.7]
+/// q = |q| (cos(theta/2) - sin(theta/2) u), and scales by |q|^2 [CGP 2.5]
 template <class FT, class Vector3>
 Eigen::Matrix<FT, 3, 1> spin(const Quaternion<FT>& q, const Eigen::MatrixBase<Vector3>& v)
 {

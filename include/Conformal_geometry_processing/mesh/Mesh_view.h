@@ -23,7 +23,7 @@ using Points = Eigen::Matrix3Xd;
 ///
 /// Vertices, edges and faces are numbered from 0 without gaps. Corner c of face f is the vertex
 /// `corners(f)[c]`; the halfedge h = 3 f + c runs along the edge *opposite* that corner, from
-/// corner c + 1 to corner c + 2, as the edges e_c of [CGP 5.1] do. Faces are oriented counter-
+/// corner c + 1 to corner c + 2, as the edges e_j of [CGP (5.1)] do. Faces are oriented counter-
 /// clockwise seen from outside. Coordinates are `double` whatever the kernel of the mesh was.
 ///
 /// Made by `mesh_view()` from any CGAL mesh, or directly from arrays. The constructor does not

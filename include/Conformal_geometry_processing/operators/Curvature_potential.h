@@ -49,7 +49,7 @@ inline Curvature_potential no_potential(const Mesh_view& mesh)
 }
 
 /// \ingroup PkgOperators
-/// \brief R: |F| x |V|, multiplication by rho [CGP 5.2]; in 1/length.
+/// \brief R: |F| x |V|, multiplication by rho [CGP 5.3]; in 1/length.
 ///
 /// R = P B for rho on faces and R = B P for rho on vertices, with P = diag(rho): the latter
 /// interpolates the product rho lambda linearly.

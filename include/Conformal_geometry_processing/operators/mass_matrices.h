@@ -12,7 +12,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
-/// M_F: the area of each face, |F| numbers; the diagonal of a positive definite matrix [CGP 5.2]
+/// M_F: the area of each face, |F| numbers; the diagonal of a positive definite matrix [CGP 5.4]
 /// \pre no face has area zero
 inline Eigen::VectorXd face_areas(const Mesh_view& mesh)
 {
@@ -23,7 +23,7 @@ inline Eigen::VectorXd face_areas(const Mesh_view& mesh)
 
 /// \ingroup PkgOperators
 /// M_V: the barycentric area of each vertex, a third of the faces around it, |V| numbers; the
-/// diagonal of a positive definite matrix [CGP 5.2]
+/// diagonal of a positive definite matrix [CGP 5.4]
 /// \pre no face has area zero, no vertex is without a face
 inline Eigen::VectorXd vertex_areas(const Mesh_view& mesh)
 {
