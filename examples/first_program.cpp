@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// The program of README.md: deforms a closed surface by rings of curvature.
+//
+//   first_program INPUT OUTPUT
+//! [program]
+#include <Conformal_geometry_processing/spin/Spin_report_io.h>
+#include <Conformal_geometry_processing/spin_transform.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <cmath>
+#include <iostream>
+
+int main(int argc, char* argv[])
+{
+  CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
+  if (argc < 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh)) return 1;
+  const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+  const double bottom = box.ymin(), length = box.ymax() - bottom;
+
+  auto rho = mesh.add_property_map<CGAL::SM_Vertex_index, double>("v:rho").first;
+  for (auto v : vertices(mesh))  // the change of mean curvature, in 1/length: six rings
+    rho[v] = 4 / length * std::sin(12 * 3.14159 * (mesh.point(v).y() - bottom) / length);
+
+  const auto report = Conformal_geometry_processing::spin_transform(mesh, rho);  // moves vertices
+  std::cout << report;                                                           // the certificate
+  return report && CGAL::IO::write_polygon_mesh(argv[2], mesh) ? 0 : 1;
+}
+//! [program]
