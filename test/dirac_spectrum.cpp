@@ -1,34 +1,45 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests dirac_spectrum.h, dirac_sphere.h
-#include <Conformal_geometry_processing/dirac_spectrum.h>
-#include <Conformal_geometry_processing/dirac_sphere.h>
+#include "dirac_spectrum_checks.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <gtest/gtest.h>
+
+#include <vector>
 
 #include "support/bounded_meshes.h"
-#include "support/cgal_meshes.h"
-#include "support/spheres.h"
+#include "support/polyhedra.h"
 
 namespace {
 
 using namespace cgp_test;
-namespace CGP = Conformal_geometry_processing;
 namespace params = CGP::parameters;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
+/// a tetrahedron beside the surface, which is removed and leaves its slots behind
+Surface with_garbage(const Mesh_view& surface)
+{
+  Surface mesh;
+  add_to_cgal_mesh(tetrahedron(), mesh);
+  const std::vector<Surface::Face_index> first(faces(mesh).begin(), faces(mesh).end());
+  add_to_cgal_mesh(surface, mesh);
+  for (const auto f : first) CGAL::Euler::remove_face(halfedge(f, mesh), mesh);
+  return mesh;
+}
+
 TEST(Dirac_spectrum_of_a_Surface_mesh, is_that_of_its_view)
 {
-  const Mesh_view view = bumpy_sphere(2);
-  const CGP::Dirac_spectrum s = CGP::dirac_spectrum(to_cgal_mesh<Surface>(view), 5);
-  ASSERT_TRUE(s.converged);
-  EXPECT_EQ(s.size(), 5);
-  const CGP::Dirac_spectrum expected =
-      CGP::Dirac_spectral_problem<>(view).find(CGP::no_potential(view), 5);
-  EXPECT_LT((s.eigenvalues - expected.eigenvalues).cwiseAbs().maxCoeff(), 1e-9);
+  expect_spectrum_of_the_view(to_cgal_mesh<Surface>(bumpy_sphere(2)));
+}
+
+TEST(Dirac_spectrum_of_a_Surface_mesh, ignores_removed_elements)
+{
+  const Surface mesh = with_garbage(bumpy_sphere(2));
+  ASSERT_TRUE(mesh.has_garbage());
+  ASSERT_EQ(current_view(mesh).size_of_faces(), bumpy_sphere(2).size_of_faces());
+  expect_spectrum_of_the_view(mesh);
 }
 
 TEST(Dirac_spectrum_of_a_Surface_mesh, knows_rho_and_a_shift)
@@ -78,6 +89,13 @@ TEST(Dirac_sphere_of_a_Surface_mesh, overwrites_the_points_and_tells_the_spins)
   const CGP::Graph_view<Surface> graph(mesh, params::default_values(), "test");
   EXPECT_LT((graph.view().positions() - expected.positions).norm(), 1e-9);
   EXPECT_LT(norm(spins[Surface::Vertex_index(5)] - expected.lambda[5]), 1e-12);
+}
+
+TEST(Dirac_sphere_of_a_Surface_mesh, ignores_removed_elements)
+{
+  const Surface mesh = with_garbage(icosphere(3));
+  ASSERT_TRUE(mesh.has_garbage());
+  expect_dirac_sphere(mesh, 1e-9);
 }
 
 TEST(Dirac_sphere_of_a_Surface_mesh, leaves_what_is_no_sphere_alone)

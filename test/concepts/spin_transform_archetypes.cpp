@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin_transform.h
-// Tests include/Conformal_geometry_processing/spin/Spin_visitor.h
+// Tests spin_transform.h, spin/Spin_visitor.h, dirac_spectrum.h, dirac_sphere.h
 #include "concepts/archetype_maps.h"
 
+#include <Conformal_geometry_processing/dirac_spectrum.h>
+#include <Conformal_geometry_processing/dirac_sphere.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <gtest/gtest.h>
@@ -89,4 +90,33 @@ TEST_F(Spin_transform_with_archetypes, of_the_solvers_too)
                             .geom_traits(Geometry_traits_archetype(cgp_test::archetype_unit))
                             .sparse_solver(cgp_test::Sparse_hermitian_solver_traits_archetype())
                             .eigenvalue_solver(cgp_test::Sparse_hermitian_eigensolver_archetype()));
+}
+
+TEST_F(Spin_transform_with_archetypes, as_the_spectrum_of_the_surface)
+{
+  namespace CGP = Conformal_geometry_processing;
+  const CGP::Dirac_spectrum s =
+      CGP::dirac_spectrum(mesh, 3,
+                          params::vertex_point_map(cgp_test::Point_map_archetype(view))
+                              .curvature_potential_map(Rho_map(view))
+                              .geom_traits(Geometry_traits_archetype(cgp_test::archetype_unit))
+                              .sparse_solver(cgp_test::Sparse_hermitian_solver_traits_archetype()));
+  const CGP::Dirac_spectrum by_default = CGP::Dirac_spectral_problem<>(view).find(
+      CGP::Curvature_potential::on_vertices(cgp_test::rho_of_section_3_on_vertices(view)), 3);
+  ASSERT_TRUE(s.converged);
+  EXPECT_LT((s.eigenvalues - by_default.eigenvalues).norm(), 1e-7);
+}
+
+TEST_F(Spin_transform_with_archetypes, as_the_Dirac_spheres)
+{
+  namespace CGP = Conformal_geometry_processing;
+  const auto report =
+      CGP::dirac_sphere(mesh, -1, 0,
+                        params::vertex_point_map(cgp_test::Point_map_archetype(view))
+                            .output_vertex_point_map(cgp_test::Output_map_archetype(points))
+                            .vertex_spin_map(Spin_map(spins))
+                            .geom_traits(Geometry_traits_archetype(cgp_test::archetype_unit))
+                            .sparse_solver(cgp_test::Sparse_hermitian_solver_traits_archetype()));
+  ASSERT_TRUE(report);
+  EXPECT_LT((points - view.positions()).cwiseAbs().maxCoeff(), .05);  // the sphere itself
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/flow/Closing_spin_transformation.h
 #include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
+#include <Conformal_geometry_processing/spin/spin_structure.h>
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <limits>
 
 #include "support/dense.h"
+#include "support/figure_eight_torus.h"
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
@@ -135,6 +137,19 @@ TEST(Closing_spin_transformation, tells_the_spins_of_the_whole_way)
   EXPECT_LT(std::sqrt(error / total), 0.03);
   EXPECT_NEAR(area(after), area(mesh), 1e-10 * area(mesh));
   EXPECT_EQ(result.report.conformality.flipped_faces, 0);
+}
+
+TEST(Closing_spin_transformation, keeps_the_spin_structure_embedded_or_not)
+{
+  for (const int arf : {0, 1}) {
+    const Mesh_view mesh = turned_torus(64, 32, arf == 1, arf);
+    const CGP::Spin_structure before = CGP::spin_structure(mesh);
+    EXPECT_EQ(before.arf_invariant(), arf);
+    const CGP::Spin_result result = transformed(mesh, wave(mesh, .3));
+    EXPECT_TRUE(result.report) << arf;
+    EXPECT_GT((result.positions - mesh.positions()).cwiseAbs().maxCoeff(), .05) << arf;
+    EXPECT_EQ(CGP::spin_structure({result.positions, mesh.corners()}), before) << arf;
+  }
 }
 
 TEST(Closing_spin_transformation, keeps_genus_two_and_three_closed)

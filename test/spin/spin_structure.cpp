@@ -11,6 +11,7 @@
 
 #include "support/figure_eight_torus.h"
 #include "support/handlebodies.h"
+#include "support/moebius.h"
 #include "support/random.h"
 #include "support/skewed_tori.h"
 #include "support/spheres.h"
@@ -100,6 +101,19 @@ TEST(Spin_structure, stays_under_motions_and_small_deformations)
     for (Eigen::Index i = 0; i < p.cols(); ++i) p.col(i) += .02 * random.vector();
     mesh.set_positions(7 * random.rotation() * p);
     EXPECT_EQ(CGP::spin_structure(mesh), before);
+  }
+}
+
+TEST(Spin_structure, stays_under_Moebius_transformations)
+{
+  for (const int turns : {0, 1}) {
+    const Mesh_view mesh = turned_torus(48, 24, turns != 0, turns);
+    const CGP::Spin_structure before = CGP::spin_structure(mesh);
+    EXPECT_EQ(before.arf_invariant(), turns);
+    // outside, in the hole, and in the tube: the last turns the surface inside out
+    for (const Eigen::Vector3d& center :
+         {Eigen::Vector3d(1, 2, 7), Eigen::Vector3d(.1, .2, .3), Eigen::Vector3d(3 + .5, 0, 0)})
+      EXPECT_EQ(CGP::spin_structure(inverted(mesh, center)), before) << turns;
   }
 }
 
