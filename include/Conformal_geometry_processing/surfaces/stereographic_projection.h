@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_STEREOGRAPHIC_PROJECTION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_STEREOGRAPHIC_PROJECTION_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSurfaces
+/// \brief the point of space that belongs to a point of the 3-sphere, a unit quaternion q:
+/// Im q / (1 - Re q), conformally; 1 goes to infinity, -1 to the origin.
+///
+/// To project from another point p, multiply by its conjugate: conjugate(p) q. All these images of
+/// a surface are Moebius transforms of each other.
+/// \pre q is of length one and not 1
+inline Eigen::Vector3d stereographic_projection(const Quaternion<double>& q)
+{
+  return imaginary_part(q) / (1 - q.w);
+}
+
+/// \ingroup PkgSurfaces
+/// the unit quaternion whose projection is p
+inline Quaternion<double> inverse_stereographic_projection(const Eigen::Vector3d& p)
+{
+  const double s = p.squaredNorm();
+  Quaternion<double> q = imaginary(2 * p);
+  q.w = s - 1;
+  return q / (s + 1);
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_TORUS_OF_CLASS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_TORUS_OF_CLASS_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
+#include <Conformal_geometry_processing/forms/conformal_modulus.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <cmath>
+#include <complex>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSurfaces
+/// \brief the modulus of a mesh of a torus, reduced: with a harmonic basis of its own.
+/// \throw Precondition_error if the mesh is not a closed torus
+/// \throw Solver_error if the Laplacian cannot be factored
+template <class SolverTraits = Default_solver_traits>
+std::complex<double> conformal_modulus(const Mesh_view& mesh)
+{
+  return conformal_modulus(mesh, Hodge_decomposition<SolverTraits>(mesh).harmonic_basis());
+}
+
+/// \ingroup PkgSurfaces
+/// \brief the torus of a family whose modulus has the imaginary part b. If reflections make all of
+/// them conformally rectangles, it is the one of sides 1 and b.
+///
+/// Measures some ten moduli, with one factorization of the Laplacian each.
+/// \param family maps a number to a mesh; the modulus shall change continuously with it
+/// \param low, high the imaginary part at these is below b at one, and above it at the other
+/// \throw Precondition_error if it is not, or a mesh is not a closed torus
+/// \throw Solver_error if a factorization fails
+template <class SolverTraits = Default_solver_traits, class Family>
+Mesh_view torus_of_class(Family family, double b, double low, double high)
+{
+  const auto excess = [&](double x) {
+    return conformal_modulus<SolverTraits>(family(x)).imag() - b;
+  };
+  double at_low = excess(low), at_high = excess(high);
+  if (!(at_low * at_high <= 0))
+    throw Precondition_error("torus_of_class", "the moduli are " + std::to_string(at_low + b) +
+                                                   " i and " + std::to_string(at_high + b) +
+                                                   " i at the ends; " + std::to_string(b) +
+                                                   " i is not between them");
+  // The false position; the value at an end that stays is halved, so that it will not stay long.
+  const double tolerance = 1e-10;
+  for (int i = 0; i < 100; ++i) {
+    const double x = (low * at_high - high * at_low) / (at_high - at_low), at_x = excess(x);
+    if (std::abs(at_x) < tolerance || x == high) return family(x);
+    if ((at_x < 0) == (at_high < 0))
+      at_low /= 2;
+    else
+      low = high, at_low = at_high;
+    high = x, at_high = at_x;
+  }
+  return family(high);
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
