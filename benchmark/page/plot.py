@@ -6,8 +6,9 @@ import math
 from xml.sax.saxutils import escape
 
 WIDTH, HEIGHT = 760, 460
-LEFT, RIGHT, TOP, BOTTOM = 70, 230, 40, 50  # the right margin holds the names
-COLORS = ["#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"]
+LEFT, RIGHT, TOP, BOTTOM = 84, 230, 40, 50  # the right margin holds the names
+COLORS = ["#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
+          "#7f7f7f", "#8b4513", "#6a3d9a", "#b2b200", "#1b7837", "#f781bf"]
 LINE_HEIGHT = 16
 
 
@@ -68,8 +69,15 @@ def grid(x, y, x_label, y_label, title):
     yield text(-(TOP + HEIGHT - BOTTOM) / 2, 18, y_label, "middle", 'transform="rotate(-90)"')
 
 
-def log_log(lines, x_label, y_label, title):
-    """lines: name -> list of (x, y), all positive, at least one point in all. The SVG as text."""
+def power(x_values, y, exponent):
+    """Points of y ~ x^exponent, over the extent of x_values, with y at the greatest of them."""
+    low, high = min(x_values), max(x_values)
+    return [(x, y * (x / high) ** exponent) for x in (low, high)]
+
+
+def log_log(lines, x_label, y_label, title, dashed=()):
+    """lines: name -> list of (x, y), all positive, at least one point in all. Those named in
+    `dashed` are for comparison, and drawn without marks. The SVG as text."""
     lines = {name: sorted(points) for name, points in lines.items() if points}
     every = [point for points in lines.values() for point in points]
     x = Axis([p[0] for p in every], LEFT, WIDTH - RIGHT)
@@ -77,13 +85,13 @@ def log_log(lines, x_label, y_label, title):
     parts = list(grid(x, y, x_label, y_label, title))
     heights = spread([y(points[-1][1]) for points in lines.values()])
     for k, (name, points) in enumerate(lines.items()):
-        color = COLORS[k % len(COLORS)]
+        color = "#888888" if name in dashed else COLORS[k % len(COLORS)]
         corners = " ".join(f"{x(a):.1f},{y(b):.1f}" for a, b in points)
         end_x, end_y = x(points[-1][0]), y(points[-1][1])
-        parts.append(f'<polyline points="{corners}" fill="none" stroke="{color}" '
-                     'stroke-width="2"/>')
+        style = 'stroke-dasharray="6 4"' if name in dashed else 'stroke-width="2"'
+        parts.append(f'<polyline points="{corners}" fill="none" stroke="{color}" {style}/>')
         parts += [f'<circle cx="{x(a):.1f}" cy="{y(b):.1f}" r="3" fill="{color}"/>'
-                  for a, b in points]
+                  for a, b in points if name not in dashed]
         parts.append(f'<path d="M{end_x + 5:.1f} {end_y:.1f}L{WIDTH - RIGHT + 12} '
                      f'{heights[k]:.1f}" stroke="{color}" stroke-dasharray="1 3" fill="none"/>')
         parts.append(text(WIDTH - RIGHT + 16, heights[k] + 4, name, more=f'fill="{color}"'))

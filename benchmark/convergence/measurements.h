@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef BENCHMARK_CONVERGENCE_MEASUREMENTS_H
+#define BENCHMARK_CONVERGENCE_MEASUREMENTS_H
+
+namespace cgp_benchmark {
+
+/// spin transformations of spheres, disks and tori on finer and finer meshes
+void measure_convergence_in_space();
+
+/// steps of the flow on a surface with three handles and on an annulus
+void measure_convergence_in_time();
+
+}  // namespace cgp_benchmark
+
+#endif
