@@ -123,7 +123,7 @@ def step_table(results):
 def unit_time_table(results, surfaces, constraints):
     rows = [[row["surface"], f"{row['faces']:,}", f"1/{round(1 / row['tau'])}",
              *(f"{row[key]:.2e}" for key in ("q_mean", "ratio_rms", "gap", "q_to_limit")),
-             f"{row['energy']:.3f}"]
+             f"{row['energy']:.4g}"]
             for surface in surfaces
             for row in results.series(table="unit time", surface=surface, constraints=constraints)]
     return table(["surface", "faces", "tau", "Q mean - 1", "cross-ratio rms", "gap, summed",

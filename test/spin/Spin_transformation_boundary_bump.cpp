@@ -18,28 +18,43 @@ Curvature_potential bump(const Mesh_view& mesh)
   });
 }
 
-/// Q - 1 on finer and finer disks
+/// on finer and finer disks
+struct Errors {
+  std::vector<double> h, Q, cross_ratio;  // Q - 1
+};
+
 template <class Disk>
-std::vector<double> errors(Disk disk, const Boundary_condition& condition)
+Errors errors(Disk disk, const Boundary_condition& condition)
 {
-  std::vector<double> list;
+  Errors list;
   for (const int n : {8, 16, 32, 64}) {
     const Mesh_view mesh = disk(n);
     const CGP::Spin_result r = transformed(mesh, condition, bump(mesh));
     EXPECT_TRUE(r.report);
     EXPECT_EQ(r.report.conformality.flipped_faces, 0);
-    list.push_back(mean_Q(r) - 1);
+    list.h.push_back(mean_edge_length(mesh));
+    list.Q.push_back(mean_Q(r) - 1);
+    list.cross_ratio.push_back(r.report.conformality.length_cross_ratio.rms);
   }
   return list;
 }
 
-void expect_table(const std::vector<double>& found, const std::vector<double>& table)
+/// of the three finest disks
+double fine_slope(const std::vector<double>& h, const std::vector<double>& error)
 {
+  return slope({h.end() - 3, h.end()}, {error.end() - 3, error.end()});
+}
+
+void expect_table(const Errors& all, const std::vector<double>& table)
+{
+  const std::vector<double>& found = all.Q;
   for (std::size_t i = 0; i < table.size(); ++i)
     EXPECT_NEAR(found[i], table[i] - 1, .02 * (table[i] - 1)) << i;
   EXPECT_NEAR(found[2], table[2] - 1, 5e-4);
   EXPECT_GT(found[2] / found[3], 1.9);
   EXPECT_LT(found[2] / found[3], 2.1);
+  EXPECT_NEAR(fine_slope(all.h, all.Q), 1, .05);
+  EXPECT_NEAR(fine_slope(all.h, all.cross_ratio), 2, .2);
 }
 
 }  // namespace
