@@ -3,32 +3,26 @@
 #ifndef TEST_SUPPORT_TORI_H
 #define TEST_SUPPORT_TORI_H
 
+#include <Conformal_geometry_processing/surfaces/torus_grid.h>
+
 #include <cmath>
-#include <utility>
 
 #include "support/mesh_tools.h"
 
 /// Tori around the z axis: vertex i n + j is at u = i/m (around the axis), v = j/n (around the
-/// tube); the diagonals run from (i, j) to (i + 1, j + 1); normals point outward.
+/// tube); normals point outward.
 namespace cgp_test {
 
 /// \param radius of the tube, a function of (u, v) in [0, 1)^2
 template <class Radius>
 Mesh_view tube_torus(double R, int m, int n, Radius radius)
 {
-  Points p(3, m * n);
-  Corners corners;
-  for (int i = 0; i < m; ++i)
-    for (int j = 0; j < n; ++j) {
-      const double u = double(i) / m, v = double(j) / n, r = radius(u, v);
-      const double distance = R + r * std::cos(2 * pi * v);
-      p.col(i * n + j) << distance * std::cos(2 * pi * u), distance * std::sin(2 * pi * u),
-          r * std::sin(2 * pi * v);
-      const int i1 = (i + 1) % m * n, j1 = (j + 1) % n;
-      corners.push_back({i * n + j, i1 + j, i1 + j1});
-      corners.push_back({i * n + j, i1 + j1, i * n + j1});
-    }
-  return {std::move(p), std::move(corners)};
+  return Conformal_geometry_processing::torus_grid(m, n, 0, [&](int i, int j) {
+    const double u = double(i) / m, v = double(j) / n, r = radius(u, v);
+    const double distance = R + r * std::cos(2 * pi * v);
+    return Eigen::Vector3d(distance * std::cos(2 * pi * u), distance * std::sin(2 * pi * u),
+                           r * std::sin(2 * pi * v));
+  });
 }
 
 /// the torus of revolution
