@@ -47,10 +47,12 @@ int main(int argc, char* argv[])
   artist.picture << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-2.2 -3.1 22 6\">\n"
                     "<g fill=\"none\" stroke=\"#1f4e79\" stroke-width=\".04\">\n";
   try {
+    //! [curve]
     const CGP::Curve_flow_report report = CGP::isometric_curve_flow(
         points, CGP::parameters::time_step(.05).number_of_iterations(40).visitor(std::ref(artist)));
     std::cout << "turns " << report.turning_number << ", energy " << report.initial_energy << " to "
               << report.energy << ", lengths changed by " << report.length_distortion << '\n';
+    //! [curve]
   } catch (const CGP::Error& error) {
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;

@@ -98,7 +98,8 @@ def beam(n, length=6):
     return [tuple(x / n for x in place) for place in number], faces
 
 
-WANTED = {"uncurl_a_torus": lambda: torus(48), "minimal_surface": lambda: disk(12),
+WANTED = {"uncurl_a_torus": lambda: torus(48), "fields_along_handles": lambda: torus(48),
+          "minimal_surface": lambda: disk(12),
           "soap_film_cmc": lambda: dome(12), "bend_the_boundary": lambda: dome(12),
           "nearest_to_a_bend": lambda: beam(6), "flatten_a_face": lambda: dome(12),
           "paint_and_filter": lambda: disk(48)}
@@ -124,7 +125,26 @@ def check_curve(program, size=100):
         sys.exit(f"{len(curves)} curves written, wanted five of {size} points")
 
 
+def check_torus(program):
+    """The program prints what it claims: the class stays, and the energy ends near the least."""
+    with tempfile.TemporaryDirectory() as folder:
+        files = [str(pathlib.Path(folder) / name) for name in ("before.ply", "after.ply")]
+        text = subprocess.run([program, "1.25", *files], check=True, stdout=subprocess.PIPE,
+                              text=True).stdout
+        for file in files:
+            pathlib.Path(file).stat()
+    before, after = (complex(*map(float, pair))
+                     for pair in re.findall(r"\((\S+),(\S+)\) (?:before|after)", text))
+    energy, least = map(float, re.search(r"(\S+) after, smoothest (\S+)", text).groups())
+    if abs(before.imag - 1.25) > 1e-5 or abs(after - before) > 0.005:
+        sys.exit(f"the modulus is {before}, then {after}")
+    if abs(energy - least) > 0.01 * least:
+        sys.exit(f"the energy is {energy}, the least is {least}")
+
+
 def main():
+    if pathlib.Path(sys.argv[1]).stem == "smoothest_torus":
+        return check_torus(sys.argv[1])
     if pathlib.Path(sys.argv[1]).stem == "unwind_a_curve":
         return check_curve(sys.argv[1])
     points, faces = WANTED.get(pathlib.Path(sys.argv[1]).stem, lambda: sphere(4))()

@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""README, gallery and manual fit the sources: the README's program is the example first_program,
+files in backticks and links exist, every example is in the manual, and every picture is shown on a
+page and drawn by a program.
+"""
+
+import pathlib
+import re
+
+import check_thesis_map
+import sources
+
+DOC = sources.ROOT / "doc"
+PAGES = ["README.md", "doc/gallery.md", "doc/history.md"]
+LINK = re.compile(r"\]\((?!https?:)([^)#]+)\)")
+
+
+def the_program():
+    example = (sources.ROOT / "examples/first_program.cpp").read_text(encoding="utf-8")
+    program = example.split("//! [program]\n")[1]
+    if f"```cpp\n{program}```" not in check_thesis_map.read("README.md"):
+        yield "README.md: its program is not that of examples/first_program.cpp"
+
+
+def links():
+    for page in PAGES:
+        for target in LINK.findall(check_thesis_map.read(page)):
+            if not (sources.ROOT / page).parent.joinpath(target).exists():
+                yield f"{page}: there is no {target}"
+
+
+def examples():
+    page = check_thesis_map.read("doc/manual/examples.txt")
+    for path in sorted((sources.ROOT / "examples").glob("*.cpp")):
+        if f"\\example {path.name}" not in page or f"\\ref {path.name}" not in page:
+            yield f"doc/manual/examples.txt: without {path.name}"
+
+
+def pictures():
+    pages = [*DOC.glob("*.md"), *DOC.glob("manual/*.txt"), sources.ROOT / "README.md"]
+    shown = "".join(path.read_text(encoding="utf-8") for path in pages)
+    programs = [*DOC.glob("draw_*"), *(sources.ROOT / "benchmark").rglob("*")]
+    drawn = "".join(path.read_text(encoding="utf-8", errors="replace") for path in programs
+                    if path.is_file())
+    for picture in sorted((DOC / "figures").iterdir()):
+        if picture.name not in shown:
+            yield f"doc/figures/{picture.name} is shown on no page"
+        if picture.stem not in drawn and picture.stem.partition("_")[0] + "_{" not in drawn:
+            yield f"doc/figures/{picture.name} is drawn by no program"
+
+
+def complaints():
+    yield from the_program()
+    for page in PAGES:
+        yield from check_thesis_map.names_that_do_not_exist(page)
+    yield from links()
+    yield from examples()
+    yield from pictures()
+
+
+if __name__ == "__main__":
+    sources.finish(list(complaints()), "README and manual")
