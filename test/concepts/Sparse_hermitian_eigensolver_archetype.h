@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/Eigen_result.h>
-#include <Conformal_geometry_processing/linear_algebra/quaternionic_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
 
 #include <cmath>
 
@@ -27,7 +27,7 @@ struct Sparse_hermitian_eigensolver_archetype {
     CGP::Block<Quaternion<double>> D(n, n);
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) D(i, j) = A.coefficient(i, j) / std::sqrt(masses[i] * masses[j]);
-    const auto decomposition = CGP::quaternionic_jacobi(D);
+    const auto decomposition = CGP::hermitian_jacobi(D);
 
     CGP::Eigen_result result;
     result.cancelled = !go_further(CGP::Eigen_progress{0, decomposition.values[0], 0});

@@ -30,7 +30,7 @@ TEST(Quaternionic_householder, diagonalises_random_matrices)
 TEST(Quaternionic_householder, finds_the_values_of_the_method_of_jacobi)
 {
   const CGP::Block<Q> A = random_hermitian_block(15, 3);
-  EXPECT_LE((CGP::quaternionic_householder(A).values - CGP::quaternionic_jacobi(A).values).norm(),
+  EXPECT_LE((CGP::quaternionic_householder(A).values - CGP::hermitian_jacobi(A).values).norm(),
             1e-13);
 }
 
@@ -50,7 +50,7 @@ TEST(Quaternionic_householder, makes_a_real_tridiagonal_matrix)
 
 TEST(Quaternionic_householder, copes_with_equal_eigenvalues_and_zeros)
 {
-  CGP::Block<Q> U = CGP::quaternionic_jacobi(random_hermitian_block(6, 4)).vectors, UD = U;
+  CGP::Block<Q> U = CGP::hermitian_jacobi(random_hermitian_block(6, 4)).vectors, UD = U;
   const double values[] = {1, 1, 1, 5, 5, -2};
   for (int j = 0; j < 6; ++j) CGP::scale_column(UD, j, values[j]);
   CGP::Block<Q> UH(6, 6);

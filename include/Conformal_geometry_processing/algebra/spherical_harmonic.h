@@ -3,6 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_SPHERICAL_HARMONIC_H
 #define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_SPHERICAL_HARMONIC_H
 
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -41,7 +43,7 @@ inline std::complex<double> spherical_harmonic(int l, int m, const Eigen::Vector
 {
   const int order = std::abs(m);
   if (order > l) return 0;
-  const Eigen::Vector3d p = point.stableNormalized();
+  const Eigen::Vector3d p = stable_normalized(point);
   const double sine = std::hypot(p.x(), p.y());
   const double longitude = std::atan2(p.y(), p.x());
   const double size = internal::normalized_legendre(l, order, p.z(), sine);

@@ -8,7 +8,6 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -36,7 +35,13 @@ struct Harmonic_basis {
   /// \param w `cotan_weights(mesh)` \param alpha |E| x k
   Eigen::MatrixXd coefficients(const Eigen::VectorXd& w, const Eigen::MatrixXd& alpha) const
   {
-    return one_forms.transpose() * (w.asDiagonal() * alpha);
+    Eigen::MatrixXd products(size(), alpha.cols());
+    for (Eigen::Index k = 0; k < alpha.cols(); ++k) {
+      const Eigen::VectorXd weighted = w.cwiseProduct(alpha.col(k));
+      for (Eigen::Index i = 0; i < products.rows(); ++i)
+        products(i, k) = one_forms.col(i).dot(weighted);
+    }
+    return products;
   }
 };
 
@@ -62,12 +67,20 @@ inline void orthonormalize(const Mesh_view& mesh, Eigen::MatrixXd& forms)
   const double least_pivot = 1e-7;  // relative: half the digits
   if (forms.cols() == 0) return;
   for (int pass = 0; pass < 2; ++pass) {  // the second takes out the rounding of the first
-    const Eigen::MatrixXd V = weighted_fields(mesh, forms);
-    const Eigen::LLT<Eigen::MatrixXd> gram(V.transpose() * V);
-    const Eigen::VectorXd pivots = gram.matrixLLT().diagonal();
-    if (gram.info() != Eigen::Success || !(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
+    Eigen::MatrixXd V = weighted_fields(mesh, forms);
+    Eigen::VectorXd pivots(V.cols());
+    for (Eigen::Index j = 0; j < V.cols(); ++j) {
+      for (Eigen::Index i = 0; i < j; ++i) {
+        const double part = V.col(i).dot(V.col(j));
+        V.col(j) -= part * V.col(i);
+        forms.col(j) -= part * forms.col(i);
+      }
+      pivots[j] = V.col(j).norm();
+      V.col(j) /= pivots[j];
+      forms.col(j) /= pivots[j];
+    }
+    if (!pivots.allFinite() || !(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
       throw Precondition_error("orthonormalize", "the 1-forms are not linearly independent");
-    gram.matrixU().solveInPlace<Eigen::OnTheRight>(forms);
   }
 }
 

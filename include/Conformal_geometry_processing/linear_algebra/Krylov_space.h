@@ -115,7 +115,7 @@ class Krylov_space {
       for (Eigen::Index j = 0; pass == 0 && j < w.cols(); ++j)
         longest = std::max(longest, std::sqrt(std::max(before(j, j).w, 0.)));
       if (size() > 0) w -= m_V.combination(m_NV.gram(w, m_pencil.coefficients));
-      const auto gram = quaternionic_jacobi(gram_matrix(w, m_pencil.N(w), m_pencil.coefficients));
+      const auto gram = hermitian_jacobi(gram_matrix(w, m_pencil.N(w), m_pencil.coefficients));
       Eigen::Index rank = 0;
       while (rank < w.cols() && std::sqrt(std::max(gram.values[w.cols() - 1 - rank], 0.)) >
                                     (pass == 0 ? lost * longest : 0.5))

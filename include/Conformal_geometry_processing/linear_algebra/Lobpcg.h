@@ -7,7 +7,7 @@
 #include <Conformal_geometry_processing/linear_algebra/Eigen_panel.h>
 #include <Conformal_geometry_processing/linear_algebra/Eigen_result.h>
 #include <Conformal_geometry_processing/linear_algebra/block_operators.h>
-#include <Conformal_geometry_processing/linear_algebra/quaternionic_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
 
 #include <array>
 #include <functional>
@@ -92,7 +92,7 @@ inline Eigen_result lobpcg(const Block_function& apply_k, const Block_function& 
   auto& [x, w, p] = space;
   x = convergence.initial(make_panel(apply_k, apply_n, std::move(x0), options.coefficients));
   w.coefficients = p.coefficients = options.coefficients;
-  const Vectors first = quaternionic_jacobi(x.gram(x.v, x.kv)).vectors;
+  const Vectors first = hermitian_jacobi(x.gram(x.v, x.kv)).vectors;
   for (Vectors* part : x.parts()) *part = combination(*part, first);
   while (true) {
     Vectors& r = w.kv;  // until K w takes its place
@@ -106,7 +106,7 @@ inline Eigen_result lobpcg(const Block_function& apply_k, const Block_function& 
       convergence.stop();
       break;
     }
-    const auto ritz = quaternionic_jacobi(space.projection());
+    const auto ritz = hermitian_jacobi(space.projection());
     convergence.note_next_value(ritz.values[x.size()]);
     space.advance(ritz.vectors.leftCols(x.size()));
     // Anew, so that the residual is the true one and not that of accumulated combinations.

@@ -4,14 +4,12 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_COMPLEMENT_H
 
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
+#include <Conformal_geometry_processing/linear_algebra/Dense_cholesky.h>
 #include <Conformal_geometry_processing/linear_algebra/Supernodal_factor.h>
-
-#include <Eigen/Cholesky>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -49,8 +47,8 @@ class Reduced_complement {
   {
     m_planes.clear();
     for (int i : m_kept) m_planes.push_back({basis.vector(i, 0), basis.vector(i, 1)});
-    const Eigen::Index size = 2 * static_cast<Eigen::Index>(m_kept.size());
-    m_matrix.setZero(size, size);
+    const int size = 2 * static_cast<int>(m_kept.size());
+    m_matrix.set_zero(size);
     for (const auto& [source, row, column] : m_entries) {
       const Scalar& x = X.value(source);
       if (row >= column)
@@ -59,7 +57,7 @@ class Reduced_complement {
         add(column, row, conjugate(x));
     }
     if (shift.size() > 0)
-      for (Eigen::Index k = 0; k < size; ++k) m_matrix(k, k) += shift[m_kept[at(k / 2)]];
+      for (int k = 0; k < size; ++k) m_matrix(k, k) += shift[m_kept[at(k / 2)]];
   }
 
   /// adds what the elimination of all other rows leaves
@@ -70,31 +68,20 @@ class Reduced_complement {
   }
 
   /// \returns whether the matrix is positive definite
-  bool factorize()
-  {
-    m_factor.reset();
-    if (m_kept.empty()) return true;
-    Eigen::Ref<Eigen::MatrixXd> matrix(m_matrix);
-    m_factor.emplace(matrix);  // in place
-    return m_factor->info() == Eigen::Success;
-  }
+  bool factorize() { return m_matrix.factorize(); }
 
   /// gives back the memory of the matrix and its factor
-  void release()
-  {
-    m_factor.reset();
-    m_matrix.resize(0, 0);
-  }
+  void release() { m_matrix.release(); }
 
   /// the last rows of y, in the order of elimination: from right-hand sides to solutions
   void solve(Vector<Scalar>& y) const
   {
     if (m_kept.empty()) return;
-    Eigen::VectorXd c(m_matrix.rows());
+    Eigen::VectorXd c(m_matrix.size());
     for (std::size_t k = 0; k < m_kept.size(); ++k)
       for (std::size_t p = 0; p < 2; ++p)
         c[index(k, p)] = dot(m_planes[k][p], y[m_eliminated + static_cast<Eigen::Index>(k)]);
-    m_factor->solveInPlace(c);
+    m_matrix.solve(c);
     for (std::size_t k = 0; k < m_kept.size(); ++k)
       y[m_eliminated + static_cast<Eigen::Index>(k)] =
           m_planes[k][0] * c[index(k, 0)] + m_planes[k][1] * c[index(k, 1)];
@@ -157,8 +144,7 @@ class Reduced_complement {
   std::vector<int> m_kept;
   std::vector<Entry> m_entries;
   std::vector<std::array<Scalar, 2>> m_planes;
-  Eigen::MatrixXd m_matrix;
-  std::optional<Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>> m_factor;
+  Dense_cholesky m_matrix;
 };
 
 }  // namespace Conformal_geometry_processing

@@ -47,8 +47,8 @@ struct Krylov_result {
 namespace internal {
 
 /// Eigenpairs of the projection, descending in modulus.
-inline Quaternionic_eigen_decomposition<double> dominant_first(
-    Quaternionic_eigen_decomposition<double> pairs)
+inline Hermitian_eigen_decomposition<Quaternion<double>> dominant_first(
+    Hermitian_eigen_decomposition<Quaternion<double>> pairs)
 {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(pairs.values.size()));
   std::iota(order.begin(), order.end(), Eigen::Index(0));

@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/block_products.h>
-#include <Conformal_geometry_processing/linear_algebra/quaternionic_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -101,14 +101,14 @@ inline Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<double>>
 
 /// \ingroup PkgLinearAlgebra
 /// \brief the eigenvalues and eigenvectors of a quaternionic Hermitian matrix, as
-/// `quaternionic_jacobi()` finds them, for matrices of more than some fifty rows.
+/// `hermitian_jacobi()` finds them, for matrices of more than some fifty rows.
 ///
 /// The tridiagonal form is real, so that what remains is a real problem of the same size, and not
 /// of two or four times that. A real A has real vectors.
 /// \pre A is Hermitian
 /// \throw Solver_error if the iteration for the tridiagonal matrix does not converge, as with
 /// values that are not finite
-inline Quaternionic_eigen_decomposition<double> quaternionic_householder(
+inline Hermitian_eigen_decomposition<Quaternion<double>> quaternionic_householder(
     Block<Quaternion<double>> A)
 {
   const Eigen::Index d = A.rows();
@@ -117,8 +117,8 @@ inline Quaternionic_eigen_decomposition<double> quaternionic_householder(
   if (!T.diagonal.allFinite() || !T.subdiagonal.allFinite() ||
       solver.computeFromTridiagonal(T.diagonal, T.subdiagonal).info() != Eigen::Success)
     throw Solver_error("quaternionic_householder", "no convergence");
-  Quaternionic_eigen_decomposition<double> result{solver.eigenvalues(),
-                                                  Block<Quaternion<double>>(d, d)};
+  Hermitian_eigen_decomposition<Quaternion<double>> result{solver.eigenvalues(),
+                                                           Block<Quaternion<double>>(d, d)};
   const auto numbers = [d](auto* data) { return Eigen::Map<Eigen::MatrixXd>(data, 4 * d, d); };
   numbers(&result.vectors.data()->w).noalias() =
       Eigen::Map<const Eigen::MatrixXd>(&T.Q.data()->w, 4 * d, d) * solver.eigenvectors();

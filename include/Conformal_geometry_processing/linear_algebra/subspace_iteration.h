@@ -6,8 +6,9 @@
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/Centered_mass.h>
 #include <Conformal_geometry_processing/linear_algebra/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -62,9 +63,9 @@ Subspace_result<Scalar> subspace_iteration(const Hermitian_sparse_matrix<Scalar>
     result.status = solver.solve(b, y);
     if (result.status != Solver_status::success) return result;
     const Block<Scalar> H = b.adjoint() * y;
-    const Eigen::SelfAdjointEigenSolver<Block<Scalar>> ritz((H + H.adjoint()) / Scalar(2));
-    const auto inverses = ritz.eigenvalues().reverse();
-    const Block<Scalar> turn = ritz.eigenvectors().rowwise().reverse();
+    const auto ritz = hermitian_jacobi<Scalar>((H + H.adjoint()) / Scalar(2));
+    const auto inverses = ritz.values.reverse();
+    const Block<Scalar> turn = ritz.vectors.rowwise().reverse();
     if (!(inverses[0] > 0) || !std::isfinite(inverses[0])) {
       result.status = Solver_status::numerical_issue;
       return result;

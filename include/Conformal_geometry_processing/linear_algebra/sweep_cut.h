@@ -4,9 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_SWEEP_CUT_H
 
 #include <Conformal_geometry_processing/linear_algebra/Graph_region.h>
+#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -24,16 +24,12 @@ namespace internal {
 inline Eigen::Matrix3f principal_axes(const Eigen::Matrix<float, Eigen::Dynamic, 3>& points)
 {
   const Eigen::RowVector3f mean = points.colwise().mean();
-  Eigen::Matrix3f covariance;
+  Block<float> covariance(3, 3);
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b <= a; ++b)
-      covariance(a, b) =
+      covariance(a, b) = covariance(b, a) =
           ((points.col(a).array() - mean[a]) * (points.col(b).array() - mean[b])).mean();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>()
-      .computeDirect(covariance)
-      .eigenvectors()
-      .rowwise()
-      .reverse();
+  return hermitian_jacobi(covariance).vectors.rowwise().reverse();
 }
 
 }  // namespace internal

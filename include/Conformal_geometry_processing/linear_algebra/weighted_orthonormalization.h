@@ -4,10 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_WEIGHTED_ORTHONORMALIZATION_H
 
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 #include <string>
@@ -37,7 +36,22 @@ inline void require_weighted_functions(const Eigen::MatrixXd& functions,
 inline Eigen::MatrixXd weighted_gram_matrix(const Eigen::MatrixXd& functions,
                                             const Eigen::VectorXd& weights)
 {
-  return functions.transpose() * weights.asDiagonal() * functions;
+  Eigen::MatrixXd gram(functions.cols(), functions.cols());
+  for (Eigen::Index j = 0; j < gram.cols(); ++j) {
+    const Eigen::VectorXd weighted = weights.cwiseProduct(functions.col(j));
+    for (Eigen::Index i = 0; i <= j; ++i) gram(i, j) = gram(j, i) = weighted.dot(functions.col(i));
+  }
+  return gram;
+}
+
+// Gram and Schmidt's process, for functions that are almost orthonormal.
+inline void orthonormalize_in_order(Eigen::MatrixXd& basis, const Eigen::VectorXd& weights)
+{
+  for (Eigen::Index j = 0; j < basis.cols(); ++j) {
+    for (Eigen::Index i = 0; i < j; ++i)
+      basis.col(j) -= weights.cwiseProduct(basis.col(i)).dot(basis.col(j)) * basis.col(i);
+    basis.col(j) /= std::sqrt(weights.cwiseProduct(basis.col(j)).dot(basis.col(j)));
+  }
 }
 
 }  // namespace internal
@@ -51,7 +65,7 @@ inline Eigen::MatrixXd weighted_gram_matrix(const Eigen::MatrixXd& functions,
 /// which a plain Gram-Schmidt process would normalise. Functions should be scaled alike; none at
 /// all, and functions that vanish, have the empty basis.
 ///
-/// From the eigenvectors of the Gram matrix, and once more from its Cholesky factor, which makes
+/// From the eigenvectors of the Gram matrix, and then by Gram and Schmidt's process, which makes
 /// the basis orthonormal to rounding. Deterministic. About 8 n k^2 operations, and the memory of
 /// the functions once more.
 ///
@@ -66,17 +80,18 @@ inline Eigen::MatrixXd weighted_orthonormalization(const Eigen::MatrixXd& functi
 {
   internal::require_weighted_functions(functions, weights);
   if (functions.cols() == 0) return functions;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(
-      internal::weighted_gram_matrix(functions, weights));
-  const Eigen::VectorXd squared = gram.eigenvalues().reverse();  // decreasing
+  const auto gram = hermitian_jacobi(internal::weighted_gram_matrix(functions, weights));
+  const Eigen::VectorXd squared = gram.values.reverse();  // decreasing
   const Eigen::Index rank =
       squared[0] > 0 ? (squared.array() > threshold * threshold * squared[0]).count() : 0;
-  Eigen::MatrixXd basis = functions * gram.eigenvectors().rowwise().reverse().leftCols(rank);
-  basis *= squared.head(rank).cwiseSqrt().cwiseInverse().asDiagonal();
-  // Orthonormal up to rounding / threshold^2. What remains goes with the Cholesky factor of the
-  // Gram matrix, which is almost the identity, and does not mix the directions anew.
-  const Eigen::LLT<Eigen::MatrixXd> rest(internal::weighted_gram_matrix(basis, weights));
-  rest.matrixU().solveInPlace<Eigen::OnTheRight>(basis);
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(functions.rows(), rank);
+  for (Eigen::Index r = 0; r < rank; ++r)
+    for (Eigen::Index j = 0; j < functions.cols(); ++j)
+      basis.col(r) += gram.vectors(j, gram.vectors.cols() - 1 - r) * functions.col(j);
+  for (Eigen::Index r = 0; r < rank; ++r) basis.col(r) /= std::sqrt(squared[r]);
+  // Orthonormal up to rounding / threshold^2, so that taking out the rest does not mix the
+  // directions anew.
+  internal::orthonormalize_in_order(basis, weights);
   return basis;
 }
 
@@ -89,9 +104,8 @@ inline Eigen::VectorXd weighted_singular_values(const Eigen::MatrixXd& functions
 {
   internal::require_weighted_functions(functions, weights);
   if (functions.cols() == 0) return {};
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(
-      internal::weighted_gram_matrix(functions, weights), Eigen::EigenvaluesOnly);
-  return gram.eigenvalues().reverse().cwiseMax(0).cwiseSqrt();
+  const auto gram = hermitian_jacobi(internal::weighted_gram_matrix(functions, weights));
+  return gram.values.reverse().cwiseMax(0).cwiseSqrt();
 }
 
 /// \ingroup PkgLinearAlgebra
@@ -103,8 +117,12 @@ inline Eigen::VectorXd weighted_singular_values(const Eigen::MatrixXd& functions
 inline Eigen::VectorXd project_out(const Eigen::MatrixXd& basis, const Eigen::VectorXd& weights,
                                    Eigen::VectorXd v)
 {
-  for (int pass = 0; pass < 2; ++pass)
-    v -= basis * (basis.transpose() * weights.cwiseProduct(v)).eval();
+  Eigen::VectorXd coefficients(basis.cols());
+  for (int pass = 0; pass < 2; ++pass) {
+    const Eigen::VectorXd weighted = weights.cwiseProduct(v);
+    for (Eigen::Index j = 0; j < basis.cols(); ++j) coefficients[j] = basis.col(j).dot(weighted);
+    for (Eigen::Index j = 0; j < basis.cols(); ++j) v -= coefficients[j] * basis.col(j);
+  }
   return v;
 }
 

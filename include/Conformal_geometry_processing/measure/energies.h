@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MEASURE_ENERGIES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_ENERGIES_H
 
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -48,7 +49,7 @@ inline Eigen::VectorXd bending_angles(const Mesh_view& mesh)
     // From the left face to the right one the normal of a convex edge turns by a positive angle
     // about the edge's direction.
     angles[k] =
-        std::atan2(left.cross(right).dot(mesh.vector(h).stableNormalized()), left.dot(right));
+        std::atan2(left.cross(right).dot(stable_normalized(mesh.vector(h))), left.dot(right));
   }
   return angles;
 }

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_BOUNDARY_FRAMES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_BOUNDARY_FRAMES_H
 
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
@@ -42,8 +43,8 @@ struct Boundary_frames {
 /// the frame of a tangent and a normal, which need be neither unit vectors nor orthogonal
 inline Boundary_frame boundary_frame(const Eigen::Vector3d& tangent, const Eigen::Vector3d& normal)
 {
-  const Eigen::Vector3d T = tangent.stableNormalized();
-  const Eigen::Vector3d N = (normal - normal.dot(T) * T).stableNormalized();
+  const Eigen::Vector3d T = stable_normalized(tangent);
+  const Eigen::Vector3d N = stable_normalized(normal - normal.dot(T) * T);
   Boundary_frame frame;
   frame << T, N, T.cross(N);
   return frame;

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALIZED_FRAME_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALIZED_FRAME_H
 
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <cmath>
@@ -24,7 +25,7 @@ class Normalized_frame {
     const Eigen::Vector3d low = positions.rowwise().minCoeff();
     const Eigen::Vector3d high = positions.rowwise().maxCoeff();
     m_center = low / 2 + high / 2;
-    const double radius = (high / 2 - low / 2).stableNorm();
+    const double radius = stable_norm(high / 2 - low / 2);
     m_exponent = radius > 0 ? std::ilogb(radius) : 0;
   }
 

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALS_H
 
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Geometry>
@@ -26,7 +27,7 @@ inline Points face_normals(const Mesh_view& mesh)
 {
   Points normals(3, mesh.size_of_faces());
   for (int f = 0; f < mesh.size_of_faces(); ++f)
-    normals.col(f) = mesh.double_area_vector(f).stableNormalized();
+    normals.col(f) = stable_normalized(mesh.double_area_vector(f));
   return normals;
 }
 
@@ -44,7 +45,7 @@ inline Points vertex_normals(const Mesh_view& mesh, Normal_weight weight = Norma
 {
   Points normals = Points::Zero(3, mesh.size_of_vertices());
   for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const Eigen::Vector3d a = mesh.double_area_vector(f), n = a.stableNormalized();
+    const Eigen::Vector3d a = mesh.double_area_vector(f), n = stable_normalized(a);
     for (int c = 0; c < 3; ++c) {
       auto sum = normals.col(mesh.corners(f)[static_cast<std::size_t>(c)]);
       switch (weight) {
@@ -60,7 +61,8 @@ inline Points vertex_normals(const Mesh_view& mesh, Normal_weight weight = Norma
       }
     }
   }
-  for (Eigen::Index v = 0; v < normals.cols(); ++v) normals.col(v).stableNormalize();
+  for (Eigen::Index v = 0; v < normals.cols(); ++v)
+    normals.col(v) = stable_normalized(normals.col(v));
   return normals;
 }
 

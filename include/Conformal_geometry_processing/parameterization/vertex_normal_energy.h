@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_VERTEX_NORMAL_ENERGY_H
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/linear_algebra/expanded_graph.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
@@ -60,7 +61,7 @@ inline Hermitian_sparse_matrix<double> vertex_normal_energy(const Mesh_view& mes
   Hermitian_sparse_matrix<double> L(pattern);
   for (int f = 0; f < mesh.size_of_faces(); ++f) {
     const std::array<int, 3>& v = mesh.corners(f);
-    const Eigen::Vector3d normal = mesh.double_area_vector(f).stableNormalized();
+    const Eigen::Vector3d normal = stable_normalized(mesh.double_area_vector(f));
     Eigen::Vector3d cosines;
     for (int c = 0; c < 3; ++c)
       cosines[c] = normals.col(v[static_cast<std::size_t>(c)]).dot(normal);

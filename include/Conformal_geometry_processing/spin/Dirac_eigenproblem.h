@@ -176,7 +176,7 @@ class Dirac_eigenproblem {
     orthonormalize(space);
     Vectors both = v;
     if (space.size() == 0) return both;
-    const auto ritz = quaternionic_jacobi(gram_matrix(space.v, space.kv));
+    const auto ritz = hermitian_jacobi(gram_matrix(space.v, space.kv));
     both.conservativeResize(Eigen::NoChange, 2);
     both.col(1) = combination(space.v, Vectors(ritz.vectors.leftCols(1))).col(0);
     return both;

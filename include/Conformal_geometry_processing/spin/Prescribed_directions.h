@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PRESCRIBED_DIRECTIONS_H
 
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/linear_algebra/Dirichlet_solver.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
@@ -42,7 +43,7 @@ class Prescribed_directions {
                         std::shared_ptr<const Sparse_pattern> pattern, const Solver& solver)
       : m_mesh(mesh),
         m_frames(boundary_frames(mesh)),
-        m_coefficients(condition.direction.stableNormalized()),
+        m_coefficients(stable_normalized(condition.direction)),
         m_has_targets(condition.targets.cols() > 0),
         m_targets(normalized(condition.targets)),
         m_L(pattern),
@@ -83,7 +84,7 @@ class Prescribed_directions {
  private:
   static Points normalized(Points v)
   {
-    for (Eigen::Index k = 0; k < v.cols(); ++k) v.col(k).stableNormalize();
+    for (Eigen::Index k = 0; k < v.cols(); ++k) v.col(k) = stable_normalized(v.col(k));
     return v;
   }
 

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SURFACE_DIRAC_EQUATION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SURFACE_DIRAC_EQUATION_H
 
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
@@ -56,7 +57,7 @@ inline void require_condition(const Mesh_view& mesh, const Boundary_condition& c
     internal::refuse_if_any(
         static_cast<int>(p.cols()),
         [&](int k) {
-          return !p.col(k).allFinite() || (is_direction && !(p.col(k).stableNorm() > 0));
+          return !p.col(k).allFinite() || (is_direction && !(stable_norm(p.col(k)) > 0));
         },
         [&](int k) { return internal::name_of_vertex(vertices[static_cast<std::size_t>(k)]); },
         function, what,
@@ -73,7 +74,7 @@ inline void require_condition(const Mesh_view& mesh, const Boundary_condition& c
     return;
   }
   const Eigen::Vector3d d = condition.direction;
-  if (!d.allFinite() || !(Eigen::Vector2d(d.x(), d.z()).stableNorm() > 1e-3 * std::abs(d.y())))
+  if (!d.allFinite() || !(std::hypot(d.x(), d.z()) > 1e-3 * std::abs(d.y())))
     throw Precondition_error(function,
                              "only tangents, binormals and directions between them and the normal "
                              "can be prescribed; that of the normal is not elliptic");

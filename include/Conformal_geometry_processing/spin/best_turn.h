@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BEST_TURN_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/linear_algebra/quaternionic_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
@@ -20,22 +20,17 @@ namespace Conformal_geometry_processing {
 inline Quaternion<double> best_turn(const Points& U, const Points& V)
 {
   const Quaternion<double> units[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-  Eigen::Matrix4d M = Eigen::Matrix4d::Zero();  // of the mean of |U q - q V|^2, in [0, 4]
+  Block<double> M = Block<double>::Zero(4, 4);  // of the mean of |U q - q V|^2, in [0, 4]
   for (Eigen::Index k = 0; k < U.cols(); ++k) {
-    Eigen::Matrix4d A;
-    for (int c = 0; c < 4; ++c) {
-      const Quaternion<double> q = imaginary(U.col(k)) * units[c] - units[c] * imaginary(V.col(k));
-      A.col(c) << q.w, q.x, q.y, q.z;
-    }
-    M += A.transpose() * A / static_cast<double>(U.cols());
+    Quaternion<double> image[4];
+    for (int c = 0; c < 4; ++c)
+      image[c] = imaginary(U.col(k)) * units[c] - units[c] * imaginary(V.col(k));
+    for (int c = 0; c < 4; ++c)
+      for (int r = 0; r < 4; ++r)
+        M(r, c) += dot(image[r], image[c]) / static_cast<double>(U.cols());
   }
-  // Real numbers are quaternions, and this one is compiled anyway.
-  const auto eigen = quaternionic_jacobi<double>(M.unaryExpr([](double m) {
-    return Quaternion<double>{m, 0, 0, 0};
-  }));
-  const auto vector = [&](int c) -> Eigen::Vector4d {
-    return eigen.vectors.col(c).unaryExpr([](const Quaternion<double>& q) { return q.w; });
-  };
+  const auto eigen = hermitian_jacobi<double>(M);
+  const auto vector = [&](int c) -> Eigen::Vector4d { return eigen.vectors.col(c); };
   // Where even the best turn does not fit, others that miss up to three times as much are as good:
   // binormals of a hemisphere, all nearly parallel, that shall tilt inward ask for no half turn.
   const double as_good = std::max(0.02, 2 * eigen.values[0]), nothing = 1e-3;

@@ -4,9 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTANT_SPINS_H
 
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
+#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 namespace Conformal_geometry_processing {
 
@@ -24,16 +24,16 @@ inline Vector<Quaternion<double>> constant_spins(const Reduced_basis<double>& ba
     units.row(i) << Quaternion<double>{1, 0, 0, 0}, Quaternion<double>{0, 1, 0, 0},
         Quaternion<double>{0, 0, 1, 0}, Quaternion<double>{0, 0, 0, 1};
   const Block<Quaternion<double>> rest = units - basis.project(units);
-  Eigen::Matrix4d defect = Eigen::Matrix4d::Zero();
+  Block<double> defect = Block<double>::Zero(4, 4);
   for (int i = 0; i < n; ++i)
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b < 4; ++b) defect(a, b) += dot(rest(i, a), rest(i, b));
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(defect);
+  const auto eigen = hermitian_jacobi(defect);
   const double rounding = 1e-20 * n;
-  const Eigen::Index count = (solver.eigenvalues().array() <= rounding).count();
+  const Eigen::Index count = (eigen.values.array() <= rounding).count();
   Vector<Quaternion<double>> spins(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const Eigen::Vector4d q = solver.eigenvectors().col(k);
+    const Eigen::Vector4d q = eigen.vectors.col(k);
     spins[k] = {q[0], q[1], q[2], q[3]};
   }
   return spins;

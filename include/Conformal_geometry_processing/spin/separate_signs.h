@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SEPARATE_SIGNS_H
 
 #include <Conformal_geometry_processing/linear_algebra/block_products.h>
-#include <Conformal_geometry_processing/linear_algebra/quaternionic_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 
 #include <algorithm>
@@ -83,11 +83,11 @@ inline bool separation_pays(const Dirac_forms& forms)
 inline Block<Quaternion<double>> separate_signs(const Block<Quaternion<double>>& vectors,
                                                 const Dirac_forms& forms)
 {
-  const auto mass = quaternionic_jacobi(forms.mass);
+  const auto mass = hermitian_jacobi(forms.mass);
   Block<Quaternion<double>> C = mass.vectors;  // C^H mass C = 1
   for (Eigen::Index j = 0; j < C.cols(); ++j) scale_column(C, j, 1 / std::sqrt(mass.values[j]));
   const auto S = gram_matrix(C, combination(forms.dirac, C));
-  return combination(vectors, combination(C, quaternionic_jacobi(S).vectors));
+  return combination(vectors, combination(C, hermitian_jacobi(S).vectors));
 }
 
 }  // namespace Conformal_geometry_processing
