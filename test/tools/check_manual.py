@@ -2,11 +2,10 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """README, gallery and manual fit the sources: the README's program is the example first_program,
-files in backticks and links exist, every example is in the manual, and every picture is shown on a
-page and drawn by a program.
+files in backticks and links exist, every example and named parameter is in the manual, and every
+picture is shown on a page and drawn by a program.
 """
 
-import pathlib
 import re
 
 import check_thesis_map
@@ -38,6 +37,14 @@ def examples():
             yield f"doc/manual/examples.txt: without {path.name}"
 
 
+def named_parameters():
+    header = (sources.INCLUDE / "mesh/named_parameters.h").read_text(encoding="utf-8")
+    page = check_thesis_map.read("doc/named_parameters.txt")
+    for name in re.findall(r"\bX\(([a-z_]+)\)", header):
+        if f"`{name}`" not in page:
+            yield f"doc/named_parameters.txt: without {name}"
+
+
 def pictures():
     pages = [*DOC.glob("*.md"), *DOC.glob("manual/*.txt"), sources.ROOT / "README.md"]
     shown = "".join(path.read_text(encoding="utf-8") for path in pages)
@@ -57,6 +64,7 @@ def complaints():
         yield from check_thesis_map.names_that_do_not_exist(page)
     yield from links()
     yield from examples()
+    yield from named_parameters()
     yield from pictures()
 
 

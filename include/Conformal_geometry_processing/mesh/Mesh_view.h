@@ -26,7 +26,7 @@ using Points = Eigen::Matrix3Xd;
 /// corner c + 1 to corner c + 2, as the edges e_j of [CGP (5.1)] do. Faces are oriented counter-
 /// clockwise seen from outside. Coordinates are `double` whatever the kernel of the mesh was.
 ///
-/// Made by `mesh_view()` from any CGAL mesh, or directly from arrays. The constructor does not
+/// Made by `Graph_view` from any CGAL mesh, or directly from arrays. The constructor does not
 /// check; `mesh/requirements.h` does, and names the offending element. O(|V| + |F|).
 class Mesh_view {
  public:
