@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Finds the smoothest torus of a conformal class, from one that is far from smooth.
 //
-//   smoothest_torus [B [BEFORE.ply [AFTER.ply]]]    B from 1.06 to 3.7, else 1.25
+//   smoothest_torus [B [BEFORE.ply [AFTER.ply]]]    B from 1.06 to 3.7 [1.25]
 //
 // Conformally every torus is a parallelogram, here a rectangle of sides 1 and B; the conformal
 // Willmore flow keeps it [CGP 6.5.4]. For 1 <= B <= sqrt(3) the flow ends at the round torus with
