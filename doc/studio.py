@@ -44,8 +44,8 @@ def draw(description, figures):
     parser = argparse.ArgumentParser(description=description.partition("\n\n")[0])
     parser.add_argument("figures", nargs="*", metavar="FIGURE",
                         help=f"some of {', '.join(figures)} [all]")
-    parser.add_argument("--build-dir", type=pathlib.Path, default=ROOT / "build/quickstart",
-                        help="where the examples are built [build/quickstart]")
+    parser.add_argument("--build-dir", type=pathlib.Path, default=ROOT / "build",
+                        help="where the examples are built [build]")
     parser.add_argument("--data", type=pathlib.Path,
                         help="meshes of Debian's package libcgal-demo [unpacked from there]")
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build/figures",
