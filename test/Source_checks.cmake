@@ -26,6 +26,18 @@ else()
   endforeach()
 endif()
 
+# The page of `conformal --html` in a browser.
+find_program(CGP_CHROMIUM NAMES chromium chromium-browser google-chrome)
+mark_as_advanced(CGP_CHROMIUM)
+if(NOT CGP_CHROMIUM)
+  message(STATUS "No test of HTML reports without a browser; on Debian: apt-get install chromium")
+elseif(Python3_FOUND AND TARGET conformal AND CGP_HAS_THREE)
+  add_test(NAME program.html_report_in_chromium COMMAND ${Python3_EXECUTABLE}
+           ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_html_report.py $<TARGET_FILE:conformal>
+           ${CGP_CHROMIUM})
+  set_tests_properties(program.html_report_in_chromium PROPERTIES TIMEOUT 600)
+endif()
+
 # Every core header in two translation units that are linked: a function that is not inline, or a
 # variable that is defined twice, does not link.
 set(include_all "")

@@ -81,11 +81,17 @@ class Parser {
     command.add_option("-o,--output", m_common.output, "where the result goes")->required();
   }
 
+  void add_output_and_page(CLI::App& command)
+  {
+    add_output(command);
+    add_html(command, m_common.html);
+  }
+
   void add_spin()
   {
     CLI::App& command = *add_command("spin", about_spin);
     add_input(command, m_spin.input);
-    add_output(command);
+    add_output_and_page(command);
     add_rho(command, m_spin.rho)->require_option(1);
     add_filter(command, m_spin.rho.filter);
     add_boundary(command, m_spin.boundary);
@@ -106,7 +112,7 @@ class Parser {
     CLI::App& command = *add_command("boundary", about_boundary);
     Spin_options& spin = m_boundary.spin;
     add_input(command, spin.input);
-    add_output(command);
+    add_output_and_page(command);
     add_prescription(command, m_boundary.prescription);
     CLI::Option_group* rho = add_rho(command, spin.rho);
     rho->add_flag("--minimal", m_boundary.minimal,
@@ -121,7 +127,7 @@ class Parser {
   {
     CLI::App& command = *add_command("fit", about_fit);
     add_fit_options(command, m_fit);
-    add_output(command);
+    add_output_and_page(command);
     add_eigenvector(command, m_common);
     add_limits(command, m_fit.spin.limits, m_fit.spin.force);
   }
@@ -130,7 +136,7 @@ class Parser {
   {
     CLI::App& command = *add_command("blend", about_blend);
     add_blend_options(command, m_blend);
-    add_output(command);
+    add_output_and_page(command);
     add_eigenvector(command, m_common);
     add_limits(command, m_blend.spin.limits, m_blend.spin.force);
   }
@@ -139,7 +145,7 @@ class Parser {
   {
     CLI::App& command = *add_command("flow", about_flow);
     add_input(command, m_flow.input);
-    add_output(command);
+    add_output_and_page(command);
     add_flow_options(command, m_flow);
     add_eigenvector(command, m_common);
     add_limits(command, m_flow.limits, m_flow.force);
@@ -149,7 +155,7 @@ class Parser {
   {
     CLI::App& command = *add_command("flatten", about_flatten);
     add_flatten_options(command, m_flatten);
-    add_output(command);
+    add_output_and_page(command);
     add_limits(command, m_flatten.limits, m_flatten.force);
   }
 
@@ -190,6 +196,7 @@ class Parser {
     command->add_option("before", m_compare.before, "mesh file")->required();
     command->add_option("after", m_compare.after, "mesh file with the same faces")->required();
     command->add_option("-o,--output", m_common.output, "the second mesh, with quality");
+    add_html(*command, m_common.html);
   }
 
   void require_command(const std::string& name) const

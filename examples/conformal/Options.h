@@ -10,7 +10,7 @@ namespace conformal {
 
 /// what every command takes
 struct Common_options {
-  std::string output, json;
+  std::string output, json, html;
   int threads = 1;
   unsigned seed = 0;
   double tolerance = 1e-8;

@@ -3,13 +3,16 @@
 #ifndef CONFORMAL_SESSION_H
 #define CONFORMAL_SESSION_H
 
+#include "Exhibit.h"
 #include "Options.h"
 #include "Report.h"
 
 #include <Conformal_geometry_processing/linear_algebra/Stopwatch.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace conformal {
 
@@ -38,6 +41,10 @@ class Session {
   void keep_report() { m_keeps_report = true; }
   bool keeps_report() const { return m_keeps_report; }
 
+  /// Keeps what the HTML report shows; of several, the last one.
+  void keep_exhibit(Exhibit exhibit) { m_exhibit = std::move(exhibit); }
+  const std::optional<Exhibit>& exhibit() const { return m_exhibit; }
+
   /// the report, finished: notes, total time and how the run ended (no error: an empty string)
   std::string json(const std::string& error);
 
@@ -46,6 +53,7 @@ class Session {
   Report m_report;
   std::vector<std::string> m_notes;
   bool m_keeps_report = false;
+  std::optional<Exhibit> m_exhibit;
   Conformal_geometry_processing::Stopwatch m_watch, m_total;
 };
 

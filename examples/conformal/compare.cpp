@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "info.h"
 #include "io/write_surface.h"
+#include "keep_exhibit.h"
 #include "same_faces.h"
 #include "verification.h"
 #include "write_result.h"
@@ -100,6 +101,7 @@ void compare(const Compare_options& options, Session& session)
   const CGP::Points positions = positions_in(before, after.file);
   tell(before.mesh, positions, session);
   session.end_stage("measure");
+  keep_exhibit(before, positions, session);
   if (output.empty()) return;
   set_quality(before, positions, after.file);
   session.note_all(write_surface(output, after.file));

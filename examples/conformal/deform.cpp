@@ -7,6 +7,7 @@
 #include "boundary_report.h"
 #include "interruption.h"
 #include "io/write_surface.h"
+#include "keep_exhibit.h"
 #include "rho.h"
 #include "verification.h"
 #include "write_result.h"
@@ -59,6 +60,7 @@ void verify(const std::string& what, const Surface_input& input, const Spin_solu
 void write_deformation(const std::string& path, const Surface_input& input,
                        const Deformation& deformation, const std::string& lambda, Session& session)
 {
+  keep_exhibit(input, deformation.solution.positions, session);
   session.note_all(
       write_surface(path, spin_result_file(input, deformation.rho, deformation.solution, lambda)));
 }

@@ -4,11 +4,11 @@
 
 #include "Failure.h"
 #include "Table.h"
+#include "solve_flat.h"
 #include "verification.h"
 
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/planar_directions.h>
-#include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 
 namespace conformal {
@@ -59,7 +59,7 @@ Flat_image spectral_image(const Surface_input& input, const Flatten_options& opt
   if (options.method == Flatten_method::dirac) how.normals = CGP::Conformal_normals::of_vertices;
   if (options.all_loops) how.boundary = CGP::Normalized_boundary::all_loops;
   how.tolerance = options.tolerance;
-  const auto [z, report] = CGP::spectral_parameterization(input.mesh, how, "flatten");
+  const auto [z, report] = solve_flat(input.mesh, how, "flatten");
   const int faces = input.mesh.size_of_faces();
   tell(report, faces, session);
   return {CGP::in_space(z), fault_of(report, faces, options.limits)};

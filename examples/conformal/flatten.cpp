@@ -8,6 +8,7 @@
 #include "interruption.h"
 #include "io/texture_coordinates.h"
 #include "io/write_surface.h"
+#include "keep_exhibit.h"
 #include "suitable_surface.h"
 #include "write_result.h"
 
@@ -53,6 +54,7 @@ void flatten(const Flatten_options& options, Session& session)
   throw_if_interrupted();
   session.end_stage("solve");
   verify(image, options, session);
+  keep_flat_exhibit(input, image.positions, session);
   Surface_file file = options.planar_mesh ? moved(input, image.positions) : input.file;
   set_texture_coordinates(file, in_unit_square(input, image.positions));
   set_quality(input, image.positions, file);

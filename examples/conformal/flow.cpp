@@ -7,6 +7,7 @@
 #include "boundary_report.h"
 #include "flow_report.h"
 #include "io/write_surface.h"
+#include "keep_exhibit.h"
 #include "suitable_surface.h"
 #include "verification.h"
 #include "write_result.h"
@@ -107,6 +108,7 @@ void flow(const Flow_options& options, Session& session)
   session.end_stage("flow");
   tell(solution, watch.evidence(), input, options, session);
   verify(solution, watch.evidence(), input, options, session);
+  keep_exhibit(input, solution.positions, session);
   write(solution, input, session);
   tell_if_interrupted(solution, session);
 }

@@ -43,7 +43,7 @@ inline constexpr const char* about_flow =
     "When interrupted (Ctrl-C, SIGTERM), it writes the surface after the last complete step, and\n"
     "ends with exit code 130 or 143; a second signal ends it at once.\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
-    "Example: conformal flow bear.off -o bear_flow.ply --json bear.json";
+    "Example: conformal flow bear.off -o bear_flow.ply --html bear.html";
 
 inline constexpr const char* about_boundary =
     "Deforms a surface with boundary conformally so that the boundary gets other tangents, "

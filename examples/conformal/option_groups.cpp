@@ -26,6 +26,13 @@ void add_input(CLI::App& command, std::string& input)
   command.add_option("input", input, "mesh file, - for standard input")->required();
 }
 
+void add_html(CLI::App& command, std::string& html)
+{
+  command.add_option("--html", html,
+                     "write a page that shows both shapes, the error of each face and the report; "
+                     "it opens in a browser without a network");
+}
+
 CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho)
 {
   auto* source = command.add_option_group("rho", "the change of mean curvature, one of");

@@ -4,6 +4,7 @@
 
 #include "Command_line.h"
 #include "Failure.h"
+#include "Report_files.h"
 #include "Session.h"
 #include "blend.h"
 #include "boundary.h"
@@ -15,7 +16,6 @@
 #include "harmonic.h"
 #include "info.h"
 #include "interruption.h"
-#include "io/Temporary_file.h"
 #include "io/io_errors.h"
 #include "spectrum.h"
 #include "sphere.h"
@@ -27,7 +27,6 @@
 #include <cstdio>
 #include <functional>
 #include <new>
-#include <optional>
 
 namespace conformal {
 namespace {
@@ -92,30 +91,19 @@ void flush_output()
     throw Write_error("standard output", "cannot be written");
 }
 
-void require_two_files(const Common_options& options)
-{
-  if (!options.json.empty() && options.json == options.output)
-    throw Failure(Exit_code::usage, "--json and --output name the same file, " + options.json);
-}
-
-// The JSON file is opened first, so that a folder that cannot be written to is known before the
-// work; it tells about failures, too.
 Outcome run_command(const Command_line& line)
 {
   Session session(line.common, line.command);
-  std::optional<Temporary_file> json;
+  Report_files files;
   Outcome outcome = carry_out([&] {
-    require_two_files(line.common);
-    if (!line.common.json.empty()) json.emplace(line.common.json);
+    files.open(line.common);
     dispatch(line, session);
     flush_output();
   });
   const bool is_interrupted = outcome.code >= Exit_code::interrupted;
-  if (!json || (is_interrupted && !session.keeps_report())) return outcome;
-  const Outcome written = carry_out([&] {
-    json->write(session.json(is_interrupted ? "" : outcome.error));
-    json->commit();
-  });
+  if (is_interrupted && !session.keeps_report()) return outcome;
+  const Outcome written =
+      carry_out([&] { files.write(session, is_interrupted ? "" : outcome.error); });
   return outcome.code == Exit_code::done ? written : outcome;
 }
 

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_EXHIBIT_H
+#define CONFORMAL_EXHIBIT_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace conformal {
+
+namespace CGP = Conformal_geometry_processing;
+
+/// places on a checkerboard at the corners of the faces, corner c of face f at 3 f + c
+using Corner_places = std::vector<std::array<double, 2>>;
+
+/// What there is to see of a run: a surface before and after, and squares drawn onto the former
+/// that the map has carried to the latter. Each shape is in a frame of its own.
+struct Exhibit {
+  CGP::Mesh_view before;
+  CGP::Points after;
+  Corner_places squares;
+  std::string kind_of_squares;  ///< where they are from, for the user
+};
+
+}  // namespace conformal
+
+#endif

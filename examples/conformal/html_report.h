@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_HTML_REPORT_H
+#define CONFORMAL_HTML_REPORT_H
+
+#include "Exhibit.h"
+
+#include <string>
+
+namespace conformal {
+
+/// \brief A page that shows a run: it stands alone, and opens without a network.
+///
+/// It holds the report as it is, and of the exhibit, each in a frame of its own: `before` and
+/// `after` (float32, 3 per vertex), `faces` (uint32, 3 per face), `quality` (float32, Q of each
+/// face), `squares` (float32, 2 per corner), in base64 and little endian.
+/// \param json the report
+/// \pre `why_no_html_reports()` is empty
+std::string html_report(const Exhibit& exhibit, const std::string& json);
+
+/// why this program cannot write such pages; empty if it can
+std::string why_no_html_reports();
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_KEEP_EXHIBIT_H
+#define CONFORMAL_KEEP_EXHIBIT_H
+
+#include "Session.h"
+#include "Surface_input.h"
+
+namespace conformal {
+
+/// \brief Keeps both shapes for the HTML report, if one is wanted. Comes before the surface is
+/// written, for it takes memory and time.
+///
+/// The squares are those of the texture coordinates of the file, if it has them; else of conformal
+/// maps to the plane, of the whole surface or of pieces of it.
+void keep_exhibit(const Surface_input& before, const CGP::Points& after, Session& session);
+
+/// the same of a map to the plane z = 0, which brings its own squares
+void keep_flat_exhibit(const Surface_input& before, const CGP::Points& after, Session& session);
+
+}  // namespace conformal
+
+#endif
