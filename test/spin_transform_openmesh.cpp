@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin_transform.h
+// Tests spin_transform.h, dirac_spectrum.h, dirac_sphere.h
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 // CGAL's header comes after OpenMesh's.
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 
+#include "dirac_spectrum_checks.h"
 #include "spin_transform_boundary_checks.h"
 
 namespace {
@@ -29,4 +30,14 @@ TEST(Spin_transform_of_an_OpenMesh, prescribes_what_becomes_of_the_boundary)
 {
   cgp_test::expect_transformation_with_boundary(
       cgp_test::to_cgal_mesh<Surface>(cgp_test::cap_to_transform()), 1e-6);
+}
+
+TEST(Dirac_spectrum_of_an_OpenMesh, is_that_of_its_triangles)
+{
+  cgp_test::expect_spectrum_of_the_view(cgp_test::to_cgal_mesh<Surface>(cgp_test::bumpy_sphere(2)));
+}
+
+TEST(Dirac_sphere_of_an_OpenMesh, is_that_of_its_triangles)
+{
+  cgp_test::expect_dirac_sphere(cgp_test::to_cgal_mesh<Surface>(cgp_test::icosphere(3)), 1e-6);
 }

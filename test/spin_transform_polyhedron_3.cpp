@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin_transform.h
+// Tests spin_transform.h, dirac_spectrum.h, dirac_sphere.h
 #include <Conformal_geometry_processing/mesh/Conformal_mesh_traits_Polyhedron_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include "dirac_spectrum_checks.h"
 #include "spin_transform_boundary_checks.h"
 
 namespace {
@@ -35,4 +36,14 @@ TEST(Spin_transform_of_a_Polyhedron_3, reads_and_fills_the_maps_of_the_mesh_trai
   const CGP::Spin_result expected = expected_result(before, rho_on_vertices(before));
   EXPECT_EQ(spins(vertices(mesh), traits.vertex_spin_map(), before.size_of_vertices()),
             expected.lambda);
+}
+
+TEST(Dirac_spectrum_of_a_Polyhedron_3, is_that_of_its_triangles)
+{
+  expect_spectrum_of_the_view(to_cgal_mesh<Surface>(bumpy_sphere(2)));
+}
+
+TEST(Dirac_sphere_of_a_Polyhedron_3, is_that_of_its_triangles)
+{
+  expect_dirac_sphere(to_cgal_mesh<Surface>(icosphere(3)), 1e-9);
 }
