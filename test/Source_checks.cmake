@@ -12,7 +12,7 @@ else()
       list(APPEND licences_arguments -isystem ${folder})
     endif()
   endforeach()
-  foreach(what layers licences mirrored_tests format lengths heads performance thesis_map)
+  foreach(what layers licences mirrored_tests format lengths heads performance thesis_map manual)
     add_test(NAME sources.${what} COMMAND ${Python3_EXECUTABLE}
              ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_${what}.py ${${what}_arguments})
   endforeach()
