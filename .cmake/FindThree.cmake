@@ -18,7 +18,7 @@ mark_as_advanced(NPM_EXECUTABLE)
 if(NOT EXISTS ${three_archive})
   file(MAKE_DIRECTORY ${three_folder})
   if(NPM_EXECUTABLE)
-    execute_process(COMMAND ${NPM_EXECUTABLE} pack --silent three@${Three_VERSION}
+    execute_process(COMMAND ${NPM_EXECUTABLE} pack --silent --fetch-retries=1 three@${Three_VERSION}
                     WORKING_DIRECTORY ${three_folder} TIMEOUT 120
                     RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
     if(NOT result EQUAL 0 OR NOT EXISTS ${three_archive})

@@ -41,7 +41,7 @@ class Session {
   void keep_report() { m_keeps_report = true; }
   bool keeps_report() const { return m_keeps_report; }
 
-  /// Keeps what the HTML report shows; of several, the last one.
+  /// Keeps what the HTML report shows.
   void keep_exhibit(Exhibit exhibit) { m_exhibit = std::move(exhibit); }
   const std::optional<Exhibit>& exhibit() const { return m_exhibit; }
 

@@ -5,6 +5,7 @@
 #include "Failure.h"
 #include "Grid.h"
 #include "deform.h"
+#include "keep_exhibit.h"
 #include "rho.h"
 #include "same_faces.h"
 #include "suitable_surface.h"
@@ -168,6 +169,7 @@ void blend(const Blend_options& options, Session& session)
   for (const Frame& frame : frames)
     verify("t = " + text_of(frame.t, 4), pair.start, frame.deformation.solution, options.spin,
            easier_than_blend, session);
+  keep_exhibit(pair.start, frames.back().deformation.solution.positions, session);
   write_frames(frames, pair, options, session);
 }
 

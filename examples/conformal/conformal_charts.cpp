@@ -28,7 +28,8 @@ CGP::Points seen_along_normal(const CGP::Mesh_view& mesh)
 {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (int f = 0; f < mesh.size_of_faces(); ++f) normal += mesh.double_area_vector(f);
-  return Eigen::Quaterniond::FromTwoVectors(normal, Eigen::Vector3d::UnitZ()) * mesh.positions();
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(normal, Eigen::Vector3d::UnitZ());
+  return turn.toRotationMatrix() * mesh.positions();
 }
 
 CGP::Points flattened(const CGP::Mesh_view& mesh)

@@ -60,7 +60,6 @@ void verify(const std::string& what, const Surface_input& input, const Spin_solu
 void write_deformation(const std::string& path, const Surface_input& input,
                        const Deformation& deformation, const std::string& lambda, Session& session)
 {
-  keep_exhibit(input, deformation.solution.positions, session);
   session.note_all(
       write_surface(path, spin_result_file(input, deformation.rho, deformation.solution, lambda)));
 }
@@ -78,6 +77,7 @@ void deform(const Surface_input& input, Spin_problem problem, const Spin_options
   session.begin_stage();
   tell_certificate(input, deformation, session);
   verify(options.input, input, deformation.solution, options, easier, session);
+  keep_exhibit(input, deformation.solution.positions, session);
   write_deformation(session.options().output, input, deformation, options.lambda, session);
   session.end_stage("write");
 }

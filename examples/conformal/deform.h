@@ -37,7 +37,7 @@ void tell_certificate(const Surface_input& input, const Deformation& deformation
 void verify(const std::string& what, const Surface_input& input, const Spin_solution& solution,
             const Spin_options& options, const std::string& easier, Session& session);
 
-/// Writes the surface into a file, and keeps it for the HTML report. \throws Write_error
+/// Writes the surface into a file. \throws Write_error
 void write_deformation(const std::string& path, const Surface_input& input,
                        const Deformation& deformation, const std::string& lambda, Session& session);
 

@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "boundary_condition.h"
 #include "deform.h"
+#include "keep_exhibit.h"
 #include "rho.h"
 #include "same_faces.h"
 #include "solve_fit.h"
@@ -108,6 +109,7 @@ void fit(const Fit_options& options, Session& session)
   const Deformation deformation{std::move(solution.rho), boundary, std::move(solution.spin)};
   tell_certificate(input, deformation, session);
   verify(options.spin.input, input, deformation.solution, options.spin, easier_than_fit, session);
+  keep_exhibit(input, deformation.solution.positions, session);
   write_deformation(session.options().output, input, deformation, options.spin.lambda, session);
   session.end_stage("write");
 }

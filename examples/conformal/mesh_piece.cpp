@@ -45,8 +45,8 @@ Joined_corners joined_corners(const CGP::Mesh_view& mesh, const std::vector<int>
     for (int h = 3 * f; h < 3 * f + 3; ++h) {
       const int t = mesh.twin(h);
       if (t < 0 || region[at(View::face(t))] != region[at(f)]) continue;
+      // One end of the edge; the other one is joined when t has its turn.
       joined.join(corner(View::next_in_face(h)), corner(View::previous_in_face(t)));
-      joined.join(corner(View::previous_in_face(h)), corner(View::next_in_face(t)));
     }
   return joined;
 }

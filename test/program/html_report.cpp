@@ -208,6 +208,24 @@ TEST(Conformal_charts, keep_squares_square_on_a_surface_with_a_handle)
   expect_squares(cgp_test::torus(1, 0.4, 48, 24));
 }
 
+TEST(Conformal_charts, see_a_piece_that_has_no_map_to_the_plane_along_its_normal)
+{
+  // A small closed surface beside a large one is a piece as a whole, for its neighbours are far.
+  CGP::Mesh_view large = cgp_test::bumpy_sphere(2);
+  const int n = large.size_of_vertices();
+  CGP::Points points(3, n + 3);
+  points << large.positions(), 1e-3 * CGP::Points::Identity(3, 3);
+  CGP::Mesh_view::Corners corners = large.corners();
+  corners.push_back({n, n + 1, n + 2});
+  corners.push_back({n, n + 2, n + 1});
+  const conformal::Corner_places uv = conformal::conformal_charts({points, corners});
+  const std::size_t first = 3 * static_cast<std::size_t>(large.size_of_faces());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto a = uv[first + i], b = uv[first + (i + 1) % 3];
+    EXPECT_NEAR(std::hypot(a[0] - b[0], a[1] - b[1]), 0, 1.5e-3);
+  }
+}
+
 TEST(Conformal_charts, are_there_for_a_single_triangle)
 {
   const CGP::Mesh_view mesh(CGP::Points::Identity(3, 3), {{0, 1, 2}});

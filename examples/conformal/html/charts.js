@@ -59,6 +59,9 @@ function chart(x, y, to, content) {
     <text x="${end}" y="${base + 35}" text-anchor="end">${x.name}</text></svg>`;
 }
 
+/** Where words go beside a mark: to its right, if there is room. */
+const besides = x => x < frame.width - 110 ? `x="${x + 5}"` : `x="${x - 5}" text-anchor="end"`;
+
 /** How much of the area has which error; the last bar has all that is beyond. */
 function histogram(high) {
   const bins = 40, share = new Array(bins).fill(0);
@@ -78,7 +81,7 @@ function histogram(high) {
   const marks = [['mean', at('result/quasi_conformal/mean')], ['99 %', at('result/quasi_conformal/p99')]]
       .filter(([, value]) => value <= high).map(([name, value], i) => `
     <line class="mark" x1="${to.x(value)}" x2="${to.x(value)}" y1="${frame.top - 8}" y2="${to.y(0)}"/>
-    <text class="strong" x="${Math.min(to.x(value) + 5, frame.width - 90)}" y="${frame.top + 2 + 15 * i}">${name}
+    <text class="strong" ${besides(to.x(value))} y="${frame.top + 2 + 15 * i}">${name}
       ${number(value, 4)}</text>`);
   return chart(x, y, to, bars.join('') + marks.join(''));
 }
