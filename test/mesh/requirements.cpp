@@ -240,3 +240,21 @@ TEST(Require_closed, counts_boundary_edges)
   EXPECT_EQ(complaint(CGP::require_closed, without_face(tetrahedron(), 3)),
             "3 boundary edges, the first is edge 1-2; a closed surface is needed");
 }
+
+TEST(Require_manifold, lets_faces_have_area_zero)
+{
+  EXPECT_EQ(complaint(CGP::require_manifold, flat_triangle(0)), "");
+  EXPECT_NE(complaint(CGP::require_surface, flat_triangle(0)), "");
+  EXPECT_EQ(complaint(CGP::require_manifold, Mesh_view()), "the mesh has no faces");
+}
+
+TEST(Require_some_area, refuses_surfaces_that_are_a_line)
+{
+  EXPECT_EQ(complaint(CGP::require_some_area, flat_triangle(0)),
+            "all faces have area zero; a surface is needed");
+  EXPECT_EQ(complaint(CGP::require_some_area, flat_triangle(1e-8)), "");
+  const Mesh_view both = disjoint_union(flat_triangle(0), flat_triangle(1), {0, 0, 5});
+  EXPECT_TRUE(CGP::has_area_zero(both, 0));
+  EXPECT_FALSE(CGP::has_area_zero(both, 1));
+  EXPECT_EQ(complaint(CGP::require_some_area, both), "");
+}

@@ -154,23 +154,34 @@ inline void require_manifold_vertices(const Mesh_view& mesh, const std::string& 
       "a manifold is needed");
 }
 
-/// no face has area zero, relative to its longest edge (`relative_area_tolerance`)
+/// whether the area of face f is zero relative to its longest edge (`relative_area_tolerance`)
+inline bool has_area_zero(const Mesh_view& mesh, int f)
+{
+  // Relative to the longest edge first, so that squares neither overflow nor underflow.
+  Eigen::Matrix3d e;
+  for (int c = 0; c < 3; ++c) e.col(c) = mesh.vector(3 * f + c);
+  const double longest = e.cwiseAbs().maxCoeff();
+  if (!(longest > 0)) return true;
+  e /= longest;
+  const double longest_squared = e.colwise().squaredNorm().maxCoeff();
+  return !(e.col(0).cross(e.col(1)).norm() > 2 * relative_area_tolerance * longest_squared);
+}
+
+/// no face has area zero
 inline void require_positive_areas(const Mesh_view& mesh, const std::string& function)
 {
   internal::refuse_if_any(
-      mesh.size_of_faces(),
-      [&](int f) {
-        // Relative to the longest edge first, so that squares neither overflow nor underflow.
-        Eigen::Matrix3d e;
-        for (int c = 0; c < 3; ++c) e.col(c) = mesh.vector(3 * f + c);
-        const double longest = e.cwiseAbs().maxCoeff();
-        if (!(longest > 0)) return true;
-        e /= longest;
-        const double longest_squared = e.colwise().squaredNorm().maxCoeff();
-        return !(e.col(0).cross(e.col(1)).norm() > 2 * relative_area_tolerance * longest_squared);
-      },
+      mesh.size_of_faces(), [&](int f) { return has_area_zero(mesh, f); },
       [&](int f) { return internal::name_of_face(mesh, f); }, function, "#face of area zero",
       "remove or repair them first");
+}
+
+/// not all faces have area zero
+inline void require_some_area(const Mesh_view& mesh, const std::string& function)
+{
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    if (!has_area_zero(mesh, f)) return;
+  throw Precondition_error(function, "all faces have area zero; a surface is needed");
 }
 
 /// one component
@@ -200,9 +211,9 @@ inline void require_closed(const Mesh_view& mesh, const std::string& function)
       "a closed surface is needed");
 }
 
-/// all that every algorithm needs: a finite, oriented manifold in one component, without isolated
-/// vertices and without faces of area zero
-inline void require_surface(const Mesh_view& mesh, const std::string& function)
+/// a finite, oriented manifold in one component, without isolated vertices; faces may have area
+/// zero
+inline void require_manifold(const Mesh_view& mesh, const std::string& function)
 {
   require_not_empty(mesh, function);
   require_finite_positions(mesh, function);
@@ -211,6 +222,12 @@ inline void require_surface(const Mesh_view& mesh, const std::string& function)
   require_manifold_edges(mesh, function);
   require_manifold_vertices(mesh, function);
   require_connected(mesh, function);
+}
+
+/// all that most algorithms need: `require_manifold()`, and no faces of area zero
+inline void require_surface(const Mesh_view& mesh, const std::string& function)
+{
+  require_manifold(mesh, function);
   require_positive_areas(mesh, function);
 }
 

@@ -31,8 +31,9 @@ namespace Conformal_geometry_processing {
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
+/// \tparam Surface `Mesh_view`, or `Delaunay_view` for the robust operators
 template <class SolverTraits = Default_solver_traits,
-          class EigensolverTraits = Lobpcg_eigensolver_traits>
+          class EigensolverTraits = Lobpcg_eigensolver_traits, class Surface = Mesh_view>
 class Dirac_eigenproblem {
  public:
   using Vectors = Block<Quaternion<double>>;
@@ -42,7 +43,7 @@ class Dirac_eigenproblem {
   /// \param mesh must outlive the object
   /// \pre `require_surface(mesh)` holds
   /// \throw Solver_error if the analysis fails
-  explicit Dirac_eigenproblem(const Mesh_view& mesh)
+  explicit Dirac_eigenproblem(const Surface& mesh)
       : m_mesh(mesh), m_areas(vertex_areas(mesh)), m_X(vertex_graph(mesh))
   {
     check("analysis", m_solver.analyze_with_positions(m_X.pattern(), mesh.positions()));
@@ -51,7 +52,7 @@ class Dirac_eigenproblem {
   /// the mesh has new positions; the next call must be `set_potential()`
   void update_geometry() { m_areas = vertex_areas(m_mesh); }
 
-  const Mesh_view& mesh() const { return m_mesh; }
+  const Surface& mesh() const { return m_mesh; }
   const Eigen::VectorXd& areas() const { return m_areas; }
   const Matrix& matrix() const { return m_X; }
   const Solver& solver() const { return m_solver; }
@@ -222,7 +223,7 @@ class Dirac_eigenproblem {
     return rest;
   }
 
-  const Mesh_view& m_mesh;
+  const Surface& m_mesh;
   Eigen::VectorXd m_areas;  // |V|
   Matrix m_X;
   Solver m_solver;

@@ -33,10 +33,11 @@ namespace Conformal_geometry_processing {
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
+/// \tparam Surface `Mesh_view`, or `Delaunay_view` for the robust operators
 template <class SolverTraits = Default_solver_traits,
-          class EigensolverTraits = Lobpcg_eigensolver_traits>
+          class EigensolverTraits = Lobpcg_eigensolver_traits, class Surface = Mesh_view>
 class Dirac_equation {
-  using Eigenproblem_ = Dirac_eigenproblem<SolverTraits, EigensolverTraits>;
+  using Eigenproblem_ = Dirac_eigenproblem<SolverTraits, EigensolverTraits, Surface>;
 
  public:
   /// the overlap that a vector must exceed with the one it continues
@@ -46,7 +47,7 @@ class Dirac_equation {
   /// \param mesh must outlive the object
   /// \pre `require_surface(mesh)` holds, and before `solve()` `require_closed(mesh)`
   /// \throw Solver_error if the analysis fails
-  explicit Dirac_equation(const Mesh_view& mesh) : m_problem(mesh) {}
+  explicit Dirac_equation(const Surface& mesh) : m_problem(mesh) {}
 
   const Eigenproblem_& problem() const { return m_problem; }
   Eigenproblem_& problem() { return m_problem; }

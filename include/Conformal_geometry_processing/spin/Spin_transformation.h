@@ -12,6 +12,8 @@
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/Surface_dirac_equation.h>
 #include <Conformal_geometry_processing/spin/boundary_fault.h>
+#include <Conformal_geometry_processing/spin/report_of_solution.h>
+#include <Conformal_geometry_processing/spin/require_potential.h>
 #include <Conformal_geometry_processing/spin/restore_area.h>
 #include <Conformal_geometry_processing/spin/rotated_normals.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
@@ -126,17 +128,7 @@ class Spin_transformation {
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   void require_potential(const Curvature_potential& rho) const
   {
-    const bool on_faces = rho.on == Curvature_potential::On::faces;
-    const int size = on_faces ? m_mesh.size_of_faces() : m_mesh.size_of_vertices();
-    const std::string element = on_faces ? "face" : "vertex";
-    if (rho.values.size() != size)
-      throw Precondition_error(m_function, "rho has " + std::to_string(rho.values.size()) +
-                                               " values, one per " + element +
-                                               " is needed: " + std::to_string(size));
-    internal::refuse_if_any(
-        size, [&](int i) { return !std::isfinite(rho.values[i] * m_frame.unit()); },
-        [&](int i) { return element + " " + std::to_string(i); }, m_function,
-        "#value of rho not finite", "finite values are needed");
+    Conformal_geometry_processing::require_potential(m_mesh, rho, m_frame.unit(), m_function);
   }
 
   /// \param rho in 1/length of the mesh, one number per vertex or per face
@@ -220,30 +212,10 @@ class Spin_transformation {
     const Curvature_potential rho_in_frame{rho.on, rho.values * m_frame.unit()};
     Dirac_solution s = m_dirac.solve(rho_in_frame, options, go_further);
     Spin_result result;
-    result.report = report_of(s);
+    result.report = report_of(s, m_frame.unit());
+    result.report.seconds.setup = m_setup_seconds;
     result.lambda = std::move(s.lambda);
     return result;
-  }
-
-  Spin_report report_of(const Dirac_solution& s) const
-  {
-    Spin_report r;
-    r.converged = s.converged;
-    r.cancelled = s.cancelled;
-    r.eigenvalue = s.eigenvalue / m_frame.unit();
-    r.residual = s.residual;
-    r.gap = s.gap / m_frame.unit();
-    r.overlap = s.overlap;
-    r.iterations = s.iterations;
-    r.substeps = s.substeps;
-    r.spectral_shift = s.spectral_shift / m_frame.unit();
-    r.is_generalized = s.is_generalized;
-    r.generalized_eigenvalue = s.generalized_eigenvalue / m_frame.unit();
-    r.seconds.setup = m_setup_seconds;
-    r.seconds.assembly = s.seconds.assembly;
-    r.seconds.factorization = s.seconds.factorization;
-    r.seconds.eigenvectors = s.seconds.eigenvectors;
-    return r;
   }
 
   /// Positions from lambda, with the area and the centroid of the mesh, and the certificate.

@@ -11,14 +11,23 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief the edge vectors of the spin transformed surface, df~ = conjugate(lambda) df lambda
-/// integrated along each edge [CGP (5.4)]; |E| x 3, edge k runs i -> j with i < j.
-///
-/// With lambda linear along the edge e from i to j,
+/// \brief the integral of conjugate(lambda) df lambda along the edge e, with lambda linear from l_i
+/// to l_j [CGP (5.4)]:
 ///
 ///     e~ = 1/3 l_i^ e l_i + 1/6 l_i^ e l_j + 1/6 l_j^ e l_i + 1/3 l_j^ e l_j,   l^ = conjugate(l),
 ///
 /// which is imaginary by itself. Constant lambda gives conjugate(lambda) e lambda exactly.
+inline Eigen::Vector3d transformed_edge(const Eigen::Vector3d& e, const Quaternion<double>& l_i,
+                                        const Quaternion<double>& l_j)
+{
+  // The two mixed terms are minus conjugates of each other: their sum is twice Im(mixed).
+  const Quaternion<double> mixed = conjugate(l_i) * imaginary(e) * l_j;
+  return (spin(l_i, e) + imaginary_part(mixed) + spin(l_j, e)) / 3;
+}
+
+/// \ingroup PkgSpin
+/// \brief the edge vectors of the spin transformed surface, df~ = conjugate(lambda) df lambda
+/// integrated along each edge; |E| x 3, edge k runs i -> j with i < j.
 /// \param lambda |V| quaternions
 inline Eigen::MatrixX3d transformed_edges(const Mesh_view& mesh,
                                           const Quaternion_vector<double>& lambda)
@@ -26,13 +35,8 @@ inline Eigen::MatrixX3d transformed_edges(const Mesh_view& mesh,
   Eigen::MatrixX3d edges(mesh.size_of_edges(), 3);
   for (int k = 0; k < mesh.size_of_edges(); ++k) {
     const auto [i, j] = mesh.ends(k);
-    const Quaternion<double> e = imaginary(mesh.position(j) - mesh.position(i));
-    const Quaternion<double> mixed = conjugate(lambda[i]) * e * lambda[j];
-    // The two mixed terms are minus conjugates of each other: their sum is twice Im(mixed).
-    edges.row(k) = (spin(lambda[i], imaginary_part(e)) + imaginary_part(mixed) +
-                    spin(lambda[j], imaginary_part(e)))
-                       .transpose() /
-                   3;
+    edges.row(k) =
+        transformed_edge(mesh.position(j) - mesh.position(i), lambda[i], lambda[j]).transpose();
   }
   return edges;
 }

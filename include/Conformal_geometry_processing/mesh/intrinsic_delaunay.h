@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_INTRINSIC_DELAUNAY_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_INTRINSIC_DELAUNAY_H
+
+#include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
+
+#include <cmath>
+#include <deque>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgMesh
+/// \brief whether the angles opposite the edge of h are together at most pi, so that its cotan
+/// weight is not negative; so are those of the boundary.
+///
+/// An excess of 1e-10 is let pass, where rounding could flip for ever.
+inline bool is_delaunay(const Intrinsic_triangulation& triangles, int h)
+{
+  const double pi = std::acos(-1.), tolerance = 1e-10;
+  const int t = triangles.twin(h);
+  return t < 0 || triangles.angle(h) + triangles.angle(t) <= pi + tolerance;
+}
+
+/// \ingroup PkgMesh
+/// \brief flips edges until all are Delaunay [Bobenko and Springborn 2007]: the Dirichlet energy
+/// of functions that are linear on the triangles falls with every flip, to the least there is.
+///
+/// \param before_flip called with a halfedge of each edge to be flipped
+/// \returns how many were flipped; as a rule a few per bad triangle
+template <class BeforeFlip>
+int flip_to_delaunay(Intrinsic_triangulation& triangles, BeforeFlip before_flip)
+{
+  std::deque<int> waiting;
+  for (int h = 0; h < triangles.size_of_halfedges(); ++h)
+    if (h < triangles.twin(h)) waiting.push_back(h);
+  int flips = 0;
+  while (!waiting.empty()) {
+    const int h = waiting.front(), t = triangles.twin(h);
+    waiting.pop_front();
+    // A face on both sides of an edge has two of its angles there, which are less than pi.
+    if (t < 0 || h / 3 == t / 3 || is_delaunay(triangles, h)) continue;
+    before_flip(h);
+    triangles.flip(h);
+    ++flips;
+    for (const int face : {h / 3, t / 3})
+      for (const int side : {0, 2}) waiting.push_back(3 * face + side);  // 1 is the new edge
+  }
+  return flips;
+}
+
+/// \ingroup PkgMesh
+/// the same for lengths alone
+inline int flip_to_delaunay(Intrinsic_triangulation& triangles)
+{
+  return flip_to_delaunay(triangles, [](int) {});
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

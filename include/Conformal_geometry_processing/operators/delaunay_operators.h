@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DELAUNAY_OPERATORS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DELAUNAY_OPERATORS_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/linear_algebra/block_products.h>
+#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/operators/dirac_forms.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+/// \file delaunay_operators.h
+/// \brief the operators of `dirac_energy.h`, `dirac_forms.h`, `cotan_laplacian.h` and
+/// `mass_matrices.h` on a `Delaunay_view`: the same ones where the mesh is Delaunay, and bounded
+/// however thin its faces are.
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgOperators
+/// the pattern of every Hermitian matrix on the vertices: the diagonal, and each pair of different
+/// vertices that an edge of the triangulation joins
+inline std::shared_ptr<const Sparse_pattern> vertex_graph(const Delaunay_view& mesh)
+{
+  std::vector<std::pair<int, int>> entries;  // column, row
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) entries.emplace_back(v, v);
+  for (int t = 0; t < mesh.size_of_triangles(); ++t)
+    for (int c = 0; c < 3; ++c) {
+      const int i = mesh.corners(t)[static_cast<std::size_t>(c)],
+                j = mesh.corners(t)[static_cast<std::size_t>((c + 1) % 3)];
+      entries.emplace_back(std::min(i, j), std::max(i, j));
+    }
+  std::sort(entries.begin(), entries.end());
+  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
+  auto pattern = std::make_shared<Sparse_pattern>();
+  pattern->offsets.assign(static_cast<std::size_t>(mesh.size_of_vertices()) + 1, 0);
+  for (const auto& [column, row] : entries) {
+    ++pattern->offsets[static_cast<std::size_t>(column) + 1];
+    pattern->indices.push_back(row);
+  }
+  for (std::size_t v = 1; v < pattern->offsets.size(); ++v)
+    pattern->offsets[v] += pattern->offsets[v - 1];
+  return pattern;
+}
+
+/// \ingroup PkgOperators
+/// one third of the areas of the triangles around each vertex, |V|
+inline Eigen::VectorXd vertex_areas(const Delaunay_view& mesh)
+{
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.size_of_vertices());
+  for (int t = 0; t < mesh.size_of_triangles(); ++t)
+    for (const int v : mesh.corners(t)) areas[v] += mesh.area(t) / 3;
+  return areas;
+}
+
+namespace internal {
+
+/// adds `entry(i, j)`, which is Hermitian in the corners i and j of a triangle, to a matrix
+template <class Scalar, class Entry>
+void add_triangle(const std::array<int, 3>& corners, Entry entry,
+                  Hermitian_sparse_matrix<Scalar>& A)
+{
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const int row = corners[static_cast<std::size_t>(i)],
+                column = corners[static_cast<std::size_t>(j)];
+      if (row >= column) A.value(A.pattern().find(row, column)) += entry(i, j);
+    }
+}
+
+/// rho at the corners of a sheet
+inline Eigen::Vector3d potential_at(const Delaunay_view& mesh, const Delaunay_view::Sheet& sheet,
+                                    const Curvature_potential& rho)
+{
+  if (rho.on == Curvature_potential::On::faces)
+    return Eigen::Vector3d::Constant(rho.values[sheet.face]);
+  const auto& v = mesh.corners(sheet.triangle);
+  return {rho.values[v[0]], rho.values[v[1]], rho.values[v[2]]};
+}
+
+}  // namespace internal
+
+/// \ingroup PkgOperators
+/// \brief L, the intrinsic Delaunay Laplacian [Bobenko and Springborn 2007]: |V| x |V|, real,
+/// positive semidefinite, with no positive entry off the diagonal.
+inline Hermitian_sparse_matrix<double> cotan_laplacian(
+    const Delaunay_view& mesh, std::shared_ptr<const Sparse_pattern> pattern)
+{
+  Hermitian_sparse_matrix<double> L(std::move(pattern));
+  for (int t = 0; t < mesh.size_of_triangles(); ++t)
+    internal::add_triangle(
+        mesh.corners(t),
+        [&](int i, int j) {
+          const double w = mesh.cotangent(t, i == j ? (i + 1) % 3 : 3 - i - j) / 2;
+          return i == j ? w + mesh.cotangent(t, (i + 2) % 3) / 2 : -w;
+        },
+        L);
+  return L;
+}
+
+/// \ingroup PkgOperators
+/// \brief assembles X = (D - R)^H M (D - R) over the sheets: the energy, on the faces of the mesh,
+/// of spins that are linear on the Delaunay triangles.
+///
+/// Each sheet adds its share of what `assemble_dirac_energy()` adds for a face. So X is positive
+/// semidefinite for every rho; for rho = 0 its real part is the intrinsic Delaunay Laplacian, its
+/// imaginary part bounded by 1 per entry and triangle, and the constants are in its kernel. The
+/// thesis's own matrix grows as one over the height of a cap [CGP Alg. 2].
+/// \param X a matrix on `vertex_graph(mesh)`; its values are replaced
+inline void assemble_dirac_energy(const Delaunay_view& mesh, const Curvature_potential& rho,
+                                  Hermitian_sparse_matrix<Quaternion<double>>& X)
+{
+  X.set_zero();
+  for (const Delaunay_view::Sheet& sheet : mesh.sheets()) {
+    const double A = mesh.area(sheet.triangle);
+    const Eigen::Vector3d r = internal::potential_at(mesh, sheet, rho);
+    Quaternion<double> e[3];
+    for (int c = 0; c < 3; ++c) e[c] = imaginary(sheet.edges.col(c).eval());
+    const auto entry = [&](int i, int j) {
+      Quaternion<double> x = (r[i] * e[j] - r[j] * e[i]) / 6. - e[i] * e[j] / (4 * A);
+      x.w += A * r[i] * r[j] / 9;
+      return x * sheet.share;
+    };
+    internal::add_triangle(mesh.corners(sheet.triangle), entry, X);
+  }
+}
+
+/// \ingroup PkgOperators
+/// X on a pattern of its own
+inline Hermitian_sparse_matrix<Quaternion<double>> dirac_energy(const Delaunay_view& mesh,
+                                                                const Curvature_potential& rho)
+{
+  Hermitian_sparse_matrix<Quaternion<double>> X(vertex_graph(mesh));
+  assemble_dirac_energy(mesh, rho, X);
+  return X;
+}
+
+namespace internal {
+
+/// entry (i, j) of what a sheet adds to the Hermitian part of B^H M (D - R)
+/// \param A the area of its triangle \param r `potential_at()`
+inline Quaternion<double> form_entry(const Delaunay_view::Sheet& sheet, double A,
+                                     const Eigen::Vector3d& r, int i, int j)
+{
+  Quaternion<double> k = imaginary(((sheet.edges.col(i) - sheet.edges.col(j)) / 12).eval());
+  k.w = -A * (r[i] + r[j]) / 18;
+  return k * sheet.share;
+}
+
+}  // namespace internal
+
+/// \ingroup PkgOperators
+/// \brief the Hermitian part of B^H M (D - R), |V| x |V|, indefinite, in units of length.
+inline Hermitian_sparse_matrix<Quaternion<double>> dirac_form(const Delaunay_view& mesh,
+                                                              const Curvature_potential& rho)
+{
+  Hermitian_sparse_matrix<Quaternion<double>> K(vertex_graph(mesh));
+  for (const Delaunay_view::Sheet& sheet : mesh.sheets()) {
+    const double A = mesh.area(sheet.triangle);
+    const Eigen::Vector3d r = internal::potential_at(mesh, sheet, rho);
+    const auto entry = [&](int i, int j) { return internal::form_entry(sheet, A, r, i, j); };
+    internal::add_triangle(mesh.corners(sheet.triangle), entry, K);
+  }
+  return K;
+}
+
+/// \ingroup PkgOperators
+/// \brief the form `dirac` as an operator on one vector, without assembling a matrix
+inline Quaternion_vector<double> apply_dirac_form(const Delaunay_view& mesh,
+                                                  const Curvature_potential& rho,
+                                                  const Quaternion_vector<double>& lambda)
+{
+  Quaternion_vector<double> result = Quaternion_vector<double>::Constant(lambda.size(), {});
+  for (const Delaunay_view::Sheet& sheet : mesh.sheets()) {
+    const double A = mesh.area(sheet.triangle);
+    const Eigen::Vector3d r = internal::potential_at(mesh, sheet, rho);
+    const auto& v = mesh.corners(sheet.triangle);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        result[v[static_cast<std::size_t>(i)]] +=
+            internal::form_entry(sheet, A, r, i, j) * lambda[v[static_cast<std::size_t>(j)]];
+  }
+  return result;
+}
+
+/// \ingroup PkgOperators
+/// see `dirac_forms()` of a mesh
+inline Dirac_forms dirac_forms(const Delaunay_view& mesh, const Curvature_potential& rho,
+                               const Block<Quaternion<double>>& vectors)
+{
+  const Eigen::Index k = vectors.cols();
+  Block<Quaternion<double>> images(vectors.rows(), k);
+  for (Eigen::Index a = 0; a < k; ++a) images.col(a) = apply_dirac_form(mesh, rho, vectors.col(a));
+  Dirac_forms forms{gram_matrix(vectors, images), Block<Quaternion<double>>(k, k)};
+  for (int t = 0; t < mesh.size_of_triangles(); ++t)
+    for (Eigen::Index a = 0; a < k; ++a)
+      for (Eigen::Index b = 0; b < k; ++b) {
+        Quaternion<double> left, right;  // sums over the corners
+        for (const int v : mesh.corners(t)) {
+          left += vectors(v, a);
+          right += vectors(v, b);
+        }
+        forms.mass(a, b) += mesh.area(t) / 9 * (conjugate(left) * right);
+      }
+  return forms;
+}
+
+/// \ingroup PkgOperators
+/// see `dirac_quotient()` of a mesh
+inline double dirac_quotient(const Delaunay_view& mesh, const Curvature_potential& rho,
+                             const Quaternion_vector<double>& lambda)
+{
+  const Dirac_forms forms = dirac_forms(mesh, rho, lambda);
+  return forms.dirac(0, 0).w / forms.mass(0, 0).w;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

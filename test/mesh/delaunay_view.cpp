@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests mesh/Delaunay_view.h, mesh/Common_subdivision.h
+#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "support/meshes.h"
+#include "support/random.h"
+#include "support/thin_faces.h"
+
+namespace {
+
+using namespace cgp_test;
+using Conformal_geometry_processing::Common_subdivision;
+using Conformal_geometry_processing::Delaunay_view;
+using Conformal_geometry_processing::edge_lengths;
+using Conformal_geometry_processing::Intrinsic_triangulation;
+
+Mesh_view stretched_sphere()
+{
+  return mapped(bumpy_sphere(2),
+                [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), 5 * p.y(), p.z()); });
+}
+
+Eigen::Vector3d normal(const Delaunay_view::Sheet& sheet)
+{
+  return sheet.edges.col(0).cross(sheet.edges.col(1)).normalized();
+}
+
+/// the area of each face that the sheets of all triangles have together
+Eigen::VectorXd areas_by_sheets(const Delaunay_view& view, int faces)
+{
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(faces);
+  for (const auto& sheet : view.sheets())
+    areas[sheet.face] += sheet.share * view.area(sheet.triangle);
+  return areas;
+}
+
+}  // namespace
+
+TEST(Delaunay_view, of_a_Delaunay_mesh_has_its_faces_for_sheets)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  const Delaunay_view view(mesh);
+  EXPECT_EQ(view.size_of_flips(), 0);
+  ASSERT_EQ(view.sheets().size(), at(mesh.size_of_faces()));
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const auto& sheet = view.sheets()[at(f)];
+    EXPECT_EQ(view.corners(f), mesh.corners(f));
+    EXPECT_EQ(sheet.face, f);
+    EXPECT_EQ(sheet.triangle, f);
+    EXPECT_EQ(sheet.share, 1);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_LT((sheet.edges.col(c) - mesh.vector(3 * f + c)).norm(), 1e-14);
+  }
+}
+
+TEST(Delaunay_view, lays_each_triangle_out_in_the_planes_of_the_faces_that_it_passes)
+{
+  const Mesh_view mesh = stretched_sphere();
+  const Delaunay_view view(mesh);
+  EXPECT_GT(view.size_of_flips(), 50);
+  EXPECT_GT(view.sheets().size(), at(view.size_of_triangles() + 50));
+  for (const auto& sheet : view.sheets()) {
+    EXPECT_GT(sheet.share, 0);
+    EXPECT_LT(sheet.edges.rowwise().sum().norm(), 1e-13);
+    EXPECT_LT((normal(sheet) - mesh.double_area_vector(sheet.face).normalized()).norm(), 1e-11);
+    const double twice = sheet.edges.col(0).cross(sheet.edges.col(1)).norm();
+    EXPECT_NEAR(twice / 2, view.area(sheet.triangle), 1e-13);
+  }
+}
+
+TEST(Delaunay_view, shares_the_area_of_every_face_among_the_triangles)
+{
+  const auto error = [](const Mesh_view& mesh, double mollification) {
+    const Delaunay_view view(mesh, mollification);
+    Eigen::VectorXd areas = areas_by_sheets(view, mesh.size_of_faces());
+    for (int f = 0; f < mesh.size_of_faces(); ++f)
+      areas[f] -= mesh.double_area_vector(f).norm() / 2;
+    return areas.cwiseAbs().maxCoeff();
+  };
+  EXPECT_LT(error(stretched_sphere(), 1e-6), 1e-12);
+  // Mollification makes triangles out of lines, as high as its root.
+  EXPECT_LT(error(spoilt(icosphere(2)), 1e-6), 1e-3);
+  EXPECT_LT(error(spoilt(icosphere(2)), 1e-10), 1e-6);
+}
+
+// By the theorem of Stokes, for df and the gradient of a hat function are both continuous along
+// the edges of either triangulation.
+TEST(Delaunay_view, has_opposite_edges_that_close_up_around_each_vertex_in_the_mean)
+{
+  const Mesh_view mesh = stretched_sphere();
+  const Delaunay_view view(mesh);
+  Points sum = Points::Zero(3, mesh.size_of_vertices());
+  double largest = 0;  // of one triangle alone
+  for (const auto& sheet : view.sheets())
+    for (int c = 0; c < 3; ++c) {
+      sum.col(view.corners(sheet.triangle)[at(c)]) += sheet.share * sheet.edges.col(c);
+      largest = std::max(largest, sheet.share * sheet.edges.col(c).norm());
+    }
+  EXPECT_GT(largest, .1);
+  EXPECT_LT(sum.cwiseAbs().maxCoeff(), 1e-11);
+}
+
+TEST(Delaunay_view, takes_from_a_face_of_area_zero_its_edges_only)
+{
+  // A tetrahedron whose faces 4 and 5 are two triangles on one edge, with the apex on it.
+  Mesh_view mesh = tetrahedron();
+  const auto v = mesh.corners(0);
+  Corners corners = mesh.corners();
+  corners[0] = {v[1], v[2], 4};
+  corners.push_back({v[2], v[0], 4});
+  corners.push_back({v[0], v[1], 4});
+  Points p(3, 5);
+  p << mesh.positions(), (mesh.position(v[0]) + mesh.position(v[1])) / 2;
+  mesh = Mesh_view(p, corners);
+  const Intrinsic_triangulation triangles(mesh, edge_lengths(mesh).array() + 1e-6);
+  const Common_subdivision subdivision(mesh, triangles);
+  ASSERT_EQ(subdivision.pieces(5).size(), 2U);
+  Eigen::Vector3d normals = Eigen::Vector3d::Zero();
+  Eigen::Matrix<double, 3, 2> mean = Eigen::Matrix<double, 3, 2>::Zero();
+  for (const auto& piece : subdivision.pieces(5)) {
+    EXPECT_LT(piece.weight, 1e-12);
+    normals += piece.to_space.col(0).cross(piece.to_space.col(1));
+    mean += piece.to_space / 2;
+  }
+  EXPECT_LT(normals.norm(), 1e-14);
+  const Eigen::Vector3d edge = mesh.position(v[1]) - mesh.position(v[0]);
+  EXPECT_LT(mean.transpose().rowwise().norm().minCoeff() - 1, 1e-14);
+  EXPECT_LT((edge.normalized().cross(mean.col(0))).norm(), 1e-14);
+  EXPECT_LT((edge.normalized().cross(mean.col(1))).norm(), 1e-14);
+  // None of it is left when its long edge is flipped, and nothing of the others is lost.
+  EXPECT_GT(Delaunay_view(mesh).size_of_flips(), 0);
+  const Eigen::VectorXd areas = areas_by_sheets(Delaunay_view(mesh, 1e-10), mesh.size_of_faces());
+  EXPECT_LT(areas[5], 1e-10);
+  EXPECT_NEAR(areas.sum(), area(mesh), 1e-4 * area(mesh));
+}
+
+TEST(Delaunay_view, of_points_that_coincide_has_numbers_all_the_same)
+{
+  Mesh_view mesh = icosphere(1);
+  Points p = mesh.positions();
+  for (const int v : mesh.corners(3)) p.col(v) = p.col(mesh.corners(3)[0]);  // to one point
+  mesh.set_positions(p);
+  const Delaunay_view view(mesh);
+  for (const auto& sheet : view.sheets()) {
+    EXPECT_TRUE(sheet.edges.allFinite());
+    EXPECT_TRUE(std::isfinite(sheet.share));
+    EXPECT_GT(view.area(sheet.triangle), 0);
+    for (int c = 0; c < 3; ++c) EXPECT_TRUE(std::isfinite(view.cotangent(sheet.triangle, c)));
+  }
+}
+
+TEST(Delaunay_view, moves_along_with_the_mesh)
+{
+  const Mesh_view mesh = spoilt(icosphere(1));
+  const Delaunay_view before(mesh);
+  const Eigen::Matrix3d R = Random(2).rotation();
+  const Delaunay_view after(Mesh_view(3 * R * mesh.positions(), mesh.corners()));
+  ASSERT_EQ(after.sheets().size(), before.sheets().size());
+  for (int t = 0; t < before.size_of_triangles(); ++t) {
+    ASSERT_EQ(after.corners(t), before.corners(t));
+    EXPECT_NEAR(after.area(t), 9 * before.area(t), 1e-8);
+  }
+  // the mean normal of each triangle; those of its sheets alone are any that cancel out
+  Points normals = Points::Zero(3, before.size_of_triangles()), turned = normals;
+  for (const auto& sheet : before.sheets())
+    normals.col(sheet.triangle) += sheet.share * normal(sheet);
+  for (const auto& sheet : after.sheets())
+    turned.col(sheet.triangle) += sheet.share * normal(sheet);
+  EXPECT_LT((turned - R * normals).cwiseAbs().maxCoeff(), 1e-5);
+}

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/operators/delaunay_operators.h
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/delaunay_operators.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "support/dense.h"
+#include "support/meshes.h"
+#include "support/thin_faces.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+using CGP::Curvature_potential;
+using CGP::Delaunay_view;
+
+using Energy = CGP::Hermitian_sparse_matrix<Quaternion<double>>;
+
+/// ascending, of X v = mu M v: each four times
+Eigen::VectorXd eigenvalues(const Energy& X, const Eigen::VectorXd& areas)
+{
+  Eigen::VectorXd root(4 * areas.size());
+  for (Eigen::Index i = 0; i < root.size(); ++i) root[i] = 1 / std::sqrt(areas[i / 4]);
+  const Eigen::MatrixXd A = root.asDiagonal() * real_form(dense(X)) * root.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+Eigen::VectorXd eigenvalues(const Energy& X)
+{
+  return eigenvalues(X, Eigen::VectorXd::Ones(X.size()));
+}
+
+Curvature_potential random_potential(const Mesh_view& mesh, Curvature_potential::On on)
+{
+  const bool on_faces = on == Curvature_potential::On::faces;
+  return {on, 3 * random_numbers(on_faces ? mesh.size_of_faces() : mesh.size_of_vertices(), 7)};
+}
+
+const auto both = {Curvature_potential::On::vertices, Curvature_potential::On::faces};
+
+Mesh_view stretched_sphere()
+{
+  return mapped(bumpy_sphere(1),
+                [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), 5 * p.y(), p.z()); });
+}
+
+}  // namespace
+
+TEST(Delaunay_operators, are_those_of_the_mesh_where_that_is_Delaunay)
+{
+  for (const Mesh_view& mesh : {bumpy_sphere(2), torus(2, 1, 16, 8)}) {
+    const Delaunay_view view(mesh);
+    EXPECT_EQ(*vertex_graph(view), *vertex_graph(mesh));
+    EXPECT_LT((vertex_areas(view) - vertex_areas(mesh)).norm(), 1e-14);
+    const Eigen::MatrixXd L = dense(cotan_laplacian(view, vertex_graph(view)));
+    EXPECT_LT((L - dense(CGP::cotan_laplacian(mesh))).cwiseAbs().maxCoeff(), 1e-13);
+    Quaternion_matrix vectors(mesh.size_of_vertices(), 2);
+    vectors << random_quaternions(mesh.size_of_vertices(), 1),
+        random_quaternions(mesh.size_of_vertices(), 2);
+    for (const auto on : both) {
+      const Curvature_potential rho = random_potential(mesh, on);
+      EXPECT_LT(relative_difference(dense(dirac_energy(view, rho)), dense(dirac_energy(mesh, rho))),
+                1e-14);
+      const CGP::Dirac_forms forms = dirac_forms(view, rho, vectors),
+                             expected = dirac_forms(mesh, rho, vectors);
+      EXPECT_LT(relative_difference(forms.dirac, expected.dirac), 1e-13);
+      EXPECT_LT(relative_difference(forms.mass, expected.mass), 1e-13);
+      const Quaternion_vector<double> v = vectors.col(0);
+      EXPECT_NEAR(dirac_quotient(view, rho, v), dirac_quotient(mesh, rho, v), 1e-13);
+      EXPECT_LT(relative_difference(apply_dirac_form(view, rho, v), apply_dirac_form(mesh, rho, v)),
+                1e-13);
+    }
+  }
+}
+
+TEST(Delaunay_operators, are_bounded_however_thin_the_faces)
+{
+  const Mesh_view clean = bumpy_sphere(1);
+  Eigen::VectorXd low;
+  for (const double height : {1e-3, 1e-6, 1e-9, 0.}) {
+    const Mesh_view mesh = with_thin_faces(clean, height);
+    const Delaunay_view view(mesh);
+    const Energy X = dirac_energy(view, CGP::no_potential(mesh));
+    const Eigen::VectorXd values = eigenvalues(X);
+    EXPECT_LT(values.maxCoeff(), 10) << height;
+    EXPECT_GT(values.minCoeff(), -1e-13) << height;
+    const Eigen::VectorXd now = eigenvalues(X, vertex_areas(view)).head(24);
+    EXPECT_LT(now.head(4).cwiseAbs().maxCoeff(), 1e-11) << height;
+    EXPECT_GT(now[4], .1) << height;
+    if (low.size() == 0) low = now;
+    EXPECT_LT((now - low).cwiseAbs().maxCoeff(), 2e-3 * low[23]) << height;
+  }
+  const Mesh_view thin = with_thin_faces(clean, 1e-6);
+  EXPECT_GT(eigenvalues(dirac_energy(thin, CGP::no_potential(thin))).maxCoeff(), 1e5);
+}
+
+TEST(Delaunay_operators, have_the_low_spectrum_of_the_mesh_before_it_was_spoilt)
+{
+  // The space of functions has grown, so that the errors of discretisation differ a little.
+  const Mesh_view clean = bumpy_sphere(2), mesh = with_thin_faces(clean, 1e-9, 1e-3);
+  const Delaunay_view view(mesh);
+  const Eigen::VectorXd expected =
+      eigenvalues(dirac_energy(clean, CGP::no_potential(clean)), vertex_areas(clean)).head(48);
+  const Eigen::VectorXd found =
+      eigenvalues(dirac_energy(view, CGP::no_potential(mesh)), vertex_areas(view)).head(48);
+  EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-3 * expected[47]);
+}
+
+TEST(Delaunay_operators, are_positive_semidefinite_for_every_rho)
+{
+  for (const Mesh_view& mesh :
+       {stretched_sphere(), spoilt(icosphere(1)), spoilt(stretched_sphere())})
+    for (const auto on : both) {
+      const Delaunay_view view(mesh);
+      EXPECT_GT(view.size_of_flips(), 0);
+      const Quaternion_matrix X = dense(dirac_energy(view, random_potential(mesh, on)));
+      EXPECT_LT(hermitian_defect(X), 1e-15);
+      const Eigen::VectorXd values =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(real_form(X), Eigen::EigenvaluesOnly)
+              .eigenvalues();
+      EXPECT_GT(values.minCoeff(), -1e-14 * values.maxCoeff());
+    }
+}
+
+TEST(Delaunay_operators, have_the_constants_for_eigenvectors_of_constant_rho)
+{
+  // X 1 = rho^2 M 1 and D 1 - rho = -rho, where no length is mollified
+  const Mesh_view mesh = stretched_sphere();
+  const Delaunay_view view(mesh);
+  EXPECT_GT(view.size_of_flips(), 10);
+  const Eigen::VectorXd areas = vertex_areas(view);
+  const auto one = Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0});
+  for (const double rho : {0., .7}) {
+    const Curvature_potential potential =
+        Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), rho));
+    const Quaternion_vector<double> image = dirac_energy(view, potential) * one;
+    for (int v = 0; v < mesh.size_of_vertices(); ++v)
+      EXPECT_LT(norm(image[v] - Quaternion<double>{rho * rho * areas[v], 0, 0, 0}), 1e-11);
+    EXPECT_NEAR(dirac_quotient(view, potential, one), -rho, 1e-12);
+  }
+}
+
+TEST(Delaunay_operators, have_the_intrinsic_Laplacian_for_real_part)
+{
+  const Mesh_view mesh = spoilt(stretched_sphere());
+  const Delaunay_view view(mesh);
+  const Eigen::MatrixXd L = dense(cotan_laplacian(view, vertex_graph(view)));
+  const Eigen::MatrixXd X = real_part(dense(dirac_energy(view, CGP::no_potential(mesh))));
+  EXPECT_LT((L - X).cwiseAbs().maxCoeff(), 1e-9 * L.maxCoeff());
+  for (Eigen::Index i = 0; i < L.rows(); ++i)
+    for (Eigen::Index j = 0; j < i; ++j) EXPECT_LT(L(i, j), 1e-9 * L(i, i));
+  EXPECT_LT(L.rowwise().sum().cwiseAbs().maxCoeff(), 1e-12 * L.maxCoeff());
+}
+
+TEST(Delaunay_operators, add_what_a_triangle_with_one_corner_twice_has)
+{
+  // Both sides of a triangle, one of whose edges has been flipped by its obtuse angles.
+  const Mesh_view mesh(points({{0, 0, 0}, {2, .5, 0}, {4, 0, 0}}), {{0, 1, 2}, {0, 2, 1}});
+  const Delaunay_view view(mesh);
+  EXPECT_EQ(view.size_of_flips(), 1);
+  const Eigen::MatrixXd L = dense(cotan_laplacian(view, vertex_graph(view)));
+  // Flat and isosceles, twice: the corner 1 is the same distance from both others, which have no
+  // edge between them any more.
+  EXPECT_NEAR(L(0, 2), 0, 1e-14);
+  EXPECT_NEAR(L(0, 1), L(2, 1), 1e-14);
+  EXPECT_NEAR(L(1, 1), -2 * L(0, 1), 1e-14);
+  const Energy X = dirac_energy(view, CGP::no_potential(mesh));
+  EXPECT_LT((real_part(dense(X)) - L).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_GT(eigenvalues(X).minCoeff(), -1e-14);
+}
