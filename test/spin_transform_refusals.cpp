@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "spin_transform_checks.h"
+#include "support/thin_faces.h"
 
 namespace {
 
@@ -169,4 +170,35 @@ TEST(Spin_visitor, watches_without_a_word)
   CGP::Spin_visitor visitor;
   visitor.on_iteration({0, 1, 2});
   EXPECT_TRUE(visitor.go_further());
+}
+
+TEST(Spin_transform_with_mollification, takes_the_faces_of_area_zero_that_are_refused_without)
+{
+  const Mesh_view view = spoilt(icosphere(2));
+  EXPECT_NE(refusal(view).find("of area zero"), std::string::npos);
+  Surface mesh = to_cgal_mesh<Surface>(view);
+  const Eigen::VectorXd values = rho_of_section_3_on_vertices(view);
+  const auto rho = map_of([&](Vertex v) { return values[static_cast<int>(v)]; });
+  const CGP::Spin_report report = CGP::spin_transform(mesh, rho, params::mollification(1e-6));
+  EXPECT_TRUE(report);
+  const CGP::Spin_result expected =
+      CGP::Robust_spin_transformation<>(view).transform(Curvature_potential::on_vertices(values));
+  EXPECT_NEAR(report.eigenvalue, expected.report.eigenvalue, 1e-9);
+  EXPECT_LT(greatest_distance(view_of(mesh).positions(), expected.positions), 1e-9);
+}
+
+TEST(Spin_transform_with_mollification, is_for_closed_surfaces_of_genus_zero)
+{
+  const auto message = [](const Mesh_view& view) -> std::string {
+    Surface mesh = to_cgal_mesh<Surface>(view);
+    try {
+      (void)CGP::spin_transform(mesh, map_of([](Vertex) { return 0.; }),
+                                params::mollification(1e-6));
+    } catch (const CGP::Precondition_error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message(btorus(6)).find("spin_transform: the surface has genus 1"), std::string::npos);
+  EXPECT_NE(message(without_face(icosphere(1), 0)).find("boundary"), std::string::npos);
 }

@@ -9,9 +9,11 @@
 #include <Conformal_geometry_processing/mesh/geometry_traits.h>
 #include <Conformal_geometry_processing/mesh/named_parameters.h>
 #include <Conformal_geometry_processing/mesh/write_points.h>
+#include <Conformal_geometry_processing/spin/Robust_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/Spin_visitor.h>
 #include <Conformal_geometry_processing/spin/boundary_parameters.h>
+#include <Conformal_geometry_processing/spin/dirac_parameters.h>
 
 #include <CGAL/number_utils.h>
 
@@ -43,26 +45,6 @@ Curvature_potential read_curvature_potential(const Graph_view<TriangleMesh>& gra
   }
   return {on_vertices ? Curvature_potential::On::vertices : Curvature_potential::On::faces,
           std::move(values)};
-}
-
-template <class NamedParameters>
-Dirac_options dirac_options(const NamedParameters& np)
-{
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  Dirac_options o;
-  o.problem = choose_parameter(get_parameter(np, internal_np::eigenproblem), o.problem);
-  o.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), o.tolerance);
-  o.max_iterations = static_cast<int>(choose_parameter(
-      get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_iterations));
-  o.max_substeps = static_cast<int>(
-      choose_parameter(get_parameter(np, internal_np::maximum_number_of_substeps), o.max_substeps));
-  o.kernel_tolerance =
-      choose_parameter(get_parameter(np, internal_np::kernel_tolerance), o.kernel_tolerance);
-  o.branch = choose_parameter(get_parameter(np, internal_np::branch), o.branch);
-  o.random_seed = static_cast<unsigned>(
-      choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.random_seed));
-  return o;
 }
 
 template <class NamedParameters>
@@ -204,6 +186,14 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0: the surface of one singular vector is taken}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{mollification}
+///     \cgalParamDescription{lets faces be as thin as they like, or of area zero: the equation is
+///                           solved on the intrinsic Delaunay triangulation, and to all edges the
+///                           length is added that triangles lack, at most this share of the mean
+///                           one; closed surfaces of genus zero only}
+///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good one}
+///     \cgalParamDefault{none: faces of area zero are refused}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{branch}
 ///     \cgalParamDescription{with directions: which singular vector of D - rho is taken}
 ///     \cgalParamType{`Branch`}
@@ -257,8 +247,8 @@ Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
           internal_np::tolerance_t, internal_np::maximum_number_of_substeps_t,
           internal_np::boundary_direction_t, internal_np::boundary_direction_map_t,
           internal_np::vertex_target_point_map_t, internal_np::kernel_tolerance_t,
-          internal_np::branch_t, CGAL::internal_np::vertex_is_constrained_t,
-          CGAL::internal_np::vertex_normal_map_t>,
+          internal_np::branch_t, internal_np::mollification_t,
+          CGAL::internal_np::vertex_is_constrained_t, CGAL::internal_np::vertex_normal_map_t>,
       "spin_transform(): unknown named parameter, see the manual for those it accepts");
   using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
                                                  Default_solver_traits>;
@@ -274,11 +264,20 @@ Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
     visitor.on_iteration(progress);
     return visitor.go_further();
   };
-  Closing_spin_transformation<Solver_traits, Eigensolver_traits> transformation(
-      graph.view(), internal::closing_options(np),
-      internal::boundary_condition(graph, np, "spin_transform"), "spin_transform");
-  const Spin_result result =
-      std::move(transformation).transform(potential, internal::dirac_options(np), go_further);
+  const Dirac_options options = internal::dirac_options(np);
+  Spin_result result;
+  if constexpr (internal::has_parameter<NamedParameters, internal_np::mollification_t>) {
+    Robust_spin_transformation<Solver_traits, Eigensolver_traits> transformation(
+        graph.view(), CGAL::parameters::get_parameter(np, internal_np::mollification),
+        "spin_transform");
+    require_genus_zero(graph.view(), "spin_transform");  // handles would be sheared
+    result = transformation.transform(potential, options, go_further);
+  } else {
+    Closing_spin_transformation<Solver_traits, Eigensolver_traits> transformation(
+        graph.view(), internal::closing_options(np),
+        internal::boundary_condition(graph, np, "spin_transform"), "spin_transform");
+    result = std::move(transformation).transform(potential, options, go_further);
+  }
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

@@ -258,3 +258,10 @@ TEST(Require_some_area, refuses_surfaces_that_are_a_line)
   EXPECT_FALSE(CGP::has_area_zero(both, 1));
   EXPECT_EQ(complaint(CGP::require_some_area, both), "");
 }
+
+TEST(Require_genus_zero, counts_handles)
+{
+  EXPECT_EQ(complaint(CGP::require_genus_zero, icosphere(1)), "");
+  EXPECT_EQ(complaint(CGP::require_genus_zero, btorus(6)),
+            "the surface has genus 1; genus zero is needed");
+}

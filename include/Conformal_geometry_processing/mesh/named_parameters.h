@@ -26,11 +26,11 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OWN_PARAMETERS(X) \
   X(output_vertex_point_map)                            \
   X(vertex_spin_map)                                    \
-  X(vertex_initial_spin_map)                            \
   X(boundary_direction)                                 \
   X(boundary_direction_map)                             \
   X(vertex_target_point_map)                            \
   X(kernel_tolerance)                                   \
+  X(mollification)                                      \
   X(branch)                                             \
   X(vertex_scale_map)                                   \
   X(blend)                                              \

@@ -211,6 +211,16 @@ inline void require_closed(const Mesh_view& mesh, const std::string& function)
       "a closed surface is needed");
 }
 
+/// no handles
+/// \pre the mesh is a closed, connected manifold
+inline void require_genus_zero(const Mesh_view& mesh, const std::string& function)
+{
+  const int chi = mesh.size_of_vertices() - mesh.size_of_edges() + mesh.size_of_faces();
+  if (chi != 2)
+    throw Precondition_error(function, "the surface has genus " + std::to_string(1 - chi / 2) +
+                                           "; genus zero is needed");
+}
+
 /// a finite, oriented manifold in one component, without isolated vertices; faces may have area
 /// zero
 inline void require_manifold(const Mesh_view& mesh, const std::string& function)
