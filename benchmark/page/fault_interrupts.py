@@ -10,8 +10,10 @@ import signal
 import subprocess
 import time
 
+from page import machine
 from page.fault_bench import OLD, PATIENCE, Check, is_whole, memory_limit, others
 
+FAILING = machine.ROOT / "benchmark" / "support" / "failing_allocation.cpp"
 TEMPORARY = re.compile(r"\.conformal-\d+-\d+\.tmp")
 MEMORY_PATIENCE = 10  # seconds
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGKILL: None}
@@ -112,6 +114,37 @@ def memory_sweep(bench, tries, name, environment):
                          f"{mib} MiB: another output")
         shutil.rmtree(folder)
     return check.row()
+
+
+def preload(bench):
+    """The library that has allocations fail, or None where there is no compiler."""
+    library = bench.folder / "failing_allocation.so"
+    compiler = shutil.which("c++")
+    if compiler:
+        subprocess.run([compiler, "-std=c++17", "-O1", "-fPIC", "-shared", FAILING, "-o", library,
+                        "-ldl"], check=True)
+    return library if compiler else None
+
+
+def failing_allocations(bench, tries):
+    """The k-th allocation from the begin of main() fails: out of memory, or the same output."""
+    check, library = Check("one failing allocation"), preload(bench)
+    if library is None:
+        return check.row("left out: no compiler")
+    environment = dict(machine.ONE_THREAD, LD_PRELOAD=str(library))
+    counted = bench.folder / "allocations"
+    bench.run(*bench.spin(bench.folder / "counted.ply"),
+              env=dict(environment, COUNT_ALLOCATIONS=str(counted)))
+    total = int(counted.read_text(encoding="ascii"))
+    for number in sorted({1 + attempt * total // tries for attempt in range(tries)}):
+        folder = bench.new_folder("failing")
+        code, message = bench.run(*bench.spin(folder / "output.ply"), patience=MEMORY_PATIENCE,
+                                  env=dict(environment, FAIL_ALLOCATION=str(number)))
+        check.ended(f"exit {code}")
+        check.expect(code in (0, 6), f"allocation {number}: exit {code} {message}")
+        check.expect(code == 0 or not others(folder), f"allocation {number}: left {others(folder)}")
+        shutil.rmtree(folder)
+    return check.row(f"{total} allocations")
 
 
 def concurrent_runs(bench, tries):

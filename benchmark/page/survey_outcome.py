@@ -58,5 +58,4 @@ def kind(reason):
     text = re.sub(r"^FILE(:\d+)?: ", "", reason).split("; try: ")[0]
     while "(" in text and (shorter := re.sub(r"\s*\([^()]*\)", "", text)) != text:
         text = shorter
-    text = re.sub(r"\d+(,\d{3})*(\.\d+)?(e[-+]?\d+)?", "N", text)
-    return re.sub(r"\bN (\w+?)s\b", r"N \1", text).strip()
+    return re.sub(r"\d+(,\d{3})*(\.\d+)?(e[-+]?\d+)?", "N", text).strip()
