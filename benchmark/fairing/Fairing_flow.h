@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef BENCHMARK_FAIRING_FAIRING_FLOW_H
+#define BENCHMARK_FAIRING_FAIRING_FLOW_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <utility>
+
+namespace cgp_benchmark {
+
+namespace CGP = Conformal_geometry_processing;
+
+/// a fairing method with its time step: what all of them have in common
+class Fairing_flow {
+ public:
+  virtual ~Fairing_flow() = default;
+
+  /// \brief moves the surface by one time step.
+  /// \returns false, and leaves the surface, if the flow has arrived
+  /// \throw Solver_error if a linear system cannot be solved
+  virtual bool step() = 0;
+
+  virtual const CGP::Mesh_view& mesh() const = 0;
+
+  /// the same surface in another place or size, from where the flow goes on
+  virtual void set_positions(CGP::Points positions) = 0;
+};
+
+/// a method that moves the vertices of a mesh of its own
+class Flow_of_positions : public Fairing_flow {
+ public:
+  Flow_of_positions(const CGP::Mesh_view& mesh, double time_step)
+      : m_mesh(mesh), m_time_step(time_step)
+  {}
+
+  const CGP::Mesh_view& mesh() const override { return m_mesh; }
+  void set_positions(CGP::Points positions) override { m_mesh.set_positions(std::move(positions)); }
+
+ protected:
+  double time_step() const { return m_time_step; }
+
+ private:
+  CGP::Mesh_view m_mesh;
+  double m_time_step;
+};
+
+}  // namespace cgp_benchmark
+
+#endif

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef BENCHMARK_FAIRING_RACE_H
+#define BENCHMARK_FAIRING_RACE_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cgp_benchmark {
+
+namespace CGP = Conformal_geometry_processing;
+
+/// what has become of a surface
+struct Run {
+  struct Moment {
+    double seconds, energy;
+  };
+  double time_step = 0;
+  int steps = 0;
+  std::vector<Moment> curve;
+  CGP::Points positions;  // at the last moment
+  double worst_q = 1;     // the greatest mean quasi-conformal error on the way
+  bool is_stable = true;
+  std::string end = "time is up";
+
+  double seconds() const { return curve.empty() ? 0 : curve.back().seconds; }
+  double energy() const { return curve.empty() ? HUGE_VAL : curve.back().energy; }
+};
+
+/// \brief watches a method step by step, and stops it when its seconds are over.
+///
+/// The clock starts with this object, so that all that is done once counts, and stands still while
+/// the surface is measured: after every step, or a hundred times if there are more. A step that
+/// ends too late is no step. A run is *stable* if every number is finite, every system solved, and
+/// the Willmore energy never more than 1 % above the least so far.
+class Race {
+ public:
+  Race(const CGP::Mesh_view& mesh, double seconds, int max_steps);
+
+  /// takes the surface after a step
+  /// \returns whether to go on
+  bool operator()(const CGP::Points& positions);
+
+  /// notes why there is no other step, and that this is no success
+  bool fail(std::string why)
+  {
+    m_run.end = std::move(why);
+    return m_run.is_stable = false;
+  }
+
+  /// notes why there is no other step
+  void finish(std::string why) { m_run.end = std::move(why); }
+
+  Run result() && { return std::move(m_run); }
+
+ private:
+  CGP::Mesh_view m_initial, m_mesh;
+  double m_budget;
+  int m_max_steps;
+  double m_start, m_least, m_first;
+  double m_next = 0;  // when to measure again
+  Run m_run;
+};
+
+}  // namespace cgp_benchmark
+
+#endif
