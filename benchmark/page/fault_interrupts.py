@@ -127,7 +127,8 @@ def preload(bench):
 
 
 def failing_allocations(bench, tries):
-    """The k-th allocation from the begin of main() fails: out of memory, or the same output."""
+    """The k-th allocation from the begin of main() fails: out of memory, or an output. The first
+    ones, in the command line, are tried more densely."""
     check, library = Check("one failing allocation"), preload(bench)
     if library is None:
         return check.row("left out: no compiler")
@@ -136,7 +137,7 @@ def failing_allocations(bench, tries):
     bench.run(*bench.spin(bench.folder / "counted.ply"),
               env=dict(environment, COUNT_ALLOCATIONS=str(counted)))
     total = int(counted.read_text(encoding="ascii"))
-    for number in sorted({1 + attempt * total // tries for attempt in range(tries)}):
+    for number in sorted({1 + attempt**2 * total // tries**2 for attempt in range(tries)}):
         folder = bench.new_folder("failing")
         code, message = bench.run(*bench.spin(folder / "output.ply"), patience=MEMORY_PATIENCE,
                                   env=dict(environment, FAIL_ALLOCATION=str(number)))

@@ -54,7 +54,10 @@ How often which reason is given; N are numbers, and what is in parentheses is le
 
 ## Interrupts, limits and bad outputs
 
-Written by `benchmark/faults`: what a check wants, how often it was tried, how often it did not hold.
+Written by `benchmark/faults`: how often a check was tried, how often it did not hold, how the runs
+ended, and the first violations. An exit below 0 is death by that signal; of SIGTERM in the first
+milliseconds, before the program listens to it, that is as it should be. *Not loaded*: the system could
+not load the libraries, and the program never ran.
 
 {checks}
 
@@ -100,7 +103,7 @@ def suitable_table(found, facts):
 def fault_list(found):
     lines = [f"- `{row['command']}` on {row['set']}'s {row['mesh']}: **{row['outcome']}**, "
              f"{row['reason']}" for row in found if row["outcome"] in BAD]
-    return "\n".join(["Faults:", "", *lines]) if lines else "There is no fault."
+    return "\n".join(["Faults:", "", *lines]) if lines else "No run was a fault."
 
 
 def reason_table(found):
