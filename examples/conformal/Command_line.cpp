@@ -70,9 +70,15 @@ class Parser {
     return command;
   }
 
+  // A command that works on one surface, to which no other file must fit.
+  CLI::App* add_command_that_repairs(const char* name, const char* description)
+  {
+    return add_repair(add_command(name, description), m_common.repair);
+  }
+
   void add_info()
   {
-    CLI::App* command = add_command("info", about_info);
+    CLI::App* command = add_command_that_repairs("info", about_info);
     add_input(*command, m_info.input);
   }
 
@@ -89,7 +95,7 @@ class Parser {
 
   void add_spin()
   {
-    CLI::App& command = *add_command("spin", about_spin);
+    CLI::App& command = *add_command_that_repairs("spin", about_spin);
     add_input(command, m_spin.input);
     add_output_and_page(command);
     add_rho(command, m_spin.rho)->require_option(1);
@@ -143,7 +149,7 @@ class Parser {
 
   void add_flow()
   {
-    CLI::App& command = *add_command("flow", about_flow);
+    CLI::App& command = *add_command_that_repairs("flow", about_flow);
     add_input(command, m_flow.input);
     add_output_and_page(command);
     add_flow_options(command, m_flow);
@@ -153,7 +159,7 @@ class Parser {
 
   void add_flatten()
   {
-    CLI::App& command = *add_command("flatten", about_flatten);
+    CLI::App& command = *add_command_that_repairs("flatten", about_flatten);
     add_flatten_options(command, m_flatten);
     add_output_and_page(command);
     add_limits(command, m_flatten.limits, m_flatten.force);
@@ -168,7 +174,7 @@ class Parser {
 
   void add_harmonic()
   {
-    CLI::App* command = add_command("harmonic", about_harmonic);
+    CLI::App* command = add_command_that_repairs("harmonic", about_harmonic);
     add_input(*command, m_harmonic.input);
     command->add_option("-o,--output", m_common.output, "the mesh with the fields");
     command->add_option("--form", m_harmonic.form, "write only this one, counted from 0")
@@ -177,7 +183,7 @@ class Parser {
 
   void add_spectrum()
   {
-    CLI::App& command = *add_command("spectrum", about_spectrum);
+    CLI::App& command = *add_command_that_repairs("spectrum", about_spectrum);
     command.add_option("-o,--output", m_common.output, "the surface of an eigenfunction");
     add_spectrum_options(command, m_spectrum);
     add_eigenvector(command, m_common);

@@ -70,11 +70,12 @@ void find_topological(const Surface_input& input, std::vector<std::string>& defe
       defects, mesh.size_of_edges(),
       [&](int k) { return mesh.halfedges_end(k) - mesh.halfedges_begin(k) > 2; },
       [&](int k) { return name_of_edge(input, k); }, "non-manifold edge",
-      " where more than two faces meet", "split the surface there");
+      " where more than two faces meet", "cut the surface there, as --repair does");
   if (!defects.empty()) return;
   if (!input.is_orientable) {
     defects.emplace_back(
-        "the surface is not orientable (one-sided, like a Moebius strip); try: cut it open");
+        "the surface is not orientable (one-sided, like a Moebius strip); try: cut it open, as "
+        "--repair does");
     return;
   }
   if (holds(CGP::require_manifold_vertices, mesh)) return;
@@ -83,7 +84,7 @@ void find_topological(const Surface_input& input, std::vector<std::string>& defe
       defects, mesh.size_of_vertices(),
       [&](int v) { return is_split[static_cast<std::size_t>(v)] != 0; },
       [&](int v) { return name_of_vertex(input, v); }, "non-manifold vertex",
-      " where several fans of faces touch", "split the surface there");
+      " where several fans of faces touch", "cut the surface there, as --repair does");
 }
 
 bool is_flat(const CGP::Mesh_view& mesh, int f)
@@ -107,7 +108,7 @@ void find_geometrical(const Surface_input& input, std::vector<std::string>& defe
   add_if_any(
       defects, mesh.size_of_faces(), [&](int f) { return is_flat(mesh, f); },
       [&](int f) { return name_of_face(input, f); }, "face", " of area zero",
-      "remove degenerate faces and merge coincident vertices in a mesh editor");
+      "merge coincident vertices, as --repair does, and remove degenerate faces in a mesh editor");
 }
 
 }  // namespace

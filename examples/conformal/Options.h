@@ -14,7 +14,7 @@ struct Common_options {
   int threads = 1;
   unsigned seed = 0;
   double tolerance = 1e-8;
-  bool quiet = false, strict = false;
+  bool quiet = false, strict = false, repair = false;
 };
 
 enum class Projection { uv, x, y, z, sphere };

@@ -24,6 +24,10 @@ class Session {
   const Common_options& options() const { return m_options; }
   Report& report() { return m_report; }
 
+  /// The file that the command works on, by which errors name it; empty before it is known.
+  const std::string& input() const { return m_input; }
+  void set_input(const std::string& path) { m_input = path; }
+
   /// Tells what was done to the input without being asked: a line on stderr, and in the report.
   void note(const std::string& text);
   void note_all(const std::vector<std::string>& texts);
@@ -52,6 +56,7 @@ class Session {
   const Common_options& m_options;
   Report m_report;
   std::vector<std::string> m_notes;
+  std::string m_input;
   bool m_keeps_report = false;
   std::optional<Exhibit> m_exhibit;
   Conformal_geometry_processing::Stopwatch m_watch, m_total;

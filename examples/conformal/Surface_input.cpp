@@ -123,10 +123,19 @@ Surface_input prepare(Surface_file file)
   return input;
 }
 
-Surface_input read_surface_input(const std::string& path)
+Surface_input read_surface_input(const std::string& path, bool is_repaired)
 {
-  Surface_input input = prepare(read_surface(path == "-" ? "/dev/stdin" : path));
-  input.notes.insert(input.notes.begin(), input.file.notes.begin(), input.file.notes.end());
+  Surface_file file = read_surface(path == "-" ? "/dev/stdin" : path);
+  std::optional<Repair> repaired;
+  std::vector<std::string> notes;
+  if (is_repaired) {
+    repaired = repair(file);
+    notes = repaired->notes();
+  }
+  notes.insert(notes.begin(), file.notes.begin(), file.notes.end());
+  Surface_input input = prepare(std::move(file));
+  input.repair = std::move(repaired);
+  input.notes.insert(input.notes.begin(), notes.begin(), notes.end());
   return input;
 }
 

@@ -3,10 +3,13 @@
 #ifndef CONFORMAL_SURFACE_INPUT_H
 #define CONFORMAL_SURFACE_INPUT_H
 
+#include "repair.h"
+
 #include "io/Surface_file.h"
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +21,7 @@ namespace CGP = Conformal_geometry_processing;
 /// outward, if the surface is closed), vertices without a face left out. The maps lead back.
 struct Surface_input {
   Surface_file file;  ///< as read; where faces were against each other, some are turned around
+  std::optional<Repair> repair;  ///< what was done to the file before, if it was asked for
 
   CGP::Mesh_view mesh;
   std::vector<int> vertex_in_file;  ///< of each vertex of the mesh
@@ -32,8 +36,9 @@ struct Surface_input {
   std::vector<std::string> notes;  ///< what was done, for the user
 };
 
+/// \param is_repaired whether the file is repaired first, see `repair()`
 /// \throws Read_error; never refuses a mesh for what it is
-Surface_input read_surface_input(const std::string& path);
+Surface_input read_surface_input(const std::string& path, bool is_repaired = false);
 
 /// the same of a file already read
 Surface_input prepare(Surface_file file);

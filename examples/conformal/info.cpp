@@ -113,6 +113,24 @@ std::vector<std::string> problems_of(const Defects& defects)
   return problems;
 }
 
+void report_repair(const Repair& repair, Report& report, const std::string& place)
+{
+  const auto numbers = [](const std::vector<int>& v) {
+    return std::vector<double>(v.begin(), v.end());
+  };
+  report.set(place + "/merged_points", repair.merged_points);
+  report.set(place + "/removed_faces", repair.removed_faces);
+  report.set(place + "/turned_faces", repair.turned_faces);
+  report.set(place + "/cut_edges", repair.cut_edges);
+  report.set(place + "/added_vertices", repair.added_vertices);
+  report.set(place + "/removed_vertices", repair.removed_vertices);
+  if (!repair.has_changed_anything()) return;
+  report.set(place + "/new_vertex", numbers(repair.new_vertex));
+  report.set(place + "/new_face", numbers(repair.new_face));
+  report.set(place + "/vertex_in_file", numbers(repair.vertex_in_file));
+  report.set(place + "/face_in_file", numbers(repair.face_in_file));
+}
+
 }  // namespace
 
 void report_input(const Surface_input& input, Report& report, const std::string& place)
@@ -120,6 +138,7 @@ void report_input(const Surface_input& input, Report& report, const std::string&
   report.set(place + "/file", input.file.path);
   report.set(place + "/vertices", static_cast<int>(input.file.points.size()));
   report.set(place + "/faces", static_cast<int>(input.file.polygons.size()));
+  if (input.repair) report_repair(*input.repair, report, place + "/repair");
   const bool is_manifold = find_defects(input).of_topology.empty();
   const CGP::Topology t = is_manifold ? CGP::topology(input.mesh) : CGP::Topology();
   using Value = Report::Value;
@@ -130,7 +149,7 @@ void report_input(const Surface_input& input, Report& report, const std::string&
 
 void info(const Info_options& options, Session& session)
 {
-  const Surface_input input = read_surface_input(options.input);
+  const Surface_input input = read_surface_input(options.input, session.options().repair);
   session.end_stage("read");
   session.note_all(input.notes);
   report_input(input, session.report());

@@ -33,6 +33,14 @@ void add_html(CLI::App& command, std::string& html)
                      "it opens in a browser without a network");
 }
 
+CLI::App* add_repair(CLI::App* command, bool& repair)
+{
+  command->add_flag("--repair", repair,
+                    "first merge coincident points, remove degenerate and repeated faces, and cut "
+                    "where the surface is no manifold; new numbers are in the JSON report");
+  return command;
+}
+
 CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho)
 {
   auto* source = command.add_option_group("rho", "the change of mean curvature, one of");

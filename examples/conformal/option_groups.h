@@ -34,6 +34,7 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& choi
 
 void add_input(CLI::App& command, std::string& input);
 void add_html(CLI::App& command, std::string& html);
+CLI::App* add_repair(CLI::App* command, bool& repair);
 
 /// `--rho-expression` and the others; the group of which at most one is allowed
 CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho);

@@ -70,9 +70,7 @@ Orientation find_orientation(const Mesh_view& mesh, const std::vector<int>& face
 
 void turn_faces(Surface_file& file, const std::vector<char>& is_turned)
 {
-  // A list of texture coordinates in the faces becomes a table of corners, which can be reversed.
-  const Property* list = find_property(file.faces, "texcoord");
-  if (list != nullptr && list->is_list()) set_texture_coordinates(file, texture_coordinates(file));
+  list_to_corners(file);
   for (std::size_t f = 0; f < is_turned.size(); ++f) {
     if (!is_turned[f]) continue;
     reverse_corners(file.polygons.corners, file.polygons, f);

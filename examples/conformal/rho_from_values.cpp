@@ -46,6 +46,14 @@ std::vector<double> read_numbers(const std::string& path)
   return numbers;
 }
 
+/// those of the elements that are left of a file that was repaired
+std::vector<double> left_of(const std::vector<double>& numbers, const std::vector<int>& in_file)
+{
+  std::vector<double> left;
+  for (const int i : in_file) left.push_back(numbers[static_cast<std::size_t>(i)]);
+  return left;
+}
+
 }  // namespace
 
 CGP::Curvature_potential rho_from_property(const Surface_input& input, const Rho_options& options)
@@ -68,11 +76,14 @@ CGP::Curvature_potential rho_from_property(const Surface_input& input, const Rho
 CGP::Curvature_potential rho_from_file(const Surface_input& input, const Rho_options& options)
 {
   const std::vector<double> numbers = read_numbers(options.file);
-  const std::size_t vertices = input.file.points.size(), faces = input.file.polygons.size();
+  const std::optional<Repair>& repair = input.repair;  // the numbers are for the file before it
+  const std::size_t vertices = repair ? repair->new_vertex.size() : input.file.points.size();
+  const std::size_t faces = repair ? repair->new_face.size() : input.file.polygons.size();
   if (numbers.size() == vertices && !options.on_faces.value_or(false))
-    return to_mesh(input, On::vertices, numbers);
+    return to_mesh(input, On::vertices,
+                   repair ? left_of(numbers, repair->vertex_in_file) : numbers);
   if (numbers.size() == faces && options.on_faces.value_or(true))
-    return to_mesh(input, On::faces, numbers);
+    return to_mesh(input, On::faces, repair ? left_of(numbers, repair->face_in_file) : numbers);
   throw unsuitable(options.file, "has " + count_of(numbers.size(), "number") +
                                      ", wanted one per vertex (" + std::to_string(vertices) +
                                      ") or one per face (" + std::to_string(faces) + ")" +

@@ -16,6 +16,7 @@
 #include "harmonic.h"
 #include "info.h"
 #include "interruption.h"
+#include "io/Temporary_file.h"
 #include "io/io_errors.h"
 #include "spectrum.h"
 #include "sphere.h"
@@ -24,12 +25,18 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 
+#include <unistd.h>
+
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <functional>
 #include <new>
 
 namespace conformal {
 namespace {
+
+const char* const no_memory = "out of memory; try: a coarser mesh";
 
 struct Outcome {
   Exit_code code = Exit_code::done;
@@ -60,7 +67,7 @@ Outcome carry_out(const std::function<void()>& work)
   } catch (const CGP::Precondition_error& error) {
     return {Exit_code::unsuitable, error.message()};
   } catch (const std::bad_alloc&) {
-    return {Exit_code::out_of_memory, "out of memory; try: a coarser mesh"};
+    return {Exit_code::out_of_memory, no_memory};
   } catch (const std::exception& error) {
     return {Exit_code::failed, error.what()};
   }
@@ -97,7 +104,12 @@ Outcome run_command(const Command_line& line)
   Report_files files;
   Outcome outcome = carry_out([&] {
     files.open(line.common);
-    dispatch(line, session);
+    try {
+      dispatch(line, session);
+    } catch (const CGP::Precondition_error& error) {
+      if (session.input().empty()) throw;
+      throw unsuitable(session.input(), error.message());
+    }
     flush_output();
   });
   const bool is_interrupted = outcome.code >= Exit_code::interrupted;
@@ -130,15 +142,40 @@ std::string on_one_line(std::string text)
   return text;
 }
 
+// Allocates nothing.
+int tell_that_memory_is_out()
+{
+  std::fprintf(stderr, "conformal: error: %s\n", no_memory);
+  return static_cast<int>(Exit_code::out_of_memory);
+}
+
+// Exceptions end here where a library promises not to throw, and allocates all the same.
+[[noreturn]] void on_terminate()
+{
+  remove_temporary_files();
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    ::_exit(tell_that_memory_is_out());
+  } catch (...) {  // nothing is known of it
+  }
+  std::abort();
+}
+
 }  // namespace
 
 int run(int argc, const char* const* argv)
 {
   listen_to_signals();
-  const Outcome outcome = parse_and_run(argc, argv);
-  if (outcome.code != Exit_code::done)
-    std::fprintf(stderr, "conformal: error: %s\n", on_one_line(outcome.error).c_str());
-  return static_cast<int>(outcome.code);
+  std::set_terminate(on_terminate);
+  try {
+    const Outcome outcome = parse_and_run(argc, argv);
+    if (outcome.code != Exit_code::done)
+      std::fprintf(stderr, "conformal: error: %s\n", on_one_line(outcome.error).c_str());
+    return static_cast<int>(outcome.code);
+  } catch (const std::bad_alloc&) {  // before, or while, there is an outcome
+    return tell_that_memory_is_out();
+  }
 }
 
 }  // namespace conformal

@@ -12,7 +12,8 @@ namespace conformal {
 
 Surface_input read_suitable_surface(const std::string& path, Session& session)
 {
-  Surface_input input = read_surface_input(path);
+  Surface_input input = read_surface_input(path, session.options().repair);
+  session.set_input(path);
   session.end_stage("read");
   session.note_all(input.notes);
   report_input(input, session.report());

@@ -28,7 +28,9 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
 
 std::string exceeds(const std::string& what, double value, double limit)
 {
-  return what + " is " + text_of(value, 3) + ", more than " + text_of(limit, 3);
+  int digits = 3;  // as many as show a difference
+  while (digits < 17 && text_of(value, digits) == text_of(limit, digits)) ++digits;
+  return what + " is " + text_of(value, digits) + ", more than " + text_of(limit, 3);
 }
 
 }  // namespace

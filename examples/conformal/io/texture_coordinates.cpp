@@ -110,6 +110,12 @@ void set_texture_coordinates(Surface_file& file, const std::vector<std::array<do
   set_texture_coordinates(file, std::move(texture));
 }
 
+void list_to_corners(Surface_file& file)
+{
+  const Property* list = find_property(file.faces, list_name);
+  if (list != nullptr && list->is_list()) set_texture_coordinates(file, texture_coordinates(file));
+}
+
 std::optional<std::vector<std::array<double, 3>>> vertex_values(const Surface_file& file,
                                                                 const Corner_values& values)
 {

@@ -21,6 +21,10 @@ Corner_values texture_coordinates(const Surface_file& file);
 void set_texture_coordinates(Surface_file& file, Corner_values values);
 void set_texture_coordinates(Surface_file& file, const std::vector<std::array<double, 2>>& values);
 
+/// Moves texture coordinates from a list of the faces to the corners, where they can change places
+/// with them; leaves others where they are.
+void list_to_corners(Surface_file& file);
+
 /// The values of the corners as values of the vertices (zero where no face is), or nothing if they
 /// jump at a vertex (a seam) or are not given at all corners.
 std::optional<std::vector<std::array<double, 3>>> vertex_values(const Surface_file& file,

@@ -1,0 +1,193 @@
+// Tests examples/conformal/repair.cpp examples/conformal/Corner_fans.cpp
+// Tests examples/conformal/merge_points.h examples/conformal/io/select_rows.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "conformal/repair.h"
+
+#include "conformal/Defects.h"
+#include "conformal/Surface_input.h"
+#include "program/support.h"
+#include "support/spheres.h"
+
+#include "conformal/io/read_surface.h"
+
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <set>
+
+namespace {
+
+using namespace program_test;
+using namespace conformal;
+
+std::string off_of(const std::vector<Point>& points, const std::vector<std::vector<int>>& faces)
+{
+  std::string text =
+      "OFF\n" + std::to_string(points.size()) + " " + std::to_string(faces.size()) + " 0\n";
+  for (const Point& p : points)
+    text += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+  for (const auto& face : faces) {
+    text += std::to_string(face.size());
+    for (const int v : face) text += " " + std::to_string(v);
+    text += "\n";
+  }
+  return text;
+}
+
+struct Repaired {
+  Repair done;
+  Surface_input input;
+};
+
+Repaired repaired(const std::string& text, const char* name = "a.off")
+{
+  Surface_file file = parse_surface(text, name);
+  Repair done = repair(file);
+  return {std::move(done), prepare(std::move(file))};
+}
+
+const std::vector<Point> corners_of_a_fan = {
+    {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}};
+
+}  // namespace
+
+TEST(Repair, leaves_a_good_surface_as_it_is)
+{
+  const CGP::Mesh_view mesh = cgp_test::icosphere(1);
+  const Repaired r = repaired(off(mesh));
+  EXPECT_FALSE(r.done.has_changed_anything());
+  EXPECT_TRUE(r.done.notes().empty());
+  EXPECT_EQ(r.input.mesh.corners(), mesh.corners());
+  for (std::size_t v = 0; v < r.done.new_vertex.size(); ++v)
+    EXPECT_EQ(r.done.new_vertex[v], static_cast<int>(v));
+}
+
+TEST(Repair, merges_triangles_that_have_corners_of_their_own)
+{
+  const CGP::Mesh_view mesh = cgp_test::icosahedron();
+  std::vector<Point> points;
+  std::vector<std::vector<int>> faces;
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h) {
+    const Eigen::Vector3d p = mesh.position(mesh.from(h));
+    if (h % 3 == 0) faces.emplace_back();
+    faces.back().push_back(h);
+    points.push_back({p.x(), p.y(), p.z()});
+  }
+  const Repaired r = repaired(off_of(points, faces));
+  EXPECT_EQ(r.done.merged_points, 60 - 12);
+  EXPECT_EQ(CGP::topology(r.input.mesh).genus, 0);
+  EXPECT_TRUE(CGP::topology(r.input.mesh).is_closed());
+  for (int h = 0; h < 60; ++h) {
+    const int now = r.done.new_vertex[static_cast<std::size_t>(h)];
+    EXPECT_EQ(r.input.file.points[static_cast<std::size_t>(now)],
+              parse_surface(off_of(points, faces), "a.off").points[static_cast<std::size_t>(h)]);
+  }
+}
+
+TEST(Repair, removes_faces_without_three_corners_and_repeated_ones)
+{
+  // The last two points coincide with the first, so that one face is an edge and one is repeated.
+  std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}};
+  const Repaired r = repaired(off_of(points, {{0, 3, 1}, {0, 1, 2}, {2, 4, 1}}));
+  EXPECT_EQ(r.done.removed_faces, 2);
+  EXPECT_EQ(r.done.face_in_file, std::vector<int>{1});
+  EXPECT_EQ(r.done.new_face, (std::vector<int>{-1, 0, -1}));
+  EXPECT_EQ(r.input.mesh.size_of_faces(), 1);
+}
+
+TEST(Repair, keeps_the_polygon_that_is_left_of_a_larger_one)
+{
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const Repaired r = repaired(off_of(points, {{0, 1, 2, 3, 4}}));
+  ASSERT_EQ(r.input.file.polygons.size(), 1u);
+  EXPECT_EQ(r.input.file.polygons.degree(0), 4u);
+}
+
+TEST(Repair, cuts_where_three_faces_meet)
+{
+  const Repaired r = repaired(off_of(corners_of_a_fan, {{0, 3, 1}, {0, 3, 2}, {3, 0, 4}}));
+  EXPECT_EQ(r.done.cut_edges, 1);
+  EXPECT_EQ(r.done.added_vertices, 4);
+  EXPECT_EQ(r.done.vertex_in_file, (std::vector<int>{0, 1, 2, 3, 4, 0, 3, 3, 0}));
+  EXPECT_TRUE(find_defects(r.input).of_topology.empty());
+}
+
+TEST(Repair, cuts_at_a_vertex_where_two_surfaces_touch)
+{
+  // Two tetrahedra with one corner in common.
+  const std::vector<Point> points = {{0, 0, 0},  {1, 0, 0},  {0, 1, 0}, {0, 0, 1},
+                                     {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  const Repaired r = repaired(off_of(
+      points,
+      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 5}, {0, 6, 4}, {0, 5, 6}, {4, 6, 5}}));
+  EXPECT_EQ(r.done.cut_edges, 0);
+  EXPECT_EQ(r.done.added_vertices, 1);
+  const Defects defects = find_defects(r.input);
+  EXPECT_TRUE(defects.of_topology.empty());
+  EXPECT_FALSE(defects.of_components.empty());
+}
+
+TEST(Repair, cuts_a_moebius_strip_open)
+{
+  std::vector<Point> points;
+  std::vector<std::vector<int>> faces;
+  const int n = 12;
+  for (int i = 0; i < n; ++i)
+    for (const double side : {-.3, .3}) {
+      const double u = 2 * std::acos(-1.) * i / n, r = 1 + side * std::cos(u / 2);
+      points.push_back({r * std::cos(u), r * std::sin(u), side * std::sin(u / 2)});
+    }
+  for (int i = 0; i < n; ++i) {
+    const int a = 2 * i, b = a + 1, c = i + 1 < n ? a + 2 : 1, d = i + 1 < n ? a + 3 : 0;
+    faces.push_back({a, c, b});
+    faces.push_back({b, c, d});
+  }
+  const Repaired r = repaired(off_of(points, faces));
+  EXPECT_EQ(r.done.cut_edges, 1);
+  EXPECT_EQ(r.done.added_vertices, 2);
+  EXPECT_TRUE(find_defects(r.input).first().empty());
+  EXPECT_EQ(CGP::topology(r.input.mesh).boundary_loops, 1);
+  EXPECT_EQ(CGP::topology(r.input.mesh).genus, 0);
+}
+
+TEST(Repair, removes_vertices_without_a_face)
+{
+  const Repaired r = repaired(off(cgp_test::icosahedron(), "9 9 9\n8 8 8\n", 2));
+  EXPECT_EQ(r.done.removed_vertices, 2);
+  EXPECT_EQ(r.input.unreferenced, 0);
+}
+
+TEST(Repair, keeps_properties_and_texture_with_what_they_belong_to)
+{
+  // Vertices 1 and 2 coincide and have texture coordinates of their own; vertex 0 has no face.
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\n"
+      "property double z\nproperty int number\nproperty float u\nproperty float v\n"
+      "element face 2\nproperty list uchar int vertex_indices\nproperty int kind\nend_header\n"
+      "5 5 5 10 0 0\n0 0 0 11 .1 .2\n0 0 0 12 .3 .4\n1 0 0 13 .5 .6\n0 1 0 14 .7 .8\n"
+      "3 1 2 3 7\n3 2 3 4 8\n";
+  const Repaired r = repaired(text, "a.ply");
+  const Property* number = find_property(r.input.file.vertices, "number");
+  const Property* kind = find_property(r.input.file.faces, "kind");
+  ASSERT_TRUE(number != nullptr && kind != nullptr);
+  ASSERT_EQ(number->rows(), 3u);
+  EXPECT_EQ(number->integer(0), 11);
+  EXPECT_EQ(number->integer(2), 14);
+  ASSERT_EQ(kind->rows(), 1u);
+  EXPECT_EQ(kind->integer(0), 8);
+  ASSERT_EQ(r.input.file.texture.index.size(), 3u);
+  const auto& row =
+      r.input.file.texture.values[static_cast<std::size_t>(r.input.file.texture.index.front())];
+  EXPECT_NEAR(row[0], .3, 1e-6);  // of vertex 2, though its place is vertex 1's now
+}
+
+TEST(Repair, of_a_repaired_file_changes_nothing_more)
+{
+  Surface_file file =
+      parse_surface(off_of(corners_of_a_fan, {{0, 3, 1}, {0, 3, 2}, {3, 0, 4}}), "a.off");
+  repair(file);
+  const Surface_file once = file;
+  repair(file);  // cuts again what it has merged
+  EXPECT_EQ(file.points, once.points);
+  EXPECT_EQ(file.polygons.corners, once.polygons.corners);
+}
