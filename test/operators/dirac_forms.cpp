@@ -3,6 +3,7 @@
 // Tests include/Conformal_geometry_processing/operators/dirac_forms.h
 #include <Conformal_geometry_processing/operators/averaging.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 
 #include <gtest/gtest.h>
@@ -122,4 +123,24 @@ TEST(Dirac_quotient, does_not_see_a_right_factor)
   for (auto& l : turned) l = l * Quaternion<double>{1, -2, 0.5, 3};
   EXPECT_NEAR(CGP::dirac_quotient(bumps, rho, turned), CGP::dirac_quotient(bumps, rho, lambda),
               1e-12);
+}
+
+TEST(Dirac_misfit, is_the_root_of_the_quotient_of_the_energy_and_the_areas)
+{
+  const Quaternion_vector<double> v = random_columns(1);
+  for (const auto& rho :
+       {Curvature_potential::on_faces(random_numbers(bumps.size_of_faces(), 5)),
+        Curvature_potential::on_vertices(random_numbers(bumps.size_of_vertices(), 6))}) {
+    const double energy = CGP::inner_product(v, CGP::dirac_energy(bumps, rho) * v).w;
+    const double mass = CGP::inner_product(v, CGP::vertex_areas(bumps), v).w;
+    EXPECT_NEAR(CGP::dirac_misfit(bumps, rho, v), std::sqrt(energy / mass), 1e-12);
+  }
+}
+
+TEST(Dirac_misfit, has_all_digits_where_nothing_is_left)
+{
+  const Quaternion_vector<double> one =
+      Quaternion_vector<double>::Constant(bumps.size_of_vertices(), {1, 0, 0, 0});
+  const auto none = Curvature_potential::on_faces(Eigen::VectorXd::Zero(bumps.size_of_faces()));
+  EXPECT_LT(CGP::dirac_misfit(bumps, none, one), 1e-14);
 }

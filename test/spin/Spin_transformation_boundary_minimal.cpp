@@ -20,7 +20,7 @@ void expect_enneper(const Mesh_view& mesh, const Eigen::Vector3d& tnb)
   const Points exact = enneper(mesh).positions();
   EXPECT_LT(CGP::align(r.positions, exact).max, 1e-12);
   EXPECT_LT(r.report.closure_residual, 1e-11);
-  EXPECT_LT(std::abs(r.report.eigenvalue), 1e-7);  // the root of a sum of terms of both signs
+  EXPECT_LT(std::abs(r.report.eigenvalue), 1e-11);
 }
 
 const std::vector<Eigen::Vector3d> all_directions = {{1, 0, 0}, {0, 0, 1}, {1, 0, 1},

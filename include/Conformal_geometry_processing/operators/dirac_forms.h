@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace Conformal_geometry_processing {
@@ -90,6 +91,28 @@ inline double dirac_quotient(const Mesh_view& mesh, const Curvature_potential& r
 {
   const Dirac_forms forms = dirac_forms(mesh, rho, lambda);
   return forms.dirac(0, 0).w / forms.mass(0, 0).w;
+}
+
+/// \ingroup PkgOperators
+/// \brief |(D - R) lambda| / |lambda|, in 1/length: the root of the quotient of X and the areas of
+/// the vertices, to all digits also where it is zero but for rounding, for no terms cancel.
+/// O(|F|), without assembling a matrix.
+inline double dirac_misfit(const Mesh_view& mesh, const Curvature_potential& rho,
+                           const Quaternion_vector<double>& lambda)
+{
+  double energy = 0, mass = 0;
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const double A = mesh.double_area_vector(f).norm() / 2;
+    const Eigen::Vector3d r = rho.at_corners(mesh, f);
+    Quaternion<double> image;  // of M_F (D - R)
+    for (int c = 0; c < 3; ++c) {
+      const auto& l = lambda[mesh.corners(f)[static_cast<std::size_t>(c)]];
+      image -= imaginary(mesh.vector(3 * f + c)) * l / 2. + (A * r[c] / 3) * l;
+      mass += A / 3 * squared_norm(l);
+    }
+    energy += squared_norm(image) / A;
+  }
+  return std::sqrt(energy / mass);
 }
 
 }  // namespace Conformal_geometry_processing

@@ -97,7 +97,7 @@ class Reduced_dirac_equation {
     const Eigen_result found = nearest_to_guide(options, bound, s, go_further);
     take(found, options, bound, s);
     s.eigenvalue = is_self_adjoint ? dirac_quotient(m_problem.mesh(), rho, s.lambda)
-                                   : std::sqrt(std::max(s.energy, 0.));
+                                   : dirac_misfit(m_problem.mesh(), rho, s.lambda);
     s.seconds.eigenvectors += watch.lap();
   }
 
