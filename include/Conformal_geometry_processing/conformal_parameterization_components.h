@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_PARAMETERIZATION_COMPONENTS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_PARAMETERIZATION_COMPONENTS_H
+
+#include <Conformal_geometry_processing/conformal_parameterization.h>
+#include <Conformal_geometry_processing/mesh/for_each_component.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/parameterization/place_side_by_side.h>
+
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgEntryPoints
+/// \brief flattens each connected component of a mesh as `conformal_parameterization()` flattens a
+/// mesh of one, and places the images side by side.
+///
+/// Each image has the shape and the size that it would have alone, and is moved so that their
+/// bounding boxes, above and right of the origin, do not overlap (`place_side_by_side()`).
+///
+/// \tparam TriangleMesh, VertexUVMap, NamedParameters as of `conformal_parameterization()`
+/// \param mesh the surface, of any number of components, with a boundary each
+/// \param uv_map receives the point of each vertex
+/// \param np optional named parameters: those of `conformal_parameterization()`
+///
+/// \returns the reports in the order of the first vertices of the components. They convert to
+/// `true` if all maps were found; otherwise nothing has been written. \throw Precondition_error if
+/// the mesh is not an oriented manifold triangle mesh with finite coordinates and positive areas,
+/// or a component is closed; Solver_error if an energy cannot be factorized. All the others are
+/// tried all the same, and the message names each component that failed.
+template <class TriangleMesh, class VertexUVMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Component_reports<Parameterization_report> conformal_parameterization_components(
+    const TriangleMesh& mesh, VertexUVMap uv_map,
+    const NamedParameters& np = parameters::default_values())
+{
+  const std::string function = "conformal_parameterization_components";
+  const Graph_view<TriangleMesh> graph(mesh, np, function);
+  require_manifold_components(graph.view(), function);
+  require_positive_areas(graph.view(), function);
+  Eigen::VectorXcd z(graph.view().size_of_vertices());
+  auto reports = internal::for_each_component(
+      graph, function,
+      [&](const Graph_view<TriangleMesh>& component) {
+        return internal::parameterization_result(component, np, function);
+      },
+      [&](const Mesh_component& component, const Parameterization_result& result) {
+        z(component.vertices) = result.z;
+      });
+  if (!reports) return reports;
+  place_side_by_side(mesh_components(graph.view()), z);
+  internal::write_plane_points(graph, z, uv_map);
+  return reports;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_COMPONENT_REPORTS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_COMPONENT_REPORTS_H
+
+#include <algorithm>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgMesh
+/// one component of a mesh, and what an algorithm reports of it
+template <class Report>
+struct Component_report {
+  int first_vertex = 0;  ///< its number among the vertices of the mesh, from 0
+  int size_of_vertices = 0, size_of_faces = 0;
+  Report report;
+};
+
+/// \ingroup PkgMesh
+/// \brief what an algorithm reports that works on each component of a mesh alone: a certificate
+/// each, in the order of their first vertices.
+template <class Report>
+struct [[nodiscard]] Component_reports {
+  std::vector<Component_report<Report>> components;
+
+  /// whether all went well
+  explicit operator bool() const
+  {
+    return std::all_of(components.begin(), components.end(),
+                       [](const auto& c) { return static_cast<bool>(c.report); });
+  }
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_FOR_EACH_COMPONENT_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_FOR_EACH_COMPONENT_H
+
+#include <Conformal_geometry_processing/mesh/Component_failures.h>
+#include <Conformal_geometry_processing/mesh/Component_reports.h>
+#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/Mesh_component.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// Calls `work(graph)` with a view of each component in turn, and `take(component, result)` with
+/// what it returns, which has a `report`. The first one's memory is free when the next one begins.
+/// \throw Precondition_error, Solver_error see `Component_failures`
+template <class TriangleMesh, class Work, class Take>
+auto for_each_component(const Graph_view<TriangleMesh>& whole, const std::string& function,
+                        const Work& work, const Take& take)
+{
+  using Report = decltype(work(whole).report);
+  const std::vector<Mesh_component> parts = mesh_components(whole.view());
+  Component_failures failures(parts.size(), function);
+  Component_reports<Report> all;
+  for (std::size_t c = 0; c < parts.size(); ++c) {
+    const Mesh_component& part = parts[c];
+    const int first = part.vertices.front();
+    failures.attempt(c, first, [&] {
+      auto result = work(Graph_view<TriangleMesh>(whole, part));
+      take(part, result);
+      all.components.push_back(
+          {first, part.mesh.size_of_vertices(), part.mesh.size_of_faces(), result.report});
+    });
+  }
+  failures.throw_if_any();
+  return all;
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif

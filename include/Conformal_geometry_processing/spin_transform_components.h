@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORM_COMPONENTS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORM_COMPONENTS_H
+
+#include <Conformal_geometry_processing/mesh/for_each_component.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/spin_transform.h>
+
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgEntryPoints
+/// \brief does to each connected component of a mesh what `spin_transform()` does to a mesh of one:
+/// all of them, or none.
+///
+/// The Dirac matrix of several components is block diagonal, and each block has an eigenvector and
+/// an eigenvalue gamma of its own: so there is one eigenproblem, one factorization and one
+/// certificate for each, and the memory is that of the largest. Each component is transformed to
+/// the bit as it would be in a mesh of its own, whatever lies beside it, and by the same rules: of
+/// rho a constant has no effect on each, each keeps its own area, its own centroid and on the whole
+/// its direction, so that they stay where they were relative to each other; a component with
+/// handles takes its own number of steps; what may be prescribed at a boundary is refused if one
+/// component has none. Nothing keeps components from running into each other.
+///
+/// \tparam TriangleMesh, CurvaturePotentialMap, NamedParameters as of `spin_transform()`
+/// \param mesh the surface, of any number of components; its points are overwritten
+/// \param rho the change of mean curvature, in 1/length of the mesh
+/// \param np optional named parameters: those of `spin_transform()`; a visitor watches one
+/// component after the other, and cancels all of them
+///
+/// \returns the reports in the order of the first vertices of the components. They convert to
+/// `true` if the equations of all were solved; otherwise nothing has been written. \throw
+/// Precondition_error if the mesh is not an oriented manifold triangle mesh with finite coordinates
+/// and positive areas, or a component is refused; Solver_error if a factorization fails. All the
+/// others are tried all the same, and the message names each component that failed. Whatever is
+/// thrown, the mesh is as it was.
+template <class TriangleMesh, class CurvaturePotentialMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Component_reports<Spin_report> spin_transform_components(
+    TriangleMesh& mesh, CurvaturePotentialMap rho,
+    const NamedParameters& np = parameters::default_values())
+{
+  const std::string function = "spin_transform_components";
+  const Graph_view<TriangleMesh> graph(mesh, np, function);
+  require_manifold_components(graph.view(), function);
+  if constexpr (!internal::has_parameter<NamedParameters, internal_np::mollification_t>)
+    require_positive_areas(graph.view(), function);
+  require_potential(graph.view(), internal::read_curvature_potential(graph, rho), 1, function);
+  Spin_result all;
+  all.positions = graph.view().positions();
+  all.lambda.resize(graph.view().size_of_vertices());
+  bool is_cancelled = false;
+  const auto reports = internal::for_each_component(
+      graph, function,
+      [&](const Graph_view<TriangleMesh>& component) {
+        Spin_result result;
+        result.report.cancelled = is_cancelled;  // so are those that come after
+        if (!is_cancelled) result = internal::spin_result(component, rho, np, function);
+        is_cancelled = result.report.cancelled;
+        return result;
+      },
+      [&](const Mesh_component& component, const Spin_result& result) {
+        if (!result.report) return;
+        all.positions(Eigen::all, component.vertices) = result.positions;
+        all.lambda(component.vertices) = result.lambda;
+      });
+  if (reports) internal::write_spin_result(mesh, graph, all, np);
+  return reports;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

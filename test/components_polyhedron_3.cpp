@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests spin_transform_components.h, conformal_willmore_flow_components.h
+// Tests conformal_parameterization_components.h, mesh/for_each_component.h
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+
+#include "components_checks.h"
+
+namespace {
+
+using namespace cgp_test;
+using Surface = CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
+
+}  // namespace
+
+TEST(Components_of_a_Polyhedron_3, spin_as_they_do_alone)
+{
+  expect_spins_as_alone<Surface>();
+}
+
+TEST(Components_of_a_Polyhedron_3, flow_as_they_do_alone)
+{
+  expect_flows_as_alone<Surface>();
+}
+
+TEST(Components_of_a_Polyhedron_3, are_flattened_as_they_are_alone)
+{
+  expect_flat_images_as_alone<Surface>();
+}

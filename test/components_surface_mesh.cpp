@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests spin_transform_components.h, conformal_willmore_flow_components.h
+// Tests conformal_parameterization_components.h, mesh/for_each_component.h
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "components_checks.h"
+
+namespace {
+
+using namespace cgp_test;
+using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+}  // namespace
+
+TEST(Components_of_a_Surface_mesh, spin_as_they_do_alone)
+{
+  expect_spins_as_alone<Surface>();
+}
+
+TEST(Components_of_a_Surface_mesh, flow_as_they_do_alone)
+{
+  expect_flows_as_alone<Surface>();
+}
+
+TEST(Components_of_a_Surface_mesh, are_flattened_as_they_are_alone)
+{
+  expect_flat_images_as_alone<Surface>();
+}
