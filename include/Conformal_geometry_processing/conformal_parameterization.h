@@ -39,6 +39,36 @@ Parameterization_options parameterization_options(const NamedParameters& np)
   return options;
 }
 
+/// What `conformal_parameterization()` finds, of a mesh or of one of its components; nothing is
+/// written.
+template <class TriangleMesh, class NamedParameters>
+Parameterization_result parameterization_result(const Graph_view<TriangleMesh>& graph,
+                                                const NamedParameters& np,
+                                                const std::string& function)
+{
+  static_assert(
+      only_known_parameters<NamedParameters, CGAL::internal_np::vertex_point_t,
+                            CGAL::internal_np::geom_traits_t,
+                            CGAL::internal_np::number_of_iterations_t, internal_np::tolerance_t,
+                            internal_np::conformal_normals_t, internal_np::normalized_boundary_t,
+                            internal_np::sparse_solver_t>,
+      "conformal_parameterization(): unknown named parameter, see the manual for those it accepts");
+  using Solver_traits =
+      Parameter_type<NamedParameters, internal_np::sparse_solver_t, Default_solver_traits>;
+  return spectral_parameterization<Solver_traits>(graph.view(), parameterization_options(np),
+                                                  function);
+}
+
+/// Writes one point of the plane for each vertex.
+template <class TriangleMesh, class VertexUVMap>
+void write_plane_points(const Graph_view<TriangleMesh>& graph, const Eigen::VectorXcd& z,
+                        VertexUVMap uv_map)
+{
+  using UV = typename boost::property_traits<VertexUVMap>::value_type;
+  for (int v = 0; v < graph.view().size_of_vertices(); ++v)
+    put(uv_map, graph.vertex(v), plane_point<UV>(z[v]));
+}
+
 }  // namespace internal
 
 /// \ingroup PkgEntryPoints
@@ -117,23 +147,10 @@ Parameterization_report conformal_parameterization(
     const TriangleMesh& mesh, VertexUVMap uv_map,
     const NamedParameters& np = parameters::default_values())
 {
-  static_assert(
-      internal::only_known_parameters<
-          NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
-          CGAL::internal_np::number_of_iterations_t, internal_np::tolerance_t,
-          internal_np::conformal_normals_t, internal_np::normalized_boundary_t,
-          internal_np::sparse_solver_t>,
-      "conformal_parameterization(): unknown named parameter, see the manual for those it accepts");
-  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
-                                                 Default_solver_traits>;
-  using UV = typename boost::property_traits<VertexUVMap>::value_type;
   const std::string function = "conformal_parameterization";
   const Graph_view<TriangleMesh> graph(mesh, np, function);
-  const Parameterization_result result = spectral_parameterization<Solver_traits>(
-      graph.view(), internal::parameterization_options(np), function);
-  if (result.report)
-    for (int v = 0; v < graph.view().size_of_vertices(); ++v)
-      put(uv_map, graph.vertex(v), internal::plane_point<UV>(result.z[v]));
+  const Parameterization_result result = internal::parameterization_result(graph, np, function);
+  if (result.report) internal::write_plane_points(graph, result.z, uv_map);
   return result.report;
 }
 

@@ -14,6 +14,7 @@
 #include <CGAL/number_utils.h>
 
 #include <string>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -53,6 +54,48 @@ void read_target_areas(const Graph_view<TriangleMesh>& graph, const NamedParamet
     for (int v = 0; v < options.target_areas.size(); ++v)
       options.target_areas[v] = CGAL::to_double(get(areas, graph.vertex(v)));
   }
+}
+
+/// the surface at the end of a flow, 3 x |V|, and the way there
+struct Flow_result {
+  Points positions;
+  Flow_report report;
+};
+
+/// What `conformal_willmore_flow()` finds, of a mesh or of one of its components; nothing is
+/// written.
+template <class TriangleMesh, class NamedParameters>
+Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParameters& np,
+                        const std::string& function)
+{
+  static_assert(
+      only_known_parameters<
+          NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
+          CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
+          CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
+          internal_np::sparse_solver_t, internal_np::eigenvalue_solver_t, internal_np::time_step_t,
+          internal_np::tolerance_t, internal_np::filter_weight_t, internal_np::filter_order_t,
+          internal_np::balance_t, internal_np::balancing_t, internal_np::vertex_target_area_map_t,
+          internal_np::exactness_t, internal_np::curvature_direction_t,
+          internal_np::boundary_direction_t, internal_np::boundary_direction_map_t>,
+      "conformal_willmore_flow(): unknown named parameter, see the manual for those it accepts");
+  using Solver_traits =
+      Parameter_type<NamedParameters, internal_np::sparse_solver_t, Default_solver_traits>;
+  using Eigensolver_traits =
+      Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t, Lobpcg_eigensolver_traits>;
+  using Direction =
+      Parameter_type<NamedParameters, internal_np::curvature_direction_t, Willmore_direction>;
+
+  Flow_options options = flow_options(np);
+  read_target_areas(graph, np, options);
+  options.boundary = boundary_condition(graph, np, function);
+  Flow_visitor silent;
+  auto&& visitor = parameter_or(np, CGAL::internal_np::visitor, silent);
+  Conformal_willmore_flow<Solver_traits, Eigensolver_traits, Direction> flow(
+      graph.view(), options,
+      parameter_or(np, internal_np::curvature_direction, Willmore_direction()), function);
+  Flow_report report = flow.run(visitor);
+  return {flow.mesh().positions(), std::move(report)};
 }
 
 }  // namespace internal
@@ -196,38 +239,11 @@ template <class TriangleMesh, class NamedParameters = parameters::Default_named_
 Flow_report conformal_willmore_flow(TriangleMesh& mesh,
                                     const NamedParameters& np = parameters::default_values())
 {
-  static_assert(
-      internal::only_known_parameters<
-          NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
-          CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
-          CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
-          internal_np::sparse_solver_t, internal_np::eigenvalue_solver_t, internal_np::time_step_t,
-          internal_np::tolerance_t, internal_np::filter_weight_t, internal_np::filter_order_t,
-          internal_np::balance_t, internal_np::balancing_t, internal_np::vertex_target_area_map_t,
-          internal_np::exactness_t, internal_np::curvature_direction_t,
-          internal_np::boundary_direction_t, internal_np::boundary_direction_map_t>,
-      "conformal_willmore_flow(): unknown named parameter, see the manual for those it accepts");
-  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
-                                                 Default_solver_traits>;
-  using Eigensolver_traits =
-      internal::Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t,
-                               Lobpcg_eigensolver_traits>;
-  using Direction = internal::Parameter_type<NamedParameters, internal_np::curvature_direction_t,
-                                             Willmore_direction>;
-
   const std::string function = "conformal_willmore_flow";
   const Graph_view<TriangleMesh> graph(mesh, np, function);
-  Flow_options options = internal::flow_options(np);
-  internal::read_target_areas(graph, np, options);
-  options.boundary = internal::boundary_condition(graph, np, function);
-  Flow_visitor silent;
-  auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
-  Conformal_willmore_flow<Solver_traits, Eigensolver_traits, Direction> flow(
-      graph.view(), options,
-      internal::parameter_or(np, internal_np::curvature_direction, Willmore_direction()), function);
-  Flow_report report = flow.run(visitor);
-  internal::write_points(mesh, graph, flow.mesh().positions(), np);
-  return report;
+  internal::Flow_result result = internal::flow_result(graph, np, function);
+  internal::write_points(mesh, graph, result.positions, np);
+  return std::move(result.report);
 }
 
 }  // namespace Conformal_geometry_processing

@@ -9,7 +9,6 @@
 #include <Conformal_geometry_processing/mesh/geometry_traits.h>
 #include <Conformal_geometry_processing/mesh/named_parameters.h>
 #include <Conformal_geometry_processing/mesh/write_points.h>
-#include <Conformal_geometry_processing/spin/Robust_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/Spin_visitor.h>
 #include <Conformal_geometry_processing/spin/boundary_parameters.h>
@@ -19,6 +18,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -54,6 +54,49 @@ Closing_options closing_options(const NamedParameters& np)
   if constexpr (has_parameter<NamedParameters, internal_np::exactness_t>)
     o.exactness = CGAL::parameters::get_parameter(np, internal_np::exactness);
   return o;
+}
+
+/// What `spin_transform()` finds, of a mesh or of one of its components; nothing is written.
+template <class TriangleMesh, class CurvaturePotentialMap, class NamedParameters>
+Spin_result spin_result(const Graph_view<TriangleMesh>& graph, CurvaturePotentialMap rho,
+                        const NamedParameters& np, const std::string& function)
+{
+  static_assert(
+      only_known_parameters<
+          NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
+          CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
+          CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
+          internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
+          internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::exactness_t,
+          internal_np::tolerance_t, internal_np::maximum_number_of_substeps_t,
+          internal_np::boundary_direction_t, internal_np::boundary_direction_map_t,
+          internal_np::vertex_target_point_map_t, internal_np::kernel_tolerance_t,
+          internal_np::branch_t, internal_np::mollification_t,
+          CGAL::internal_np::vertex_is_constrained_t, CGAL::internal_np::vertex_normal_map_t>,
+      "spin_transform(): unknown named parameter, see the manual for those it accepts");
+  using Solver_traits =
+      Parameter_type<NamedParameters, internal_np::sparse_solver_t, Default_solver_traits>;
+  using Eigensolver_traits =
+      Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t, Lobpcg_eigensolver_traits>;
+
+  const Curvature_potential potential = read_curvature_potential(graph, rho);
+  Spin_visitor silent;
+  auto&& visitor = parameter_or(np, CGAL::internal_np::visitor, silent);
+  const auto go_further = [&](const Eigen_progress& progress) {
+    visitor.on_iteration(progress);
+    return visitor.go_further();
+  };
+  const Dirac_options options = dirac_options(np);
+  if constexpr (has_parameter<NamedParameters, internal_np::mollification_t>) {
+    return Robust_closing_spin_transformation<Solver_traits, Eigensolver_traits>(
+               graph.view(), closing_options(np), boundary_condition(graph, np, function),
+               CGAL::parameters::get_parameter(np, internal_np::mollification), function)
+        .transform(potential, options, go_further);
+  } else {
+    return Closing_spin_transformation<Solver_traits, Eigensolver_traits>(
+               graph.view(), closing_options(np), boundary_condition(graph, np, function), function)
+        .transform(potential, options, go_further);
+  }
 }
 
 /// Writes lambda, then the points. A map that throws leaves the points as they were
@@ -190,7 +233,7 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 ///     \cgalParamDescription{lets faces be as thin as they like, or of area zero: the equation is
 ///                           solved on the intrinsic Delaunay triangulation, and to all edges the
 ///                           length is added that triangles lack, at most this share of the mean
-///                           one; closed surfaces of genus zero only}
+///                           one; of `exactness` that of the adjoint}
 ///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good one}
 ///     \cgalParamDefault{none: faces of area zero are refused}
 ///   \cgalParamNEnd
@@ -237,47 +280,8 @@ template <class TriangleMesh, class CurvaturePotentialMap,
 Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
                            const NamedParameters& np = parameters::default_values())
 {
-  static_assert(
-      internal::only_known_parameters<
-          NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
-          CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
-          CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
-          internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
-          internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::exactness_t,
-          internal_np::tolerance_t, internal_np::maximum_number_of_substeps_t,
-          internal_np::boundary_direction_t, internal_np::boundary_direction_map_t,
-          internal_np::vertex_target_point_map_t, internal_np::kernel_tolerance_t,
-          internal_np::branch_t, internal_np::mollification_t,
-          CGAL::internal_np::vertex_is_constrained_t, CGAL::internal_np::vertex_normal_map_t>,
-      "spin_transform(): unknown named parameter, see the manual for those it accepts");
-  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
-                                                 Default_solver_traits>;
-  using Eigensolver_traits =
-      internal::Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t,
-                               Lobpcg_eigensolver_traits>;
-
   const Graph_view<TriangleMesh> graph(mesh, np, "spin_transform");
-  const Curvature_potential potential = internal::read_curvature_potential(graph, rho);
-  Spin_visitor silent;
-  auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
-  const auto go_further = [&](const Eigen_progress& progress) {
-    visitor.on_iteration(progress);
-    return visitor.go_further();
-  };
-  const Dirac_options options = internal::dirac_options(np);
-  Spin_result result;
-  if constexpr (internal::has_parameter<NamedParameters, internal_np::mollification_t>) {
-    Robust_spin_transformation<Solver_traits, Eigensolver_traits> transformation(
-        graph.view(), CGAL::parameters::get_parameter(np, internal_np::mollification),
-        "spin_transform");
-    require_genus_zero(graph.view(), "spin_transform");  // handles would be sheared
-    result = transformation.transform(potential, options, go_further);
-  } else {
-    Closing_spin_transformation<Solver_traits, Eigensolver_traits> transformation(
-        graph.view(), internal::closing_options(np),
-        internal::boundary_condition(graph, np, "spin_transform"), "spin_transform");
-    result = std::move(transformation).transform(potential, options, go_further);
-  }
+  const Spin_result result = internal::spin_result(graph, rho, np, "spin_transform");
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -119,6 +120,40 @@ TEST(Closing_spin_transformation, applies_all_of_a_rho_that_lets_the_surface_clo
   EXPECT_GT((result.positions - mesh.positions()).cwiseAbs().maxCoeff(), 0.01);
 }
 
+TEST(Closing_spin_transformation, comes_to_the_same_surface_in_one_step_and_in_several)
+{
+  const Mesh_view mesh = torus(1, 0.4, 40, 16);
+  CGP::Closing_options one, several;
+  one.max_period_defect = 1;
+  several.max_period_defect = 5e-4;
+  const Curvature_potential rho = wave(mesh, .3);
+  const CGP::Spin_result a = transformed(mesh, rho, one), b = transformed(mesh, rho, several);
+  ASSERT_EQ(a.report.steps, 1);
+  ASSERT_GT(b.report.steps, 2);
+  EXPECT_LT((a.positions - b.positions).norm(), .1 * (a.positions - mesh.positions()).norm());
+}
+
+TEST(Closing_spin_transformation, measures_the_missing_share_in_the_mean_square_without_the_mean)
+{
+  const Mesh_view mesh = torus(1, 0.4, 40, 16);
+  const Eigen::VectorXd A = CGP::vertex_areas(mesh), w = wave(mesh, .02).values;
+  const auto norm = [&](const Eigen::VectorXd& rho) {
+    return std::sqrt(A.dot((rho.array() - A.dot(rho) / A.sum()).square().matrix()));
+  };
+  const auto missing = [&](const Eigen::VectorXd& rho) {
+    const CGP::Spin_result result = transformed(mesh, Curvature_potential::on_vertices(rho));
+    EXPECT_EQ(result.report.steps, 1);
+    return result.report.missing_share * norm(rho);
+  };
+  const Eigen::VectorXd closable = Eigen::VectorXd::NullaryExpr(w.size(), [&](Eigen::Index i) {
+    return .05 * std::cos(4 * std::atan2(mesh.position(int(i))[1], mesh.position(int(i))[0]));
+  });
+  const double of_wave = missing(w);
+  EXPECT_GT(of_wave, .1 * norm(w));
+  EXPECT_NEAR(missing(w + closable), of_wave, 1e-3 * of_wave);
+  EXPECT_NEAR(missing(w.array() + .03), of_wave, .1 * of_wave);
+}
+
 TEST(Closing_spin_transformation, tells_the_spins_of_the_whole_way)
 {
   const Mesh_view mesh = torus(1, 0.4, 60, 24);
@@ -135,6 +170,12 @@ TEST(Closing_spin_transformation, tells_the_spins_of_the_whole_way)
     total += e.squaredNorm();
   }
   EXPECT_LT(std::sqrt(error / total), 0.03);
+  double least = HUGE_VAL, greatest = 0;
+  for (const Quaternion<double>& q : result.lambda) {
+    least = std::min(least, norm(q));
+    greatest = std::max(greatest, norm(q));
+  }
+  EXPECT_NEAR(result.report.min_spin_ratio, least / greatest, 1e-12);
   EXPECT_NEAR(area(after), area(mesh), 1e-10 * area(mesh));
   EXPECT_EQ(result.report.conformality.flipped_faces, 0);
 }

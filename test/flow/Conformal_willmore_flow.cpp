@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "flow_tools.h"
+#include "linear_algebra/threads.h"
 
 /// Laws of the flow on spheres. The energies of the reference runs come from an implementation of
 /// the same formulas that shares no code with this one.
@@ -182,4 +183,16 @@ TEST(Conformal_willmore_flow, reports_what_it_did)
   const auto total = CGP::quasi_conformal_error(mesh, flow.mesh().positions());
   EXPECT_EQ(report.steps.back().quasi_conformal.mean, total.mean);
   EXPECT_EQ(report.conformality.quasi_conformal.max, total.max);
+}
+
+TEST(Conformal_willmore_flow, gives_the_same_bits_again_and_with_two_threads)
+{
+  const auto positions = [](int threads) {
+    const Threads setting(threads);
+    CGP::Conformal_willmore_flow<> flow(bumpy_sphere(4), plain_steps(1, 2));
+    EXPECT_GT(flow.run().steps.size(), 0u);
+    return Points(flow.mesh().positions());
+  };
+  const Points one = positions(1);
+  for (const int threads : {1, 2}) EXPECT_EQ(positions(threads), one) << threads;
 }

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "flow_tools.h"
+#include "support/moebius.h"
 
 /// What the flow does when it cannot, must not or should not go on.
 namespace {
@@ -113,6 +114,22 @@ TEST(Conformal_willmore_flow_control, halves_the_step_until_it_is_conformal_enou
   EXPECT_EQ(step.time_step, std::ldexp(1., 1 - step.trials));
   EXPECT_LT(step.spin.conformality.quasi_conformal.mean, 1.01);
   EXPECT_EQ(flow.step().time_step, 1.5 * step.time_step);
+}
+
+TEST(Conformal_willmore_flow_control, balances_at_once_however_small_the_time_step)
+{
+  const Mesh_view mesh = bumpy_sphere(3), moved = inverted(mesh, {4, .5, .3});
+  CGP::Flow_options options;
+  options.time_step = .1;
+  options.balance = CGP::Balance::prescribed;
+  options.target_areas = CGP::vertex_areas(mesh);
+  const CGP::Moebius_balancing balancing(options.target_areas);
+  for (const auto way : {CGP::Balancing::potential, CGP::Balancing::inversion}) {
+    options.balancing = way;
+    CGP::Conformal_willmore_flow<> flow(moved, options);
+    EXPECT_TRUE(flow.step().accepted);
+    EXPECT_LT(balancing.imbalance(flow.mesh()), .3 * balancing.imbalance(moved));
+  }
 }
 
 TEST(Conformal_willmore_flow_control, gives_up_where_the_energy_rises_and_leaves_the_surface)

@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "flow_tools.h"
 
@@ -91,6 +93,19 @@ TEST(Constrained_direction, is_nothing_where_everything_is_forbidden)
   EXPECT_LT(forbidden().share, 0.01);
   Directed<Prescribed> none(mesh, {Eigen::VectorXd::Zero(z.size())});
   EXPECT_EQ(none().share, 0);
+}
+
+TEST(Constrained_direction, has_vanished_where_little_is_left_of_it_or_of_the_curvature_of_a_sphere)
+{
+  decltype(std::declval<Directed<Prescribed>>()()) all;
+  all.share = 1;
+  const double of_spheres = 2 * std::sqrt(pi);  // whose mean curvature is the root of 4 pi / area
+  all.norm = .0099 * of_spheres;
+  EXPECT_TRUE(all.has_vanished(.01));
+  all.norm = .0101 * of_spheres;
+  EXPECT_FALSE(all.has_vanished(.01));
+  all.share = .0099;
+  EXPECT_TRUE(all.has_vanished(.01));
 }
 
 TEST(Constrained_direction, is_orthogonal_to_what_opens_handles)

@@ -10,7 +10,7 @@
 #include "support/cgal_meshes.h"
 #include "support/meshes.h"
 
-// Without the header of its specialisation a Surface_mesh is a mesh like any other.
+// Compiled alone: without the header of its specialisation a Surface_mesh is a mesh like any other.
 namespace {
 
 using namespace cgp_test;

@@ -1,10 +1,14 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests mesh/Delaunay_view.h, mesh/Common_subdivision.h
+// Tests mesh/Delaunay_view.h, mesh/Common_subdivision.h, mesh/Transported_forms.h
+// Tests mesh/boundary_caps.h
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -173,4 +177,50 @@ TEST(Delaunay_view, moves_along_with_the_mesh)
   for (const auto& sheet : after.sheets())
     turned.col(sheet.triangle) += sheet.share * normal(sheet);
   EXPECT_LT((turned - R * normals).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+TEST(Delaunay_view, takes_closed_forms_along)
+{
+  const Mesh_view mesh = spoilt(torus(2, 1, 16, 8));
+  const Eigen::MatrixXd generators = Conformal_geometry_processing::closed_generators(mesh);
+  Eigen::MatrixXd forms(mesh.size_of_edges(), 5);  // d0 of the coordinates, too
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
+    forms.row(k) << generators.row(k),
+        (mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0])).transpose();
+  const Delaunay_view view(mesh, 1e-6, forms);
+  ASSERT_EQ(view.forms().rows(), view.size_of_edges());
+  double difference = 0, fraction = 0;
+  for (int k = 0; k < view.size_of_edges(); ++k) {
+    const Eigen::RowVectorXd form = view.forms().row(k);
+    const Eigen::Vector3d chord = view.position(view.ends(k)[1]) - view.position(view.ends(k)[0]);
+    difference = std::max(difference, (form.tail(3) - chord.transpose()).norm());
+    for (int i = 0; i < 2; ++i)
+      fraction = std::max(fraction, std::abs(form[i] - std::round(form[i])));
+  }
+  EXPECT_LT(difference, 1e-13);
+  EXPECT_EQ(fraction, 0);
+  EXPECT_GT(view.forms().leftCols(2).cwiseAbs().maxCoeff(), 0);
+}
+
+TEST(Delaunay_view, splits_caps_along_the_boundary_at_their_height)
+{
+  // one triangle, its corner 2 close to the opposite edge: two right triangles
+  Points p(3, 3);
+  p << 0, 1, .25, 0, 0, 1e-3, 0, 0, 0;
+  const Delaunay_view view(Mesh_view(p, {{0, 1, 2}}));
+  ASSERT_EQ(view.size_of_triangles(), 2);
+  EXPECT_NEAR(view.area(0), .25 * 1e-3 / 2, 1e-13);
+  EXPECT_NEAR(view.area(1), .75 * 1e-3 / 2, 1e-13);
+  EXPECT_EQ(view.corners(0), (std::array<int, 3>{0, 2, 2}));
+  EXPECT_EQ(view.corners(1), (std::array<int, 3>{2, 1, 2}));
+  ASSERT_EQ(view.size_of_edges(), 2);  // the long one has no weight, and is gone
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_EQ(view.ends(k)[1], 2);
+    const double length = view.ends(k)[0] == 0 ? .25 : .75;
+    EXPECT_NEAR(view.cotan_weights()[k], 1e-3 / length / 2, 1e-10);
+  }
+  for (const auto& sheet : view.sheets()) {
+    EXPECT_NEAR(normal(sheet).z(), 1, 1e-12);
+    EXPECT_LT(sheet.edges.rowwise().sum().norm(), 1e-15);
+  }
 }

@@ -150,7 +150,7 @@ TEST(Flip_to_delaunay, makes_every_cotan_weight_nonnegative)
     return Eigen::Vector3d(p.x(), 8 * p.y(), p.z());
   });
   for (const Mesh_view& mesh : {stretched, scan(400), spoilt(icosphere(2)), spoilt(stretched)}) {
-    Triangles t(mesh, CGP::mollified_lengths(mesh, 1e-6));
+    Triangles t(mesh, CGP::mollified_lengths(mesh, 1e-6).lengths);
     EXPECT_LT(least_weight(t), -.1);
     const double before = total_area(t);
     EXPECT_GT(CGP::flip_to_delaunay(t), 0);
@@ -185,7 +185,8 @@ TEST(Flip_to_delaunay, finds_circles_that_are_empty_in_the_plane)
 TEST(Mollified_lengths, are_the_lengths_where_no_triangle_is_degenerate)
 {
   const Mesh_view mesh = bumpy_sphere(2);
-  EXPECT_EQ(CGP::mollified_lengths(mesh, 1e-6), CGP::edge_lengths(mesh));
+  EXPECT_EQ(CGP::mollified_lengths(mesh, 1e-6).lengths, CGP::edge_lengths(mesh));
+  EXPECT_EQ(CGP::mollified_lengths(mesh, 1e-6).thin_faces, 0);
 }
 
 TEST(Mollified_lengths, leave_every_triangle_the_slack_asked_for_and_no_more)
@@ -193,7 +194,7 @@ TEST(Mollified_lengths, leave_every_triangle_the_slack_asked_for_and_no_more)
   const Mesh_view mesh = spoilt(icosphere(2));
   for (const double share : {1e-3, 1e-6}) {
     const Eigen::VectorXd before = CGP::edge_lengths(mesh),
-                          after = CGP::mollified_lengths(mesh, share);
+                          after = CGP::mollified_lengths(mesh, share).lengths;
     const double wanted = share * before.mean();
     double least = 1;
     for (int f = 0; f < mesh.size_of_faces(); ++f) {
@@ -213,7 +214,8 @@ TEST(Mollified_lengths, leave_every_triangle_the_slack_asked_for_and_no_more)
 TEST(Mollified_lengths, grow_with_the_mesh)
 {
   const Mesh_view mesh = spoilt(icosphere(1));
-  const Eigen::VectorXd one = CGP::mollified_lengths(mesh, 1e-6);
+  const Eigen::VectorXd one = CGP::mollified_lengths(mesh, 1e-6).lengths;
   for (const double scale : {1e-200, 1e200})
-    EXPECT_LT((CGP::mollified_lengths(scaled(mesh, scale), 1e-6) / scale - one).norm(), 1e-13);
+    EXPECT_LT((CGP::mollified_lengths(scaled(mesh, scale), 1e-6).lengths / scale - one).norm(),
+              1e-13);
 }

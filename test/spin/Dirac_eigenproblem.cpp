@@ -107,6 +107,21 @@ TEST_F(Dirac_eigenproblem, has_the_curvature_of_the_sphere_of_the_same_area_as_u
   EXPECT_NEAR(CGP::Dirac_eigenproblem<>(large).unit(), 4 * pi / 100, 1e-14);
 }
 
+TEST_F(Dirac_eigenproblem, tells_the_same_errors_in_all_units_of_length)
+{
+  const Eigen::VectorXd rho = rho_of_section_3_on_vertices(mesh);
+  const auto after_two_iterations = [&](double scale) {
+    const Mesh_view large = scaled(mesh, scale);
+    CGP::Dirac_eigenproblem<> eigenproblem(large);
+    eigenproblem.set_potential(Curvature_potential::on_vertices(rho / scale), seconds);
+    const auto start = eigenproblem.start(one(), 0);
+    return eigenproblem.smallest(start, 2, 1e-9, 2, CGP::Always_go_further());
+  };
+  const CGP::Eigen_result a = after_two_iterations(1), b = after_two_iterations(1024);
+  EXPECT_GT(a.estimates.maxCoeff(), 1e-6);
+  EXPECT_LT((a.estimates - b.estimates).norm(), 1e-6 * a.estimates.norm());
+}
+
 TEST_F(Dirac_eigenproblem, starts_with_the_guide_and_noise_that_depends_on_the_seed_alone)
 {
   set_potential(1);

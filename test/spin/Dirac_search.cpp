@@ -59,6 +59,21 @@ TEST_F(Dirac_search, takes_one_column_where_it_is_on_the_branch)
   EXPECT_GT(overlap(search, 0), Search::same_branch);
 }
 
+// The guide is half the identity and half the normal: no vector orthogonal to either is nearer.
+TEST_F(Dirac_search, takes_one_column_where_no_other_vector_can_be_on_the_branch)
+{
+  const Curvature_potential rho = smooth_potential(sphere, 0.1);
+  CGP::Dirac_solution::Seconds seconds;
+  problem.set_potential(rho, seconds);
+  const Quaternion_vector<double> guide =
+      std::sqrt(.5) * (one + imaginary_columns(sphere.positions()));
+  Search search(problem, rho, guide, options, always);
+  search.run(one);
+  ASSERT_FALSE(search.is_mixed());
+  EXPECT_LT(problem.overlap(search.result().vectors.col(0), guide), Search::same_branch);
+  EXPECT_EQ(search.result().vectors.cols(), 1);
+}
+
 // Nearest to zero is the eigenvalue of the normal, next that of the identity.
 TEST_F(Dirac_search, takes_two_columns_where_the_smallest_leaves_room_for_a_nearer_one)
 {

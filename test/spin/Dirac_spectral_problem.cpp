@@ -173,7 +173,12 @@ TEST(Dirac_spectrum, moves_with_constant_rho_and_scales_as_one_over_length)
   EXPECT_LT((moved.array() + 0.75 - values.array()).abs().maxCoeff(), 1e-9);
   const Mesh_view large =
       mapped(mesh, [](const Eigen::Vector3d& p) { return Eigen::Vector3d(1e3 * p.array() + 5e4); });
-  EXPECT_LT((1e3 * spectrum(large, 6).eigenvalues - values).cwiseAbs().maxCoeff(), 1e-6);
+  const CGP::Dirac_spectrum of_large = spectrum(large, 6);
+  EXPECT_LT((1e3 * of_large.eigenvalues - values).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_LT((1e3 * of_large.pencil_eigenvalues - spectrum(mesh, 6).pencil_eigenvalues)
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-6);
 }
 
 TEST(Dirac_spectrum_of_the_disk, holds_the_zeros_of_bessel_functions_of_either_sign)
@@ -206,6 +211,22 @@ TEST(Dirac_spectrum_of_the_disk, next_to_a_shift_is_that_of_the_specification)
 {
   const CGP::Dirac_spectrum s = spectrum(disk(16), 3, 2.1, CGP::Boundary_condition::binormals());
   expect_eigenvalues(s, 0.2, {{1.84008, 2}, {2.41176, 1}}, 1e-5);
+}
+
+TEST(Dirac_pencil, scales_spins_with_prescribed_directions_to_a_mean_square_of_one)
+{
+  const Mesh_view mesh = scaled(disk(4), 2);
+  const CGP::Dirac_pencil<CGP::Default_solver_traits> pencil(
+      mesh, CGP::Boundary_condition::binormals(), "f");
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  const CGP::Quaternion_vector<double> v = CGP::random_quaternions(areas.size(), 1, 5).col(0),
+                                       u = pencil.normalized(v);
+  double square = 0;
+  for (Eigen::Index i = 0; i < areas.size(); ++i) {
+    square += areas[i] / areas.sum() * squared_norm(u[i]);
+    EXPECT_LT(norm(norm(v[0]) * u[i] - norm(u[0]) * v[i]), 1e-13);
+  }
+  EXPECT_NEAR(square, 1, 1e-12);
 }
 
 TEST(Dirac_spectrum, stops_when_told)

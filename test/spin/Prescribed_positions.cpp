@@ -70,7 +70,33 @@ TEST_F(Prescribed_positions, have_spins_of_least_energy_inside)
       EXPECT_LT(norm(image[v]), 1e-12);
     }
   EXPECT_LT(s.residual, 1e-13);
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  double energy = 0, square = 0;
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    energy += dot(s.lambda[v], image[v]);
+    square += areas[v] * squared_norm(s.lambda[v]);
+  }
+  EXPECT_NEAR(s.energy, energy / square, 1e-12);
   EXPECT_NEAR(s.eigenvalue * s.eigenvalue, s.energy, 1e-12);
+}
+
+TEST_F(Prescribed_positions, say_how_much_of_what_the_boundary_contributes_is_left_over)
+{
+  CGP::Dirac_solution s;
+  positions.solve(rho, s);
+  const std::vector<char> is_boundary = CGP::boundary_vertices(mesh);
+  Quaternion_vector<double> known = s.lambda;
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    if (!is_boundary[at(v)]) known[v] = Q{};
+  const Quaternion_vector<double> image = problem.matrix() * s.lambda,
+                                  contributed = problem.matrix() * known;
+  double left = 0, all = 0;
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    left = std::hypot(left, is_boundary[at(v)] ? 0 : norm(image[v]));
+    all = std::hypot(all, is_boundary[at(v)] ? 0 : norm(contributed[v]));
+  }
+  EXPECT_GT(s.residual, 0);
+  EXPECT_NEAR(s.residual / (left / all), 1, 1e-9);
 }
 
 TEST_F(Prescribed_positions, keep_the_boundary_on_the_curve_and_fit_the_edges_inside)

@@ -91,9 +91,10 @@ class Reduced_dirac_equation : public testing::Test {
     return options;
   }
 
-  const Mesh_view mesh = perturbed(cap_from_disk(jittered_disk(3, .3), 1), .04);
-  const Curvature_potential rho =
-      potential_on_vertices(mesh, [](const Eigen::Vector3d& p) { return 2 * std::cos(3 * p.x()); });
+  static constexpr double unit = 100;  // far from one, so that powers of lengths show
+  const Mesh_view mesh = scaled(perturbed(cap_from_disk(jittered_disk(3, .3), 1), .04), unit);
+  const Curvature_potential rho = potential_on_vertices(
+      mesh, [](const Eigen::Vector3d& p) { return 2 / unit * std::cos(3 * p.x() / unit); });
   Problem problem{mesh};
   Directions directions{
       mesh, Boundary_condition::tangents(enneper_directions(jittered_disk(3, .3), {1, 0, 0})),
@@ -113,7 +114,7 @@ TEST_F(Reduced_dirac_equation, finds_the_smallest_singular_value)
   ASSERT_TRUE(s.converged);
   EXPECT_NEAR(s.eigenvalue, values[0], 1e-10);
   EXPECT_NEAR(s.energy, values[0] * values[0], 1e-10);
-  EXPECT_NEAR(s.gap, values[1] - values[0], 1e-3);
+  EXPECT_NEAR(s.gap, values[1] - values[0], 1e-3 / unit);
   EXPECT_LT(greatest_difference(s.lambda, normalized(vectors.col(0))), 1e-8);
 }
 
@@ -136,11 +137,15 @@ TEST_F(Reduced_dirac_equation, projects_the_guide_on_what_counts_as_kernel)
   const CGP::Dirac_solution s = solve(options);
   ASSERT_TRUE(s.converged);
   Quaternion_vector<double> expected = Quaternion_vector<double>::Constant(s.lambda.size(), Q{});
+  double energy = 0, square = 0;
   for (int j = 0; j < 2; ++j) {
     const double share = product(vectors.col(j), directions.guide());
+    energy += share * share * values[j] * values[j];
+    square += share * share;
     for (int v = 0; v < expected.size(); ++v) expected[v] += share * vectors(v, j);
   }
   EXPECT_LT(greatest_difference(s.lambda, normalized(expected)), 1e-8);
+  EXPECT_NEAR(s.energy, energy / square, 1e-8 * values[1] * values[1]);
 }
 
 TEST_F(Reduced_dirac_equation, gives_gamma_its_sign_where_it_is_an_eigenvalue)
@@ -195,6 +200,23 @@ TEST_F(Reduced_dirac_equation, says_so_if_it_has_not_converged)
   CGP::Dirac_options options = exactly();
   options.max_iterations = 1;
   EXPECT_FALSE(solve(options).converged);
+}
+
+TEST_F(Reduced_dirac_equation, tells_the_same_error_in_all_units_of_length)
+{
+  const Mesh_view large = scaled(mesh, 1024);
+  Problem other{large};
+  const Directions same{
+      large, Boundary_condition::tangents(enneper_directions(jittered_disk(3, .3), {1, 0, 0})),
+      other.matrix().shared_pattern(), other.solver()};
+  CGP::Reduced_dirac_equation<Problem, Directions> of_large{other, same};
+  CGP::Dirac_options options = exactly();
+  options.max_iterations = 1;
+  CGP::Dirac_solution s;
+  of_large.solve({rho.on, rho.values / 1024}, false, options, s, CGP::Always_go_further());
+  const double residual = solve(options).residual;
+  EXPECT_GT(residual, 1e-9);
+  EXPECT_NEAR(s.residual / residual, 1, 1e-6);
 }
 
 TEST_F(Reduced_dirac_equation, refuses_a_matrix_that_is_not_finite)

@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "support/bounded_meshes.h"
 #include "support/dense.h"
@@ -24,6 +26,39 @@ using Robust = CGP::Robust_spin_transformation<>;
 Curvature_potential rho_of(const Mesh_view& mesh)
 {
   return Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh));
+}
+
+Curvature_potential smooth_rho(const Mesh_view& mesh, double strength)
+{
+  Eigen::VectorXd rho(mesh.size_of_vertices());
+  for (int v = 0; v < rho.size(); ++v) {
+    const Eigen::Vector3d p = mesh.position(v);
+    rho[v] = strength * (std::sin(2 * p.x() + 1) * std::cos(1.5 * p.y()) + p.z() / 2);
+  }
+  return Curvature_potential::on_vertices(rho);
+}
+
+/// with a strength of rho that is possible with it
+struct Condition {
+  CGP::Boundary_condition condition;
+  double strength;
+};
+
+/// free, the tangents kept, the binormals, the positions
+std::vector<Condition> conditions(const Mesh_view& mesh)
+{
+  const CGP::Boundary_frames frames = CGP::boundary_frames(mesh);
+  CGP::Boundary_condition tangents, binormals, positions;
+  tangents.kind = binormals.kind = CGP::Boundary_condition::Kind::directions;
+  tangents.direction = {1, 0, 0};
+  binormals.direction = {0, 0, 1};
+  Points p(3, static_cast<Eigen::Index>(frames.vertices.size())), n = p;
+  for (Eigen::Index k = 0; k < p.cols(); ++k) {
+    p.col(k) = mesh.position(frames.vertices[static_cast<std::size_t>(k)]);
+    n.col(k) = frames.normal(static_cast<std::size_t>(k));
+  }
+  positions = CGP::Boundary_condition::positions(p, n);
+  return {{{}, .2}, {tangents, .5}, {binormals, .5}, {positions, .05}};
 }
 
 template <class Call>
@@ -57,6 +92,7 @@ TEST(Robust_spin_transformation, of_a_Delaunay_mesh_is_the_spin_transformation)
     EXPECT_LT(greatest_difference(result.lambda, expected.lambda), 1e-9);
     EXPECT_NEAR(result.report.eigenvalue, expected.report.eigenvalue, 1e-9);
     EXPECT_NEAR(result.report.closure_residual, expected.report.closure_residual, 1e-9);
+    EXPECT_NEAR(result.report.min_spin_ratio, expected.report.min_spin_ratio, 1e-9);
     EXPECT_NEAR(result.report.conformality.quasi_conformal.max,
                 expected.report.conformality.quasi_conformal.max, 1e-8);
   }
@@ -117,9 +153,82 @@ TEST(Robust_spin_transformation, stops_when_it_is_told_to)
   EXPECT_FALSE(result.report);
 }
 
-TEST(Robust_spin_transformation, refuses_what_is_no_closed_surface_and_wrong_numbers)
+TEST(Robust_spin_transformation, of_a_Delaunay_mesh_with_boundary_is_the_spin_transformation)
 {
-  EXPECT_TRUE(contains(message_of([] { Robust{disk(3)}; }), "boundary"));
+  const Mesh_view mesh = moved_disk(6);
+  for (const Condition& condition : conditions(mesh)) {
+    const Curvature_potential rho = smooth_rho(mesh, condition.strength);
+    const CGP::Spin_result expected =
+        CGP::Spin_transformation<>(mesh, condition.condition, "test").transform(rho);
+    const CGP::Spin_result result = Robust(mesh, condition.condition, 1e-6, "test").transform(rho);
+    EXPECT_TRUE(expected.report && result.report);
+    EXPECT_EQ(result.report.mollification.flipped_edges, 0);
+    EXPECT_LT((result.positions - expected.positions).cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_NEAR(result.report.eigenvalue, expected.report.eigenvalue, 1e-8);
+    EXPECT_NEAR(result.report.closure_residual, expected.report.closure_residual, 1e-9);
+    EXPECT_NEAR(result.report.direction_error.max, expected.report.direction_error.max, 1e-8);
+  }
+}
+
+TEST(Robust_spin_transformation, makes_of_a_spoilt_mesh_with_boundary_the_same_shape)
+{
+  const Mesh_view clean = moved_disk(18);
+  for (const Condition& condition : conditions(clean)) {
+    const CGP::Spin_result expected = CGP::Spin_transformation<>(clean, condition.condition, "test")
+                                          .transform(smooth_rho(clean, condition.strength));
+    ASSERT_TRUE(expected.report);
+    for (const Mesh_view& mesh : {with_thin_faces(clean, 0), spoilt(clean)}) {
+      const CGP::Spin_result result = Robust(mesh, condition.condition, 1e-6, "test")
+                                          .transform(smooth_rho(mesh, condition.strength));
+      EXPECT_TRUE(result.report);
+      EXPECT_GT(result.report.mollification.thin_faces, 100);
+      const Points old_vertices = result.positions.leftCols(clean.size_of_vertices());
+      EXPECT_LT(CGP::align(old_vertices, expected.positions).max, 1e-3);
+      EXPECT_LT(result.report.conformality.quasi_conformal.mean, 1.01);
+      EXPECT_EQ(result.report.conformality.flipped_faces, 0);
+    }
+  }
+}
+
+TEST(Robust_spin_transformation, cannot_move_a_prescribed_boundary_or_to_no_surface)
+{
+  const Mesh_view mesh = disk(3);
+  Robust fixed(mesh, conditions(mesh).back().condition, 1e-6, "test"), free(mesh);
+  EXPECT_TRUE(
+      contains(message_of([&] { fixed.set_positions(mesh.positions()); }), "prescribed boundary"));
+  const Points few = mesh.positions().leftCols(3), none = 0 * mesh.positions();
+  EXPECT_TRUE(contains(message_of([&] { free.set_positions(few); }), "one position per vertex"));
+  EXPECT_TRUE(contains(message_of([&] { free.set_positions(none); }), "area zero"));
+  Points bad = mesh.positions();
+  bad(0, 0) = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(contains(message_of([&] { free.set_positions(bad); }), "not finite"));
+  EXPECT_EQ(free.view().positions().cols(), mesh.size_of_vertices());
+}
+
+TEST(Robust_spin_transformation, tells_how_much_of_the_surface_its_certificate_measures)
+{
+  const Mesh_view clean = icosphere(2);
+  const auto whole = Robust(clean).transform(rho_of(clean)).report.mollification;
+  EXPECT_EQ(whole.measured_triangles, clean.size_of_faces());
+  EXPECT_EQ(whole.measured_area, 1);
+  Points p(3, 3);
+  p << 0, 1, .5, 0, 0, 1e-2, 0, 0, 0;
+  const Mesh_view cap(p, {{0, 1, 2}});  // two triangles of the view
+  const auto both = Robust(cap).transform(smooth_rho(cap, 1)).report.mollification;
+  EXPECT_EQ(both.measured_triangles, 1);
+  EXPECT_EQ(both.measured_area, 1);
+}
+
+TEST(Robust_spin_transformation, refuses_a_mollification_that_folds_all_faces)
+{
+  Points p(3, 4);
+  p << 0, 1, 1, 0, 0, 0, 1e-9, 1e-9, 0, 0, 0, 0;
+  const Mesh_view strip(p, {{0, 1, 2}, {0, 2, 3}});
+  EXPECT_TRUE(contains(message_of([&] { Robust{strip}; }), "folds all faces"));
+}
+
+TEST(Robust_spin_transformation, refuses_what_is_no_surface_and_wrong_numbers)
+{
   EXPECT_TRUE(contains(message_of([] { Robust{Mesh_view()}; }), "no faces"));
   const Mesh_view mesh = icosphere(1);
   const Mesh_view line(mesh.positions().array().colwise() * Eigen::Array3d(1, 0, 0),

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "linear_algebra/threads.h"
 #include "support/dense.h"
 #include "support/meshes.h"
 
@@ -133,5 +134,19 @@ TEST_F(Invariance_of_spin_transformations, under_doing_it_again)
     const CGP::Spin_result r = transformation.transform(rho);
     EXPECT_EQ(r.positions, expected.positions);
     EXPECT_EQ(r.lambda, expected.lambda);
+  }
+}
+
+// Large enough for several threads to be worth it, in the ordering and in the factorization.
+TEST(Spin_transformation_of_a_large_mesh, gives_the_same_bits_for_any_number_of_threads)
+{
+  const Mesh_view mesh = geodesic_sphere(21);
+  const auto rho = Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh));
+  const CGP::Spin_result one = CGP::Spin_transformation<>(mesh).transform(rho);
+  for (const int threads : {2, 3}) {
+    const Threads setting(threads);
+    const CGP::Spin_result r = CGP::Spin_transformation<>(mesh).transform(rho);
+    EXPECT_EQ(r.positions, one.positions);
+    EXPECT_EQ(r.lambda, one.lambda);
   }
 }

@@ -82,6 +82,17 @@ TEST(Best_turn, is_no_half_turn_where_that_fits_little_better)
   EXPECT_LT(norm(CGP::best_turn(U, V) - Q{1, 0, 0, 0}), 1e-12);
 }
 
+TEST(Best_turn, is_none_where_a_half_turn_fits_exactly_and_none_nearly)
+{
+  Points U(3, 12);
+  for (int k = 0; k < 12; ++k) {
+    const double t = 2 * pi * k / 12;
+    U.col(k) = Eigen::Vector3d(.05 * std::cos(t), .05 * std::sin(t), 1).normalized();
+  }
+  const Points V = Eigen::Vector3d(-1, -1, 1).asDiagonal() * U;
+  EXPECT_LT(norm(CGP::best_turn(U, V) - Q{1, 0, 0, 0}), 1e-12);
+}
+
 TEST(Best_turn, is_the_smallest_of_many_where_all_directions_lie_on_a_line)
 {
   const Points U = Eigen::Vector3d(0, 0, 1).replicate(1, 8),

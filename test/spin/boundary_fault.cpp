@@ -53,9 +53,10 @@ TEST_F(Boundary_fault_of_a_disk, is_in_the_data_if_the_singular_value_is_more_th
 TEST_F(Boundary_fault_of_a_disk, is_forgiven_where_the_edges_fit_together_nonetheless)
 {
   report.closure_residual = .009;
-  const Mesh_view fine = disk(70);
-  EXPECT_EQ(CGP::boundary_fault(fine, .145, report), Boundary_fault::none);
-  EXPECT_EQ(CGP::boundary_fault(fine, .155, report), Boundary_fault::not_realizable);
+  const Mesh_view fine = scaled(disk(70), 3);
+  const double unit = std::sqrt(pi / area(fine));
+  EXPECT_EQ(CGP::boundary_fault(fine, .145 * unit, report), Boundary_fault::none);
+  EXPECT_EQ(CGP::boundary_fault(fine, .155 * unit, report), Boundary_fault::not_realizable);
 }
 
 TEST_F(Boundary_fault_of_a_disk, is_a_gap_if_the_edges_do_not_fit_together)
@@ -64,10 +65,14 @@ TEST_F(Boundary_fault_of_a_disk, is_a_gap_if_the_edges_do_not_fit_together)
   EXPECT_EQ(fault(0), Boundary_fault::none);
   report.closure_residual = .021;
   EXPECT_EQ(fault(0), Boundary_fault::does_not_close);
-  const Mesh_view coarse = disk(4);
+  const Mesh_view coarse = scaled(disk(4), 7);
   const double coarse_h = mean_edge_length(coarse) / std::sqrt(area(coarse) / pi);
   ASSERT_GT(3 * coarse_h * coarse_h, .021);
   EXPECT_EQ(CGP::boundary_fault(coarse, 0, report), Boundary_fault::none);
+  report.closure_residual = 2.9 * coarse_h * coarse_h;
+  EXPECT_EQ(CGP::boundary_fault(coarse, 0, report), Boundary_fault::none);
+  report.closure_residual = 3.1 * coarse_h * coarse_h;
+  EXPECT_EQ(CGP::boundary_fault(coarse, 0, report), Boundary_fault::does_not_close);
 }
 
 TEST_F(Boundary_fault_of_a_disk, is_a_zero_of_the_spins)

@@ -60,8 +60,9 @@ TEST(Boundary_plane, is_spanned_by_orthonormal_quaternions)
 {
   Random random(2);
   for (int i = 0; i < 100; ++i) {
-    const auto plane = CGP::boundary_plane(random.vector().normalized(),
-                                           random.vector().normalized(), random.vector());
+    const Eigen::Vector3d U = random.vector().normalized(), V = random.vector().normalized();
+    const auto plane = CGP::boundary_plane(U, V, random.vector());
+    EXPECT_LT(norm(plane[1] + plane[0] * CGP::imaginary(V)), 1e-15);
     EXPECT_NEAR(norm(plane[0]), 1, 1e-15);
     EXPECT_NEAR(norm(plane[1]), 1, 1e-15);
     EXPECT_NEAR(dot(plane[0], plane[1]), 0, 1e-15);

@@ -11,6 +11,7 @@
 #include "support/bounded_meshes.h"
 #include "support/random.h"
 #include "support/spheres.h"
+#include "support/tori.h"
 
 namespace {
 
@@ -50,6 +51,19 @@ TEST(Face_spins, of_a_bend_by_324_degrees_have_consistent_signs_that_single_face
   EXPECT_GT(disagreeing(), 0);
   EXPECT_EQ(CGP::make_consistent(beam, q), 0);
   EXPECT_EQ(disagreeing(), 0);
+}
+
+TEST(Face_spins, disagree_along_a_seam_where_they_turn_by_a_full_turn_around_a_torus)
+{
+  const int around_the_tube = 12;
+  const Mesh_view mesh = torus(2, 1, 24, around_the_tube);
+  CGP::Quaternion_vector<double> q(mesh.size_of_faces());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const Eigen::Vector3d p = mesh.position(mesh.corners(f)[0]);
+    const double half = std::atan2(p.y(), p.x()) / 2;
+    q[f] = {std::cos(half), 0, 0, std::sin(half)};
+  }
+  EXPECT_GE(CGP::make_consistent(mesh, q), around_the_tube);
 }
 
 TEST(Face_spins, at_vertices_are_the_means_of_the_faces_around)

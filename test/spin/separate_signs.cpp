@@ -45,6 +45,15 @@ CGP::Dirac_forms turned(const CGP::Dirac_forms& forms, const Quaternion_matrix& 
           CGP::gram_matrix(U, CGP::combination(forms.mass, U))};
 }
 
+/// the forms of vectors 100 times and a tenth as long
+CGP::Dirac_forms stretched(const CGP::Dirac_forms& forms)
+{
+  Quaternion_matrix lengths = zero_matrix(2, 2);
+  lengths(0, 0).w = 100;
+  lengths(1, 1).w = 0.1;
+  return turned(forms, lengths);
+}
+
 /// |<a, b>| / (|a| |b|)
 double overlap(const Quaternion_vector<double>& a, const Quaternion_vector<double>& b)
 {
@@ -77,6 +86,7 @@ TEST(Has_mixed_signs, sees_angles_above_three_degrees_between_opposite_eigenvalu
   EXPECT_FALSE(CGP::has_mixed_signs(pure));
   EXPECT_FALSE(CGP::has_mixed_signs(turned(pure, rotation(1 * degree, 1))));
   EXPECT_FALSE(CGP::has_mixed_signs(turned(pure, rotation(89 * degree, 1))));
+  EXPECT_TRUE(CGP::has_mixed_signs(turned(pure, rotation(3 * degree, 1))));
   EXPECT_TRUE(CGP::has_mixed_signs(turned(pure, rotation(10 * degree, 1))));
   EXPECT_TRUE(CGP::has_mixed_signs(turned(pure, rotation(45 * degree, 2))));
   EXPECT_TRUE(CGP::has_mixed_signs(turned(pure, rotation(-60 * degree, 3))));
@@ -84,12 +94,10 @@ TEST(Has_mixed_signs, sees_angles_above_three_degrees_between_opposite_eigenvalu
 
 TEST(Has_mixed_signs, does_not_depend_on_the_lengths_of_the_vectors)
 {
-  Quaternion_matrix lengths = zero_matrix(2, 2);
-  lengths(0, 0).w = 100;
-  lengths(1, 1).w = 0.01;
   const CGP::Dirac_forms pure = forms_of_eigenvectors(-0.4, 0.5);
-  EXPECT_FALSE(CGP::has_mixed_signs(turned(pure, lengths)));
-  EXPECT_TRUE(CGP::has_mixed_signs(turned(turned(pure, rotation(20 * degree, 4)), lengths)));
+  EXPECT_FALSE(CGP::has_mixed_signs(stretched(pure)));
+  EXPECT_FALSE(CGP::has_mixed_signs(stretched(turned(pure, rotation(1 * degree, 4)))));
+  EXPECT_TRUE(CGP::has_mixed_signs(stretched(turned(pure, rotation(20 * degree, 4)))));
 }
 
 TEST(Has_mixed_signs, sees_no_mixture_of_vectors_with_one_sign)
@@ -101,10 +109,12 @@ TEST(Has_mixed_signs, sees_no_mixture_of_vectors_with_one_sign)
 TEST(Signed_eigenvalues, are_those_before_the_vectors_were_mixed)
 {
   for (const double angle : {0., 0.2, pi / 4, 2.}) {
-    const auto values =
-        CGP::signed_eigenvalues(turned(forms_of_eigenvectors(-0.4, 0.5), rotation(angle, 7)));
-    EXPECT_NEAR(values[0], -0.4, 1e-14);
-    EXPECT_NEAR(values[1], 0.5, 1e-14);
+    const auto mixed = turned(forms_of_eigenvectors(-0.4, 0.5), rotation(angle, 7));
+    for (const CGP::Dirac_forms& forms : {mixed, stretched(mixed)}) {
+      const auto values = CGP::signed_eigenvalues(forms);
+      EXPECT_NEAR(values[0], -0.4, 1e-14);
+      EXPECT_NEAR(values[1], 0.5, 1e-14);
+    }
   }
 }
 

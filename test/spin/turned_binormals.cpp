@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "support/bounded_meshes.h"
 
 namespace {
@@ -34,12 +36,19 @@ TEST(Turned_binormals, turn_evenly_from_a_disk_to_a_cap_and_beyond)
 TEST(Turned_binormals, are_those_of_the_surfaces_at_the_ends)
 {
   const Mesh_view mesh = disk(5), cap = cap_from_disk(mesh, 1.3);
-  const CGP::Boundary_frames from = CGP::boundary_frames(mesh), to = CGP::boundary_frames(cap);
-  const Points start = CGP::turned_binormals(mesh, cap, mesh, 0),
-               end = CGP::turned_binormals(mesh, cap, mesh, 1);
-  for (std::size_t k = 0; k < from.vertices.size(); ++k) {
-    EXPECT_LT((start.col(Eigen::Index(k)) - from.binormal(k)).norm(), 1e-14);
-    EXPECT_LT((end.col(Eigen::Index(k)) - to.binormal(k)).norm(), 1e-14);
+  const Eigen::AngleAxisd tilt(0.4,
+                               Eigen::Vector3d::UnitX());  // turns binormals along the boundary
+  const Mesh_view tilted_cap =
+      mapped(cap, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return tilt * p; });
+  const CGP::Boundary_frames from = CGP::boundary_frames(mesh);
+  for (const Mesh_view& to : {cap, tilted_cap}) {
+    const CGP::Boundary_frames wanted = CGP::boundary_frames(to);
+    const Points start = CGP::turned_binormals(mesh, to, mesh, 0),
+                 end = CGP::turned_binormals(mesh, to, mesh, 1);
+    for (std::size_t k = 0; k < from.vertices.size(); ++k) {
+      EXPECT_LT((start.col(Eigen::Index(k)) - from.binormal(k)).norm(), 1e-14);
+      EXPECT_LT((end.col(Eigen::Index(k)) - wanted.binormal(k)).norm(), 1e-14);
+    }
   }
 }
 

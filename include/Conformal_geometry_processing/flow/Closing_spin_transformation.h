@@ -3,13 +3,10 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLOSING_SPIN_TRANSFORMATION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLOSING_SPIN_TRANSFORMATION_H
 
-#include <Conformal_geometry_processing/flow/Closing_constraints.h>
+#include <Conformal_geometry_processing/flow/Moving_delaunay_view.h>
+#include <Conformal_geometry_processing/flow/Moving_mesh.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/averaging.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/rotated_normals.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
 
@@ -47,9 +44,13 @@ struct Closing_options {
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
+/// \tparam Moving `Moving_mesh`, or `Moving_delaunay_view` for faces as thin as they may be
 template <class SolverTraits = Default_solver_traits,
-          class EigensolverTraits = Lobpcg_eigensolver_traits>
+          class EigensolverTraits = Lobpcg_eigensolver_traits,
+          template <class, class> class Moving = Moving_mesh>
 class Closing_spin_transformation {
+  using Surface = Moving<SolverTraits, EigensolverTraits>;
+
  public:
   /// \param mesh must outlive the object
   /// \param function named in exceptions
@@ -66,6 +67,16 @@ class Closing_spin_transformation {
       : m_options(options), m_transformation(mesh, condition, function), m_initial(mesh)
   {}
 
+  /// \brief the same of a `Robust_spin_transformation`, with `Moving_delaunay_view`.
+  /// \param mollification see `mollified_lengths()`
+  Closing_spin_transformation(const Mesh_view& mesh, const Closing_options& options,
+                              const Boundary_condition& condition, double mollification,
+                              const std::string& function)
+      : m_options(options),
+        m_transformation(mesh, condition, mollification, function),
+        m_initial(mesh)
+  {}
+
   /// \brief transforms the mesh; the object is used up.
   ///
   /// Where not all of rho can be reached, the report tells which share (`reached`).
@@ -80,24 +91,23 @@ class Closing_spin_transformation {
     m_transformation.require_potential(rho);
     if (!m_options.exactness || !has_loops())
       return std::move(m_transformation).transform(rho, options, go_further);
-    m_mesh = m_initial;
-    Closing closing(m_mesh, m_transformation.dirac_equation(), m_options.exactness, rho.on);
+    Surface surface(m_transformation, m_initial, *m_options.exactness, rho.on);
+    const Mesh_view measured = Surface::measured(m_transformation, m_initial);
     m_missing = rho;
     m_left_out = Eigen::VectorXd::Zero(rho.values.size());
-    const double wanted = norm(rho.values);
+    const double wanted = norm(rho.values, surface.areas());
     Spin_result result;
-    result.lambda = Quaternion_vector<double>::Constant(m_mesh.size_of_vertices(), {1, 0, 0, 0});
+    result.lambda = Quaternion_vector<double>::Constant(m_initial.size_of_vertices(), {1, 0, 0, 0});
     result.report.steps = 0;
     result.report.reached = 0;
-    go_all_the_way(closing, options, go_further, result);
-    if (result.report.steps > 0) measure(result);
-    if (wanted > 0) result.report.missing_share = norm(m_left_out + m_missing.values) / wanted;
+    go_all_the_way(surface, options, go_further, result);
+    if (result.report.steps > 0) measure(measured, surface, result);
+    if (wanted > 0)
+      result.report.missing_share = norm(m_left_out + m_missing.values, surface.areas()) / wanted;
     return result;
   }
 
  private:
-  using Closing = Closing_constraints<SolverTraits, EigensolverTraits>;
-
   // Of what must close, there is nothing on a sphere, a disk, or between given positions.
   bool has_loops()
   {
@@ -108,17 +118,17 @@ class Closing_spin_transformation {
   }
 
   template <class GoFurther>
-  void go_all_the_way(Closing& closing, const Dirac_options& options, GoFurther go_further,
+  void go_all_the_way(Surface& surface, const Dirac_options& options, GoFurther go_further,
                       Spin_result& all)
   {
     for (double step = 1; step > 0;) {
-      closing.update(m_transformation.reconstruction().solver());
-      const Eigen::VectorXd v = closing.basis().project_out(m_missing.values);
+      surface.update();
+      const Eigen::VectorXd v = surface.basis().project_out(m_missing.values);
       const double rest = 1 - all.report.reached;
       const std::optional<Spin_result> next =
-          largest_step(closing, v / rest, options, go_further, all.report, step);
+          largest_step(surface, v / rest, options, go_further, all.report, step);
       if (!next) return;
-      take(*next, v, step / rest);
+      take(*next, v, step / rest, surface);
       all.lambda = product(all.lambda, next->lambda);
       append(all.report, next->report);
       all.report.reached += step;
@@ -129,9 +139,8 @@ class Closing_spin_transformation {
 
   /// root of the integral of rho squared, less its mean where that has no effect; does not depend
   /// on scale
-  double norm(const Eigen::VectorXd& rho) const
+  double norm(const Eigen::VectorXd& rho, const Eigen::VectorXd& A) const
   {
-    const Eigen::VectorXd A = areas();
     const bool has_effect = !m_transformation.dirac_equation().is_self_adjoint();
     const double mean = has_effect ? 0 : A.dot(rho) / A.sum();
     return std::sqrt(A.dot((rho.array() - mean).square().matrix()));
@@ -140,7 +149,7 @@ class Closing_spin_transformation {
   /// \brief tries `step` times v and smaller steps, until one is good enough to go there.
   /// \returns none if no step of the least size is, or the visitor said no
   template <class GoFurther>
-  std::optional<Spin_result> largest_step(const Closing& closing, const Eigen::VectorXd& v,
+  std::optional<Spin_result> largest_step(const Surface& surface, const Eigen::VectorXd& v,
                                           const Dirac_options& options, GoFurther go_further,
                                           Spin_report& all, double& step)
   {
@@ -151,7 +160,7 @@ class Closing_spin_transformation {
         return std::nullopt;
       }
       double& defect = next.report.period_defect;
-      defect = closing.defect(transformed_edges(m_mesh, next.lambda));
+      defect = surface.defect(next.lambda);
       const bool is_good = next.report.converged && defect <= m_options.max_period_defect * step;
       if (is_good && can_go_on_from(next.positions)) return next;
       if (step <= m_options.min_step) {
@@ -192,19 +201,13 @@ class Closing_spin_transformation {
   ///
   /// What was not closable before is given up: to try it again, with ever less of the way left to
   /// make up for it, would end in ever faster steps.
-  void take(const Spin_result& next, const Eigen::VectorXd& v, double share)
+  void take(const Spin_result& next, const Eigen::VectorXd& v, double share, Surface& surface)
   {
-    const Eigen::ArrayXd before = areas();
-    m_mesh.set_positions(next.positions);
-    const Eigen::VectorXd shrinking = (before / areas().array()).sqrt();
+    const Eigen::ArrayXd before = surface.areas();
+    surface.move_to(next.positions);
+    const Eigen::VectorXd shrinking = (before / surface.areas().array()).sqrt();
     m_left_out = shrinking.cwiseProduct(m_left_out + m_missing.values - v);
     m_missing.values = (1 - share) * shrinking.cwiseProduct(v);
-  }
-
-  Eigen::VectorXd areas() const
-  {
-    return m_missing.on == Curvature_potential::On::vertices ? vertex_areas(m_mesh)
-                                                             : face_areas(m_mesh);
   }
 
   static Quaternion_vector<double> product(const Quaternion_vector<double>& first,
@@ -216,22 +219,28 @@ class Closing_spin_transformation {
   }
 
   /// the evidence for the whole way
-  void measure(Spin_result& all) const
+  static void measure(const Mesh_view& before, const Surface& after, Spin_result& all)
   {
-    all.positions = m_mesh.positions();
+    all.positions = after.positions();
     all.report.conformality =
-        conformality(m_initial, all.positions, rotated_normals(m_initial, all.lambda));
+        conformality(before, all.positions, rotated_normals(before, all.lambda));
     const auto size = components(all.lambda).colwise().norm();
     all.report.min_spin_ratio = size.minCoeff() / size.maxCoeff();
   }
 
   Closing_options m_options;
-  Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
+  typename Surface::Transformation m_transformation;
   const Mesh_view& m_initial;
-  Mesh_view m_mesh;
   Curvature_potential m_missing;  // rho that is to come, on the present surface
   Eigen::VectorXd m_left_out;     // rho that cannot come
 };
+
+/// \ingroup PkgFlow
+/// the same for surfaces whose faces may be as thin as they like, or have area zero
+template <class SolverTraits = Default_solver_traits,
+          class EigensolverTraits = Lobpcg_eigensolver_traits>
+using Robust_closing_spin_transformation =
+    Closing_spin_transformation<SolverTraits, EigensolverTraits, Moving_delaunay_view>;
 
 }  // namespace Conformal_geometry_processing
 

@@ -28,7 +28,8 @@ enum class Exactness {
 namespace internal {
 
 /// D^H D Y = c: half the sum of w omega e over the edges e at each vertex, for each form
-inline Block<Quaternion<double>> adjoint_sources(const Mesh_view& mesh, const Harmonic_basis& basis)
+template <class Surface>
+Block<Quaternion<double>> adjoint_sources(const Surface& mesh, const Harmonic_basis& basis)
 {
   const Eigen::VectorXd w = cotan_weights(mesh);
   Block<Quaternion<double>> c = Block<Quaternion<double>>::Constant(
@@ -39,6 +40,17 @@ inline Block<Quaternion<double>> adjoint_sources(const Mesh_view& mesh, const Ha
       const Quaternion<double> share = imaginary(w[k] * basis.one_forms(k, i) / 2 * e);
       for (int v : mesh.ends(k)) c(v, i) += share;
     }
+  return c;
+}
+
+/// a column for each column of sources and each axis of space
+inline Block<Quaternion<double>> sources_along_axes(const Block<Quaternion<double>>& sources)
+{
+  const std::array<Quaternion<double>, 3> axes = {{{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+  Block<Quaternion<double>> c(sources.rows(), 3 * sources.cols());
+  for (Eigen::Index i = 0; i < c.cols(); ++i)
+    for (Eigen::Index v = 0; v < c.rows(); ++v)
+      c(v, i) = sources(v, i / 3) * conjugate(axes[static_cast<std::size_t>(i % 3)]);
   return c;
 }
 
@@ -140,12 +152,8 @@ template <class Inverse>
 Eigen::MatrixXd bounded_exactness_constraints(const Mesh_view& mesh, const Harmonic_basis& basis,
                                               const Inverse& inverse, Curvature_potential::On on)
 {
-  const Block<Quaternion<double>> sources = internal::adjoint_sources(mesh, basis);
-  const std::array<Quaternion<double>, 3> axes = {{{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-  Block<Quaternion<double>> c(sources.rows(), 3 * sources.cols());
-  for (Eigen::Index i = 0; i < c.cols(); ++i)
-    for (Eigen::Index v = 0; v < c.rows(); ++v)
-      c(v, i) = sources(v, i / 3) * conjugate(axes[static_cast<std::size_t>(i % 3)]);
+  const Block<Quaternion<double>> c =
+      internal::sources_along_axes(internal::adjoint_sources(mesh, basis));
   const Block<Quaternion<double>> Y = inverse(c);
   const Quaternionic_sparse_matrix<double> D = dirac(mesh);
   Eigen::MatrixXd z(mesh.size_of_faces(), c.cols());

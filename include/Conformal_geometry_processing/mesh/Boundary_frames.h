@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -51,23 +52,31 @@ inline Boundary_frame boundary_frame(const Eigen::Vector3d& tangent, const Eigen
 }
 
 /// \ingroup PkgMesh
-/// the frames of all boundary vertices; O(|V| + |F|)
-/// \pre `require_surface(mesh)` holds
-inline Boundary_frames boundary_frames(const Mesh_view& mesh)
+/// \brief the frames of boundary loops of given points and normals, both 3 x |V|
+inline Boundary_frames boundary_frames(const Points& points, const Points& normals,
+                                       std::vector<std::vector<int>> loops)
 {
   Boundary_frames b;
-  b.loops = boundary_loops(mesh);
-  const Points normals = vertex_normals(mesh, Normal_weight::angle);
+  b.loops = std::move(loops);
   for (const std::vector<int>& loop : b.loops) {
     const std::size_t n = loop.size();
     for (std::size_t k = 0; k < n; ++k) {
       const Eigen::Vector3d along =
-          mesh.position(loop[(k + 1) % n]) - mesh.position(loop[(k + n - 1) % n]);
+          points.col(loop[(k + 1) % n]) - points.col(loop[(k + n - 1) % n]);
       b.vertices.push_back(loop[k]);
       b.frames.push_back(boundary_frame(along, normals.col(loop[k])));
     }
   }
   return b;
+}
+
+/// \ingroup PkgMesh
+/// the frames of all boundary vertices; O(|V| + |F|)
+/// \pre `require_surface(mesh)` holds
+inline Boundary_frames boundary_frames(const Mesh_view& mesh)
+{
+  return boundary_frames(mesh.positions(), vertex_normals(mesh, Normal_weight::angle),
+                         boundary_loops(mesh));
 }
 
 }  // namespace Conformal_geometry_processing

@@ -5,11 +5,15 @@
 
 #include <Conformal_geometry_processing/mesh/Common_subdivision.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Transported_forms.h>
+#include <Conformal_geometry_processing/mesh/boundary_caps.h>
+#include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/intrinsic_delaunay.h>
 #include <Conformal_geometry_processing/mesh/mollified_lengths.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -30,6 +34,9 @@ namespace Conformal_geometry_processing {
 /// Faces may have area zero, and points may coincide: what the lengths of edges lack to form
 /// triangles is added to all (`mollified_lengths()`). O(|V| + |F|) as a rule; the number of sheets
 /// is that of the faces and a few for each flip, but quadratic in the worst case.
+///
+/// The edges of the boundary are never flipped. A cap along one (`boundary_caps()`) is two
+/// triangles, left and right of its height, of which both ends are the same vertex.
 class Delaunay_view {
  public:
   /// a triangle of the triangulation in the plane of a face
@@ -42,27 +49,43 @@ class Delaunay_view {
 
   /// \param mesh an oriented manifold with finite coordinates and more than one point
   /// \param mollification see `mollified_lengths()`
-  explicit Delaunay_view(const Mesh_view& mesh, double mollification = 1e-6)
-      : m_positions(mesh.positions())
+  /// \param forms closed 1-forms of the mesh, |E| x k, to be taken along
+  explicit Delaunay_view(const Mesh_view& mesh, double mollification = 1e-6,
+                         const Eigen::MatrixXd& forms = {})
+      : m_positions(mesh.positions()),
+        m_size_of_faces(mesh.size_of_faces()),
+        m_loops(Conformal_geometry_processing::boundary_loops(mesh))
   {
-    Intrinsic_triangulation triangles(mesh, mollified_lengths(mesh, mollification));
+    const Mollified_lengths mollified = mollified_lengths(mesh, mollification);
+    m_thin_faces = mollified.thin_faces;
+    m_added_length = mollified.added;
+    Intrinsic_triangulation triangles(mesh, mollified.lengths);
     Common_subdivision subdivision(mesh, triangles);
-    m_flips = flip_to_delaunay(triangles, [&](int h) { subdivision.before_flip(triangles, h); });
-    for (int t = 0; t < triangles.size_of_faces(); ++t) {
-      m_corners.push_back(
-          {triangles.apex(3 * t), triangles.apex(3 * t + 1), triangles.apex(3 * t + 2)});
-      m_areas.push_back(triangles.area(t));
-      for (int h = 3 * t; h < 3 * t + 3; ++h) m_cotangents.push_back(triangles.cotangent(h));
-      add_sheets(triangles, t, subdivision.pieces(t));
-    }
+    Transported_forms transported(mesh, forms.cols() > 0 ? forms : no_forms(mesh));
+    m_flips = flip_to_delaunay(triangles, [&](int h) {
+      subdivision.before_flip(triangles, h);
+      transported.before_flip(triangles, h);
+    });
+    const std::vector<int> caps = boundary_caps(triangles);
+    for (int t = 0; t < triangles.size_of_faces(); ++t)
+      add_face(triangles, t, caps[index(t)], subdivision.pieces(t));
+    add_edges(triangles, caps, transported);
   }
 
   int size_of_vertices() const { return static_cast<int>(m_positions.cols()); }
   int size_of_triangles() const { return static_cast<int>(m_corners.size()); }
+  int size_of_faces() const { return m_size_of_faces; }  ///< of the mesh
   const Points& positions() const { return m_positions; }
+  Eigen::Vector3d position(int v) const { return m_positions.col(v); }
 
   /// how many edges are not those of the mesh, or have been others meanwhile
   int size_of_flips() const { return m_flips; }
+
+  /// how many faces of the mesh had edges that formed no triangle, or nearly none
+  int size_of_thin_faces() const { return m_thin_faces; }
+
+  /// what was added to the length of every edge therefore
+  double added_length() const { return m_added_length; }
 
   /// the vertices of triangle t, counter-clockwise; the same one may come twice
   const std::array<int, 3>& corners(int t) const { return m_corners[index(t)]; }
@@ -74,26 +97,114 @@ class Delaunay_view {
   /// ordered by triangle
   const std::vector<Sheet>& sheets() const { return m_sheets; }
 
+  int size_of_edges() const { return static_cast<int>(m_ends.size()); }
+
+  /// the vertices that edge k joins, the smaller number first; they may be the same, or those of
+  /// another edge
+  const std::array<int, 2>& ends(int k) const { return m_ends[index(k)]; }
+
+  /// half the sum of the cotangents opposite each edge, not negative inside
+  const Eigen::VectorXd& cotan_weights() const { return m_weights; }
+
+  /// the forms along the edges, `size_of_edges()` x k
+  const Eigen::MatrixXd& forms() const { return m_forms; }
+
+  /// of the mesh
+  const std::vector<std::vector<int>>& boundary_loops() const { return m_loops; }
+
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  void add_sheets(const Intrinsic_triangulation& triangles, int t,
-                  const std::vector<Common_subdivision::Piece>& pieces)
+  static Eigen::MatrixXd no_forms(const Mesh_view& mesh) { return {mesh.size_of_edges(), 0}; }
+
+  /// \param cap the halfedge opposite the angle of a cap, or -1
+  void add_face(const Intrinsic_triangulation& triangles, int t, int cap,
+                const std::vector<Common_subdivision::Piece>& pieces)
   {
-    const Eigen::Vector2d apex = triangles.apex_in_plane(3 * t), right(triangles.length(3 * t), 0);
+    Eigen::Matrix<double, 2, 3> p;
+    p << triangles.apex_in_plane(3 * t), Eigen::Vector2d::Zero(),
+        Eigen::Vector2d(triangles.length(3 * t), 0);
+    const std::array<int, 3> v = {triangles.apex(3 * t), triangles.apex(3 * t + 1),
+                                  triangles.apex(3 * t + 2)};
+    if (cap < 0) {
+      const Eigen::Vector3d cotangents(triangles.cotangent(3 * t), triangles.cotangent(3 * t + 1),
+                                       triangles.cotangent(3 * t + 2));
+      return add_triangle(v, p, triangles.area(t), cotangents, pieces);
+    }
+    const int c = cap % 3, a = (c + 1) % 3, b = (c + 2) % 3;
+    const Eigen::Vector2d apex = triangles.apex_in_plane(cap),
+                          direction = (p.col(b) - p.col(a)).normalized(),
+                          foot = p.col(a) + apex.x() * direction;
+    const double x = apex.x(), y = apex.y(), rest = triangles.length(cap) - x;
+    Eigen::Matrix<double, 2, 3> left, right;
+    left << p.col(a), foot, p.col(c);
+    right << foot, p.col(b), p.col(c);
+    add_triangle({v[index(a)], v[index(c)], v[index(c)]}, left, x * y / 2, {x / y, 0, y / x},
+                 pieces);
+    add_triangle({v[index(c)], v[index(b)], v[index(c)]}, right, rest * y / 2,
+                 {0, rest / y, y / rest}, pieces);
+  }
+
+  /// \param p the corners in the plane of the intrinsic face
+  void add_triangle(const std::array<int, 3>& corners, const Eigen::Matrix<double, 2, 3>& p,
+                    double area, const Eigen::Vector3d& cotangents,
+                    const std::vector<Common_subdivision::Piece>& pieces)
+  {
+    const int t = size_of_triangles();
+    m_corners.push_back(corners);
+    m_areas.push_back(area);
+    m_cotangents.insert(m_cotangents.end(), cotangents.begin(), cotangents.end());
     Eigen::Matrix<double, 2, 3> edges;
-    edges << right, apex - right, -apex;
+    edges << p.col(2) - p.col(1), p.col(0) - p.col(2), p.col(1) - p.col(0);
     double total = 0;
     for (const auto& piece : pieces) total += piece.weight;
     for (const auto& piece : pieces)
       m_sheets.push_back({t, piece.face, piece.weight / total, piece.to_space * edges});
   }
 
+  /// What a triangle contributes to the weight of the edge of h: where it is a cap, its two halves
+  /// have their right angles at the long edge, which is none of theirs.
+  static double half_weight(const Intrinsic_triangulation& triangles, int h, int cap)
+  {
+    if (cap < 0) return triangles.cotangent(h) / 2;
+    if (h == cap) return 0;
+    const Eigen::Vector2d apex = triangles.apex_in_plane(cap);
+    const bool is_left = h == Mesh_view::previous_in_face(cap);  // from the apex to `from(cap)`
+    return apex.y() / (is_left ? apex.x() : triangles.length(cap) - apex.x()) / 2;
+  }
+
+  void add_edges(const Intrinsic_triangulation& triangles, const std::vector<int>& caps,
+                 const Transported_forms& forms)
+  {
+    std::vector<int> halfedges;
+    for (int h = 0; h < triangles.size_of_halfedges(); ++h) {
+      const bool is_gone = triangles.twin(h) < 0 && caps[index(h / 3)] == h;
+      if (h > triangles.twin(h) && !is_gone) halfedges.push_back(h);
+    }
+    const auto size = static_cast<Eigen::Index>(halfedges.size());
+    m_weights.resize(size);
+    m_forms.resize(size, forms.along(0).size());
+    for (Eigen::Index k = 0; k < size; ++k) {
+      const int h = halfedges[static_cast<std::size_t>(k)], t = triangles.twin(h);
+      const int i = triangles.from(h), j = triangles.to(h);
+      m_ends.push_back({std::min(i, j), std::max(i, j)});
+      m_weights[k] = half_weight(triangles, h, caps[index(h / 3)]) +
+                     (t < 0 ? 0 : half_weight(triangles, t, caps[index(t / 3)]));
+      m_forms.row(k) = (i < j ? 1 : -1) * forms.along(h);
+    }
+  }
+
   Points m_positions;
+  int m_size_of_faces;
+  std::vector<std::vector<int>> m_loops;
   std::vector<std::array<int, 3>> m_corners;
   std::vector<double> m_areas, m_cotangents;
   std::vector<Sheet> m_sheets;
-  int m_flips = 0;
+  std::vector<std::array<int, 2>> m_ends;
+  Eigen::VectorXd m_weights;
+  Eigen::MatrixXd m_forms;
+  int m_flips = 0, m_thin_faces = 0;
+  double m_added_length = 0;
 };
 
 }  // namespace Conformal_geometry_processing

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_GRAPH_VIEW_H
 
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/mesh/Mesh_component.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/geometry_traits.h>
 
@@ -72,6 +73,13 @@ class Graph_view {
       m_faces.push_back(f);
     }
     m_view = Mesh_view(coordinates(points, traits), std::move(corners));
+  }
+
+  /// the view of one component of the mesh, as if there were no other
+  Graph_view(const Graph_view& whole, Mesh_component component) : m_view(std::move(component.mesh))
+  {
+    for (const int v : component.vertices) m_vertices.push_back(whole.vertex(v));
+    for (const int f : component.faces) m_faces.push_back(whole.face(f));
   }
 
   const Mesh_view& view() const { return m_view; }

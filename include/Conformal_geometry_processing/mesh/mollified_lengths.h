@@ -23,6 +23,14 @@ inline Eigen::VectorXd edge_lengths(const Mesh_view& mesh)
 }
 
 /// \ingroup PkgMesh
+/// lengths of edges with which no triangle is degenerate, and what that took
+struct Mollified_lengths {
+  Eigen::VectorXd lengths;  ///< |E|
+  double added = 0;         ///< to each of them
+  int thin_faces = 0;       ///< those that lacked it
+};
+
+/// \ingroup PkgMesh
 /// \brief the lengths of the edges, and to all of them the least number added with which the
 /// longest edge of every triangle is shorter than the two others together by `share` of the mean
 /// length at least [Sharp and Crane 2020, 4.5].
@@ -31,17 +39,20 @@ inline Eigen::VectorXd edge_lengths(const Mesh_view& mesh)
 /// without such triangles keeps its lengths to the bit. A triangle of three points on a line
 /// becomes about as high as the root of `share` times its length, two points in one as distant as
 /// `share`. \param share positive; rounding decides on the shape of triangles below some 1e-12
-inline Eigen::VectorXd mollified_lengths(const Mesh_view& mesh, double share)
+inline Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share)
 {
-  Eigen::VectorXd lengths = edge_lengths(mesh);
-  const double slack = share * lengths.mean();
-  double missing = 0;
+  Mollified_lengths result;
+  result.lengths = edge_lengths(mesh);
+  const double slack = share * result.lengths.mean();
   for (int f = 0; f < mesh.size_of_faces(); ++f) {
     Eigen::Vector3d l;
-    for (int c = 0; c < 3; ++c) l[c] = lengths[mesh.edge(3 * f + c)];
-    missing = std::max(missing, slack + 2 * l.maxCoeff() - l.sum());
+    for (int c = 0; c < 3; ++c) l[c] = result.lengths[mesh.edge(3 * f + c)];
+    const double missing = slack + 2 * l.maxCoeff() - l.sum();
+    result.thin_faces += missing > 0;
+    result.added = std::max(result.added, missing);
   }
-  return lengths.array() + missing;
+  result.lengths.array() += result.added;
+  return result;
 }
 
 }  // namespace Conformal_geometry_processing

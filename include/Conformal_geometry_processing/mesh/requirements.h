@@ -221,9 +221,9 @@ inline void require_genus_zero(const Mesh_view& mesh, const std::string& functio
                                            "; genus zero is needed");
 }
 
-/// a finite, oriented manifold in one component, without isolated vertices; faces may have area
-/// zero
-inline void require_manifold(const Mesh_view& mesh, const std::string& function)
+/// a finite, oriented manifold in one component or more, without isolated vertices; faces may have
+/// area zero
+inline void require_manifold_components(const Mesh_view& mesh, const std::string& function)
 {
   require_not_empty(mesh, function);
   require_finite_positions(mesh, function);
@@ -231,6 +231,12 @@ inline void require_manifold(const Mesh_view& mesh, const std::string& function)
   require_no_isolated_vertices(mesh, function);
   require_manifold_edges(mesh, function);
   require_manifold_vertices(mesh, function);
+}
+
+/// the same in one component
+inline void require_manifold(const Mesh_view& mesh, const std::string& function)
+{
+  require_manifold_components(mesh, function);
   require_connected(mesh, function);
 }
 

@@ -7,12 +7,13 @@
 #include <Conformal_geometry_processing/linear_algebra/block_products.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/operators/delaunay_laplacian.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -25,32 +26,6 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
-/// the pattern of every Hermitian matrix on the vertices: the diagonal, and each pair of different
-/// vertices that an edge of the triangulation joins
-inline std::shared_ptr<const Sparse_pattern> vertex_graph(const Delaunay_view& mesh)
-{
-  std::vector<std::pair<int, int>> entries;  // column, row
-  for (int v = 0; v < mesh.size_of_vertices(); ++v) entries.emplace_back(v, v);
-  for (int t = 0; t < mesh.size_of_triangles(); ++t)
-    for (int c = 0; c < 3; ++c) {
-      const int i = mesh.corners(t)[static_cast<std::size_t>(c)],
-                j = mesh.corners(t)[static_cast<std::size_t>((c + 1) % 3)];
-      entries.emplace_back(std::min(i, j), std::max(i, j));
-    }
-  std::sort(entries.begin(), entries.end());
-  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
-  auto pattern = std::make_shared<Sparse_pattern>();
-  pattern->offsets.assign(static_cast<std::size_t>(mesh.size_of_vertices()) + 1, 0);
-  for (const auto& [column, row] : entries) {
-    ++pattern->offsets[static_cast<std::size_t>(column) + 1];
-    pattern->indices.push_back(row);
-  }
-  for (std::size_t v = 1; v < pattern->offsets.size(); ++v)
-    pattern->offsets[v] += pattern->offsets[v - 1];
-  return pattern;
-}
-
-/// \ingroup PkgOperators
 /// one third of the areas of the triangles around each vertex, |V|
 inline Eigen::VectorXd vertex_areas(const Delaunay_view& mesh)
 {
@@ -58,6 +33,22 @@ inline Eigen::VectorXd vertex_areas(const Delaunay_view& mesh)
   for (int t = 0; t < mesh.size_of_triangles(); ++t)
     for (const int v : mesh.corners(t)) areas[v] += mesh.area(t) / 3;
   return areas;
+}
+
+/// \ingroup PkgOperators
+/// the areas of the triangles
+inline Eigen::VectorXd face_areas(const Delaunay_view& mesh)
+{
+  Eigen::VectorXd areas(mesh.size_of_triangles());
+  for (int t = 0; t < mesh.size_of_triangles(); ++t) areas[t] = mesh.area(t);
+  return areas;
+}
+
+/// \ingroup PkgOperators
+/// rho = 0, on the vertices
+inline Curvature_potential no_potential(const Delaunay_view& mesh)
+{
+  return Curvature_potential::on_vertices(Eigen::VectorXd::Zero(mesh.size_of_vertices()));
 }
 
 namespace internal {
@@ -86,24 +77,6 @@ inline Eigen::Vector3d potential_at(const Delaunay_view& mesh, const Delaunay_vi
 }
 
 }  // namespace internal
-
-/// \ingroup PkgOperators
-/// \brief L, the intrinsic Delaunay Laplacian [Bobenko and Springborn 2007]: |V| x |V|, real,
-/// positive semidefinite, with no positive entry off the diagonal.
-inline Hermitian_sparse_matrix<double> cotan_laplacian(
-    const Delaunay_view& mesh, std::shared_ptr<const Sparse_pattern> pattern)
-{
-  Hermitian_sparse_matrix<double> L(std::move(pattern));
-  for (int t = 0; t < mesh.size_of_triangles(); ++t)
-    internal::add_triangle(
-        mesh.corners(t),
-        [&](int i, int j) {
-          const double w = mesh.cotangent(t, i == j ? (i + 1) % 3 : 3 - i - j) / 2;
-          return i == j ? w + mesh.cotangent(t, (i + 2) % 3) / 2 : -w;
-        },
-        L);
-  return L;
-}
 
 /// \ingroup PkgOperators
 /// \brief assembles X = (D - R)^H M (D - R) over the sheets: the energy, on the faces of the mesh,
@@ -219,6 +192,28 @@ inline double dirac_quotient(const Delaunay_view& mesh, const Curvature_potentia
 {
   const Dirac_forms forms = dirac_forms(mesh, rho, lambda);
   return forms.dirac(0, 0).w / forms.mass(0, 0).w;
+}
+
+/// \ingroup PkgOperators
+/// see `dirac_misfit()` of a mesh
+inline double dirac_misfit(const Delaunay_view& mesh, const Curvature_potential& rho,
+                           const Quaternion_vector<double>& lambda)
+{
+  double energy = 0;
+  for (const Delaunay_view::Sheet& sheet : mesh.sheets()) {
+    const double A = mesh.area(sheet.triangle);
+    const Eigen::Vector3d r = internal::potential_at(mesh, sheet, rho);
+    Quaternion<double> image;  // of M (D - R)
+    for (int c = 0; c < 3; ++c) {
+      const auto& l = lambda[mesh.corners(sheet.triangle)[static_cast<std::size_t>(c)]];
+      image -= imaginary(sheet.edges.col(c).eval()) * l / 2. + (A * r[c] / 3) * l;
+    }
+    energy += sheet.share * squared_norm(image) / A;
+  }
+  double mass = 0;
+  const Eigen::VectorXd areas = vertex_areas(mesh);
+  for (Eigen::Index v = 0; v < areas.size(); ++v) mass += areas[v] * squared_norm(lambda[v]);
+  return std::sqrt(energy / mass);
 }
 
 }  // namespace Conformal_geometry_processing

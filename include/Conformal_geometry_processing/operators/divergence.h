@@ -3,8 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DIVERGENCE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DIVERGENCE_H
 
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
-
 #include <Eigen/Core>
 
 namespace Conformal_geometry_processing {
@@ -16,9 +14,10 @@ namespace Conformal_geometry_processing {
 /// [CGP 5.6] calls the divergence, *minus* the usual one, to match the positive semidefinite L:
 /// codifferential(d0 f) = L f. Columns sum to zero.
 /// \param w `cotan_weights(mesh)`, |E| \param omega |E| x k
-template <class Derived>
+/// \tparam Surface `Mesh_view` or `Delaunay_view`
+template <class Surface, class Derived>
 Eigen::Matrix<double, Eigen::Dynamic, Derived::ColsAtCompileTime> codifferential(
-    const Mesh_view& mesh, const Eigen::VectorXd& w, const Eigen::MatrixBase<Derived>& omega)
+    const Surface& mesh, const Eigen::VectorXd& w, const Eigen::MatrixBase<Derived>& omega)
 {
   Eigen::Matrix<double, Eigen::Dynamic, Derived::ColsAtCompileTime> sum(mesh.size_of_vertices(),
                                                                         omega.cols());

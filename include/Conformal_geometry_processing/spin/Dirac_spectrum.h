@@ -57,10 +57,10 @@ struct Multiple_eigenvalue {
 inline std::vector<Multiple_eigenvalue> with_multiplicities(const Eigen::VectorXd& eigenvalues,
                                                             double resolution)
 {
-  std::vector<double> sorted(eigenvalues.begin(), eigenvalues.end());
+  Eigen::VectorXd sorted = eigenvalues;
   std::sort(sorted.begin(), sorted.end());
   std::vector<Multiple_eigenvalue> groups;
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
+  for (Eigen::Index i = 0; i < sorted.size(); ++i) {
     if (i == 0 || sorted[i] - sorted[i - 1] >= resolution) groups.push_back({0, 0});
     Multiple_eigenvalue& group = groups.back();
     group.value += (sorted[i] - group.value) / ++group.multiplicity;

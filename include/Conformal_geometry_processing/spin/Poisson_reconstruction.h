@@ -28,14 +28,15 @@ namespace Conformal_geometry_processing {
 /// the mesh has moved; every call costs two triangular solves with three right-hand sides.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
+/// \tparam Surface `Mesh_view` or `Delaunay_view`
+template <class SolverTraits = Default_solver_traits, class Surface = Mesh_view>
 class Poisson_reconstruction {
  public:
   /// \param mesh must outlive the object
   /// \param pattern `vertex_graph(mesh)`
   /// \pre `require_surface(mesh)` holds
   /// \throw Solver_error if the Laplacian cannot be factored
-  Poisson_reconstruction(const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern)
+  Poisson_reconstruction(const Surface& mesh, std::shared_ptr<const Sparse_pattern> pattern)
       : m_mesh(mesh), m_L(pattern), m_solver(std::move(pattern))
   {
     update_geometry();
@@ -44,7 +45,7 @@ class Poisson_reconstruction {
   /// shares the analysis of another solver on the same pattern
   /// \param other a `Solver` of the same traits, for any scalar
   template <class OtherSolver>
-  Poisson_reconstruction(const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern,
+  Poisson_reconstruction(const Surface& mesh, std::shared_ptr<const Sparse_pattern> pattern,
                          const OtherSolver& other)
       : m_mesh(mesh), m_L(pattern), m_solver(std::move(pattern), other)
   {
@@ -88,7 +89,7 @@ class Poisson_reconstruction {
   Solver_statistics statistics() const { return m_solver.statistics(); }
 
  private:
-  const Mesh_view& m_mesh;
+  const Surface& m_mesh;
   Eigen::VectorXd m_weights;  // |E|
   Hermitian_sparse_matrix<double> m_L;
   Grounded_solver<SolverTraits> m_solver;

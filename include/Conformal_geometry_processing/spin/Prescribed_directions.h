@@ -32,14 +32,15 @@ namespace Conformal_geometry_processing {
 /// surface least.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits>
+/// \tparam Surface `Mesh_view` or `Delaunay_view`
+template <class SolverTraits, class Surface = Mesh_view>
 class Prescribed_directions {
  public:
   /// \param mesh its positions may change; must outlive the object
   /// \param condition of kind `directions`, with directions in its targets or none
   /// \param solver one of the same traits whose analysis is shared
   template <class Solver>
-  Prescribed_directions(const Mesh_view& mesh, const Boundary_condition& condition,
+  Prescribed_directions(const Surface& mesh, const Boundary_condition& condition,
                         std::shared_ptr<const Sparse_pattern> pattern, const Solver& solver)
       : m_mesh(mesh),
         m_frames(boundary_frames(mesh)),
@@ -69,7 +70,7 @@ class Prescribed_directions {
 
   /// \brief the angle in radians between the direction of the boundary frames of a surface of the
   /// same connectivity and the target, at each of `vertices()`.
-  Eigen::VectorXd errors(const Mesh_view& surface) const
+  Eigen::VectorXd errors(const Surface& surface) const
   {
     const Boundary_frames frames = boundary_frames(surface);
     Eigen::VectorXd angles(m_targets.cols());
@@ -134,7 +135,7 @@ class Prescribed_directions {
     return extension;
   }
 
-  const Mesh_view& m_mesh;
+  const Surface& m_mesh;
   Boundary_frames m_frames;
   Eigen::Vector3d m_coefficients;  // of U
   bool m_has_targets;

@@ -78,7 +78,7 @@ class Prescribed_positions {
   /// \throw Solver_error if the Laplacian cannot be factored
   Points positions(const Eigen::MatrixX3d& edges)
   {
-    const Mesh_view& mesh = m_problem.mesh();
+    const auto& mesh = m_problem.mesh();
     const Eigen::VectorXd weights = cotan_weights(mesh);
     const auto L = cotan_laplacian(mesh, m_problem.matrix().shared_pattern());
     m_positions.factorize(L);

@@ -3,8 +3,9 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_ROBUST_SPIN_TRANSFORMATION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_ROBUST_SPIN_TRANSFORMATION_H
 
-#include <Conformal_geometry_processing/linear_algebra/Grounded_solver.h>
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
+#include <Conformal_geometry_processing/mesh/delaunay_boundary.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/delaunay_operators.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
@@ -12,19 +13,20 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief spin transformations of closed surfaces whose triangles are as bad as they may be:
-/// needles, caps, area zero.
+/// \brief spin transformations of surfaces whose triangles are as bad as they may be: needles,
+/// caps, area zero.
 ///
 /// What `Spin_transformation` does with the operators of `delaunay_operators.h`, in the same units,
-/// with the same branch of eigenvalues. Where the mesh is intrinsically Delaunay it finds the same
-/// surface. The vertices of a degenerate face end up where the surface of its neighbours has them.
+/// with the same branch of eigenvalues and the same conditions at a boundary. Where the mesh is
+/// intrinsically Delaunay it finds the same surface. The vertices of a degenerate face end up where
+/// the surface of its neighbours has them. `Closing_spin_transformation` keeps handles closed.
 ///
 /// Area, centroid and certificate are measured on the triangles of the triangulation, in the place
 /// of faces; those that are folded, so that the chords of their edges enclose less than half of
@@ -36,124 +38,213 @@ template <class SolverTraits = Default_solver_traits,
           class EigensolverTraits = Lobpcg_eigensolver_traits>
 class Robust_spin_transformation {
  public:
+  using Dirac_equation_ = Surface_dirac_equation<SolverTraits, EigensolverTraits, Delaunay_view>;
+
   /// \param mesh is copied
   /// \param mollification see `mollified_lengths()`
   /// \param function named in exceptions
-  /// \throw Precondition_error if the mesh is not a connected, oriented manifold without boundary
-  /// and with finite coordinates, if all of its faces have area zero, or mollification is not in
-  /// (0, 1)
+  /// \throw Precondition_error if the mesh is not a connected, oriented manifold with finite
+  /// coordinates, if all of its faces have area zero, or mollification is not in (0, 1)
   /// \throw Solver_error if the analysis fails or the Laplacian cannot be factored
   explicit Robust_spin_transformation(const Mesh_view& mesh, double mollification = 1e-6,
                                       const std::string& function = "Robust_spin_transformation")
-      : m_function(function),
-        m_frame(checked(mesh, mollification, function).positions()),
-        m_mesh(m_frame.to_frame(mesh.positions()), mesh.corners()),
-        m_view(m_mesh, mollification),
-        m_chords(unfolded_triangles(m_view)),
-        m_dirac(m_view),
-        m_L(cotan_laplacian(m_view, m_dirac.problem().matrix().shared_pattern())),
-        m_poisson(m_L.shared_pattern(), m_dirac.problem().solver())
+      : Robust_spin_transformation(mesh, Boundary_condition(), mollification, function)
+  {}
+
+  /// \brief the same with a condition for the boundary; the default is a free one.
+  /// \throw Precondition_error too if the condition does not fit the mesh, see
+  /// `require_condition()`
+  Robust_spin_transformation(const Mesh_view& mesh, Boundary_condition condition,
+                             double mollification, const std::string& function)
+      : m_function(function), m_mollification(mollification), m_condition(std::move(condition))
   {
-    m_poisson.factorize(m_L);
+    require_manifold(mesh, function);
+    require_some_area(mesh, function);
+    if (!(mollification > 0 && mollification < 1))
+      throw Precondition_error(function, "a mollification of " + std::to_string(mollification) +
+                                             "; a number between 0 and 1 is needed");
+    m_generators = closed_generators(mesh);
+    m_state = std::make_unique<State>(mesh, *this);
   }
 
   Robust_spin_transformation(const Robust_spin_transformation&) = delete;
   Robust_spin_transformation& operator=(const Robust_spin_transformation&) = delete;
 
-  /// the triangulation, in the frame of the computation
-  const Delaunay_view& view() const { return m_view; }
+  /// \brief the mesh has moved: `transform()` starts from there, on a triangulation of its own.
+  /// \param positions 3 x |V|
+  /// \throw Precondition_error if their number is another, one is not finite, all faces have area
+  /// zero, or the boundary has prescribed positions; everything is as before then
+  void set_positions(const Points& positions)
+  {
+    if (positions.cols() != m_state->mesh.size_of_vertices())
+      throw Precondition_error(m_function, "one position per vertex is needed");
+    if (dirac_equation().positions())
+      throw Precondition_error(m_function, "a surface with prescribed boundary cannot move");
+    const Mesh_view moved(positions, m_state->mesh.corners());
+    require_finite_positions(moved, m_function);
+    require_some_area(moved, m_function);
+    m_state = std::make_unique<State>(moved, *this);
+  }
+
+  /// the triangulation, in the frame of the computation; its forms are `closed_generators()`
+  const Delaunay_view& view() const { return m_state->view; }
+
+  /// the unit of the frame
+  double unit() const { return m_state->frame.unit(); }
+
+  /// the triangles of the triangulation that are not folded, straight, where the mesh is
+  Mesh_view chords() const
+  {
+    return {m_state->frame.from_frame(m_state->chords.positions()), m_state->chords.corners()};
+  }
+
+  /// the Dirac equation of the triangulation
+  const Dirac_equation_& dirac_equation() const { return m_state->dirac; }
+  Dirac_equation_& dirac_equation() { return m_state->dirac; }
+
+  /// finds positions from edge vectors of the triangulation, in the frame of the computation
+  const Poisson_reconstruction<SolverTraits, Delaunay_view>& reconstruction() const
+  {
+    return m_state->poisson;
+  }
+
+  /// \throw Precondition_error if rho has the wrong length or a value that is not finite
+  void require_potential(const Curvature_potential& rho) const
+  {
+    Conformal_geometry_processing::require_potential(m_state->mesh, rho, unit(), m_function);
+  }
 
   /// \param rho in 1/length of the mesh, one number per vertex or per face of the mesh
-  /// \param options `kernel_tolerance` has no meaning here
+  /// \param options as for `Spin_transformation`
   /// \param go_further asked between iterations with an `Eigen_progress`; false cancels
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
   template <class GoFurther = Always_go_further>
-  Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
+  Spin_result transform(const Curvature_potential& rho, Dirac_options options = {},
                         GoFurther go_further = {})
   {
-    require_potential(m_mesh, rho, m_frame.unit(), m_function);
-    Dirac_solution s = m_dirac.solve({rho.on, rho.values * m_frame.unit()}, options, go_further);
+    require_potential(rho);
+    options.kernel_tolerance *= unit();
+    Dirac_solution s = dirac_equation().solve({rho.on, rho.values * unit()}, options, go_further);
     Spin_result result;
-    result.report = report_of(s, m_frame.unit());
+    result.report = report_of(s, unit());
+    result.report.mollification = mollification();
     result.lambda = std::move(s.lambda);
     if (!result.report.cancelled) reconstruct(result);
     return result;
   }
 
  private:
-  static const Mesh_view& checked(const Mesh_view& mesh, double mollification,
-                                  const std::string& function)
+  /// what belongs to the present positions
+  struct State {
+    State(const Mesh_view& mesh_, const Robust_spin_transformation& of)
+        : frame(mesh_.positions()),
+          mesh(frame.to_frame(mesh_.positions()), mesh_.corners()),
+          view(mesh, of.m_mollification, of.m_generators),
+          chords(of.unfolded_triangles(view, measured_area)),
+          dirac(view, checked(of.in_frame(frame), view, of.m_function), of.m_function),
+          poisson(view, dirac.problem().matrix().shared_pattern(), dirac.problem().solver())
+    {}
+
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+
+    Normalized_frame frame;
+    Mesh_view mesh;  // in the frame
+    Delaunay_view view;
+    double measured_area = 0;  // the share of the chords
+    Mesh_view chords;          // its triangles, straight
+    Dirac_equation_ dirac;
+    Poisson_reconstruction<SolverTraits, Delaunay_view> poisson;
+  };
+
+  static Boundary_condition checked(Boundary_condition condition, const Delaunay_view& view,
+                                    const std::string& function)
   {
-    require_manifold(mesh, function);
-    require_closed(mesh, function);
-    require_some_area(mesh, function);
-    if (!(mollification > 0 && mollification < 1))
-      throw Precondition_error(function, "a mollification of " + std::to_string(mollification) +
-                                             "; a number between 0 and 1 is needed");
-    return mesh;
+    require_condition(view, condition, function);
+    return condition;
   }
 
-  static Mesh_view unfolded_triangles(const Delaunay_view& view)
+  /// positions in the frame; directions are the same there
+  Boundary_condition in_frame(const Normalized_frame& frame) const
+  {
+    Boundary_condition condition = m_condition;
+    if (condition.kind == Boundary_condition::Kind::positions)
+      condition.targets = frame.to_frame(std::move(condition.targets));
+    return condition;
+  }
+
+  /// Those of which more than half the area is left where their corners are joined straight; a cap
+  /// at the boundary, which is two triangles of the view, is one.
+  /// \param share of the area that they have
+  Mesh_view unfolded_triangles(const Delaunay_view& view, double& share) const
   {
     Mesh_view::Corners corners;
+    double all = 0, measured = 0;
     for (int t = 0; t < view.size_of_triangles(); ++t) {
-      const auto& v = view.corners(t);
-      const Eigen::Vector3d p = view.positions().col(v[0]);
-      const double twice =
-          (view.positions().col(v[1]) - p).cross(view.positions().col(v[2]) - p).norm();
-      if (twice > view.area(t)) corners.push_back(v);
+      auto v = view.corners(t);
+      double area = view.area(t);
+      if (v[1] == v[2]) v[1] = view.corners(++t)[1], area += view.area(t);
+      const Eigen::Vector3d p = view.position(v[0]);
+      const double twice = (view.position(v[1]) - p).cross(view.position(v[2]) - p).norm();
+      all += area;
+      if (twice > area) corners.push_back(v), measured += area;
     }
+    share = measured / all;
+    if (corners.empty())
+      throw Precondition_error(m_function, "a mollification of " + std::to_string(m_mollification) +
+                                               " folds all faces; a smaller one is needed");
     return {view.positions(), std::move(corners)};
+  }
+
+  Spin_report::Mollification mollification() const
+  {
+    const bool is_longer = view().added_length() > 0;
+    return {m_mollification,
+            view().size_of_thin_faces(),
+            is_longer ? m_state->mesh.size_of_edges() : 0,
+            view().added_length() * unit(),
+            view().size_of_flips(),
+            m_state->chords.size_of_faces(),
+            m_state->measured_area};
   }
 
   void reconstruct(Spin_result& result)
   {
+    State& now = *m_state;
     Spin_report& r = result.report;
-    Points f = positions(result.lambda, r.closure_residual);
-    restore_area(m_chords, f, result.lambda);  // faces of no area may have got wrinkles
-    r.conformality = conformality(m_chords, f, rotated_normals(m_chords, result.lambda));
+    const Eigen::MatrixX3d edges = transformed_edges(now.view, result.lambda);
+    Points f = now.dirac.positions() ? now.dirac.positions()->positions(edges)
+                                     : now.poisson.positions(edges);
+    r.closure_residual = now.poisson.residual(f, edges);
+    // by the chords, for faces of no area may have got wrinkled
+    if (!now.dirac.positions()) restore_area(now.chords, f, result.lambda);
+    r.conformality = conformality(now.chords, f, rotated_normals(now.chords, result.lambda));
     const auto size = components(result.lambda).colwise().norm();
     r.min_spin_ratio = size.minCoeff() / size.maxCoeff();
     r.converged = r.converged && f.allFinite();
-    result.positions = m_frame.from_frame(std::move(f));
+    if (!now.dirac.is_closed() && r.converged) judge_boundary(f, r);
+    result.positions = now.frame.from_frame(std::move(f));
   }
 
-  /// As `Poisson_reconstruction`, with the chords of the edges of the triangulation.
-  Points positions(const Quaternion_vector<double>& lambda, double& residual) const
+  /// as `Spin_transformation` does
+  void judge_boundary(const Points& f, Spin_report& r) const
   {
-    Eigen::MatrixX3d divergence = Eigen::MatrixX3d::Zero(m_view.size_of_vertices(), 3);
-    m_L.for_each_entry([&](int i, int j, double l) {
-      if (i == j) return;
-      const Eigen::RowVector3d e = -l * edge_between(lambda, j, i).transpose();
-      divergence.row(i) += e;
-      divergence.row(j) -= e;
-    });
-    const Points f = m_poisson.solve(divergence).transpose();
-    double difference = 0, total = 0;
-    m_L.for_each_entry([&](int i, int j, double l) {
-      if (i == j) return;
-      const Eigen::Vector3d e = edge_between(lambda, j, i);
-      difference += std::abs(l) * (f.col(i) - f.col(j) - e).squaredNorm();
-      total += std::abs(l) * e.squaredNorm();
-    });
-    residual = std::sqrt(difference / total);
-    return f;
-  }
-
-  Eigen::Vector3d edge_between(const Quaternion_vector<double>& lambda, int i, int j) const
-  {
-    return transformed_edge(m_mesh.position(j) - m_mesh.position(i), lambda[i], lambda[j]);
+    const Dirac_equation_& dirac = dirac_equation();
+    if (dirac.directions()) {
+      const Delaunay_view moved({f, m_state->mesh.corners()}, m_mollification);
+      const Eigen::VectorXd errors = dirac.directions()->errors(moved);
+      r.direction_error = {errors.mean(), errors.maxCoeff()};
+    }
+    const bool is_misfit = dirac.directions() && !dirac.is_self_adjoint();
+    r.boundary_fault = boundary_fault(view(), is_misfit ? r.eigenvalue * unit() : 0, r);
   }
 
   std::string m_function;
-  Normalized_frame m_frame;
-  Mesh_view m_mesh;  // in the frame
-  Delaunay_view m_view;
-  Mesh_view m_chords;  // its triangles, straight
-  Dirac_equation<SolverTraits, EigensolverTraits, Delaunay_view> m_dirac;
-  Hermitian_sparse_matrix<double> m_L;
-  Grounded_solver<SolverTraits> m_poisson;
+  double m_mollification;
+  Boundary_condition m_condition;
+  Eigen::MatrixXd m_generators;
+  std::unique_ptr<State> m_state;
 };
 
 }  // namespace Conformal_geometry_processing

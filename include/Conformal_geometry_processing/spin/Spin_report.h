@@ -64,6 +64,17 @@ struct [[nodiscard]] Spin_report {
   } direction_error;
   Boundary_fault boundary_fault = Boundary_fault::none;
 
+  /// what the triangulation was made of on which robust operators worked; of several steps the most
+  struct Mollification {
+    double share = 0;            ///< that was asked for; 0: none
+    int thin_faces = 0;          ///< whose edges lacked length
+    int longer_edges = 0;        ///< that were made longer: all or none
+    double added_length = 0;     ///< to each of them, in the unit of the mesh
+    int flipped_edges = 0;       ///< until all were Delaunay
+    int measured_triangles = 0;  ///< on which `conformality` is measured: those that are not folded
+    double measured_area = 0;    ///< of them, as a share of all
+  } mollification;
+
   double closure_residual = 0;  ///< how far the new edges are from closing up, relative
   Conformality conformality;    ///< of the map from the old surface to the new one
   double min_spin_ratio = 0;  ///< min |lambda| / max |lambda|; near zero where the map degenerates
@@ -83,6 +94,22 @@ struct [[nodiscard]] Spin_report {
     return converged && !cancelled && boundary_fault == Boundary_fault::none;
   }
 };
+
+namespace internal {
+
+inline void append(Spin_report::Mollification& all, const Spin_report::Mollification& next)
+{
+  const bool is_first = all.share == 0;  // where the conformality of the whole way is measured
+  if (is_first) all.measured_triangles = next.measured_triangles;
+  if (is_first) all.measured_area = next.measured_area;
+  all.share = next.share;
+  all.thin_faces = std::max(all.thin_faces, next.thin_faces);
+  all.longer_edges = std::max(all.longer_edges, next.longer_edges);
+  all.added_length = std::max(all.added_length, next.added_length);
+  all.flipped_edges = std::max(all.flipped_edges, next.flipped_edges);
+}
+
+}  // namespace internal
 
 /// \relates Spin_report
 /// \brief the report of two transformations, one after the other, out of theirs: sums of what was
@@ -104,6 +131,7 @@ inline void append(Spin_report& all, const Spin_report& next)
   all.steps += next.steps;
   all.direction_error = next.direction_error;
   all.boundary_fault = next.boundary_fault;
+  internal::append(all.mollification, next.mollification);
   all.closure_residual = std::max(all.closure_residual, next.closure_residual);
   all.period_defect += next.period_defect;
   all.seconds.setup = next.seconds.setup;

@@ -31,8 +31,9 @@ namespace Conformal_geometry_processing {
 /// the number of targets or normals is not that of the boundary vertices; if one is zero or not
 /// finite; if the direction is the normal (not elliptic), zero or not finite; if the boundary of
 /// the surface folds back at a vertex, which then has no frame
-inline void require_condition(const Mesh_view& mesh, const Boundary_condition& condition,
-                              const std::string& function)
+template <class Surface>
+void require_condition(const Surface& mesh, const Boundary_condition& condition,
+                       const std::string& function)
 {
   using Kind = Boundary_condition::Kind;
   if (condition.kind == Kind::free) return;
@@ -87,20 +88,21 @@ inline void require_condition(const Mesh_view& mesh, const Boundary_condition& c
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`, for closed surfaces
+/// \tparam Surface `Mesh_view`, or `Delaunay_view` for the robust operators
 template <class SolverTraits = Default_solver_traits,
-          class EigensolverTraits = Lobpcg_eigensolver_traits>
+          class EigensolverTraits = Lobpcg_eigensolver_traits, class Surface = Mesh_view>
 class Surface_dirac_equation {
  public:
-  using Closed = Dirac_equation<SolverTraits, EigensolverTraits>;
+  using Closed = Dirac_equation<SolverTraits, EigensolverTraits, Surface>;
   using Problem = std::decay_t<decltype(std::declval<Closed>().problem())>;
-  using Directions = Prescribed_directions<SolverTraits>;
+  using Directions = Prescribed_directions<SolverTraits, Surface>;
   using Reduced = Reduced_dirac_equation<Problem, Directions>;
 
   /// \param mesh must outlive the object
   /// \pre `require_surface(mesh)` and `require_condition(mesh, condition)` hold
   /// \throw Precondition_error if positions need another spin structure
   /// \throw Solver_error if the analysis fails
-  Surface_dirac_equation(const Mesh_view& mesh, const Boundary_condition& condition,
+  Surface_dirac_equation(const Surface& mesh, const Boundary_condition& condition,
                          const std::string& function)
       : m_is_closed(boundary_loops(mesh).empty()), m_kind(condition.kind), m_closed(mesh)
   {
@@ -119,6 +121,7 @@ class Surface_dirac_equation {
   Surface_dirac_equation& operator=(const Surface_dirac_equation&) = delete;
 
   const Problem& problem() const { return m_closed.problem(); }
+  Problem& problem() { return m_closed.problem(); }
   bool is_closed() const { return m_is_closed; }
 
   /// of the condition, or null

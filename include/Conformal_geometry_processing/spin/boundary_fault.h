@@ -16,7 +16,8 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgSpin
 /// \brief the greatest singular value of D - rho, in 1/length, that the length of the edges
 /// explains: where gamma is a misfit, greater ones belong to no surface.
-inline double greatest_misfit(const Mesh_view& mesh)
+template <class Surface>
+double greatest_misfit(const Surface& mesh)
 {
   const double pi = std::acos(-1.), radius = std::sqrt(face_areas(mesh).sum() / pi);
   return std::max(0.05, 3 * mean_edge_length(mesh) / radius) / radius;
@@ -34,7 +35,8 @@ inline double greatest_misfit(const Mesh_view& mesh)
 ///
 /// \param sigma in 1/length, or zero where it is a true eigenvalue and no misfit
 /// \param report with what has been measured
-inline Boundary_fault boundary_fault(const Mesh_view& mesh, double sigma, const Spin_report& report)
+template <class Surface>
+Boundary_fault boundary_fault(const Surface& mesh, double sigma, const Spin_report& report)
 {
   const double pi = std::acos(-1.), radius = std::sqrt(face_areas(mesh).sum() / pi);
   const double h = mean_edge_length(mesh) / radius, small_gap = 0.01, great_misfit = 0.15;

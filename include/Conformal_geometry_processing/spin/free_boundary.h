@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_FREE_BOUNDARY_H
 
 #include <Conformal_geometry_processing/mesh/mean_edge_length.h>
+#include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
@@ -18,7 +19,8 @@ namespace Conformal_geometry_processing {
 /// alpha = 10 h / R^2 with the mean length h of the edges and pi R^2 the area.
 ///
 /// Where h << alpha R^2 << R, the solution tends to the projection of 1 on the kernel of D - rho.
-inline double nearness_weight(const Mesh_view& mesh, const Eigen::VectorXd& areas)
+template <class Surface>
+double nearness_weight(const Surface& mesh, const Eigen::VectorXd& areas)
 {
   const double pi = std::acos(-1.);
   const double alpha = 10 * mean_edge_length(mesh) / (areas.sum() / pi);
@@ -66,7 +68,7 @@ void solve_with_free_boundary(Problem& problem, const Curvature_potential& rho, 
                components(Quaternion_vector<double>(b)).norm();
   s.energy =
       inner_product(s.lambda, problem.matrix() * s.lambda).w / problem.squared_norm(s.lambda);
-  s.eigenvalue = std::sqrt(s.energy);
+  s.eigenvalue = dirac_misfit(problem.mesh(), rho, s.lambda);  // no terms cancel, as they do in X
   s.converged = components(s.lambda).allFinite();
   s.seconds.eigenvectors += watch.lap();
 }

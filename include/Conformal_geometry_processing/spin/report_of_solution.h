@@ -6,6 +6,8 @@
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
+#include <cmath>
+
 namespace Conformal_geometry_processing {
 
 /// \relates Spin_report
@@ -14,7 +16,7 @@ namespace Conformal_geometry_processing {
 inline Spin_report report_of(const Dirac_solution& s, double unit)
 {
   Spin_report r;
-  r.converged = s.converged;
+  r.converged = s.converged && std::isfinite(s.eigenvalue);
   r.cancelled = s.cancelled;
   r.eigenvalue = s.eigenvalue / unit;
   r.residual = s.residual;

@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORMED_EDGES_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
 
@@ -29,8 +28,9 @@ inline Eigen::Vector3d transformed_edge(const Eigen::Vector3d& e, const Quaterni
 /// \brief the edge vectors of the spin transformed surface, df~ = conjugate(lambda) df lambda
 /// integrated along each edge; |E| x 3, edge k runs i -> j with i < j.
 /// \param lambda |V| quaternions
-inline Eigen::MatrixX3d transformed_edges(const Mesh_view& mesh,
-                                          const Quaternion_vector<double>& lambda)
+/// \tparam Surface `Mesh_view` or `Delaunay_view`
+template <class Surface>
+Eigen::MatrixX3d transformed_edges(const Surface& mesh, const Quaternion_vector<double>& lambda)
 {
   Eigen::MatrixX3d edges(mesh.size_of_edges(), 3);
   for (int k = 0; k < mesh.size_of_edges(); ++k) {

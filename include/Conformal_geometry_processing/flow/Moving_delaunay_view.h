@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_MOVING_DELAUNAY_VIEW_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_MOVING_DELAUNAY_VIEW_H
+
+#include <Conformal_geometry_processing/flow/Constraint_basis.h>
+#include <Conformal_geometry_processing/forms/Dirac_energy_inverse.h>
+#include <Conformal_geometry_processing/forms/delaunay_exactness.h>
+#include <Conformal_geometry_processing/spin/Robust_spin_transformation.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <type_traits>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgFlow
+/// \brief what `Moving_mesh` is, of surfaces whose faces may have area zero: every step has a
+/// triangulation of its own, to which the loops around handles are taken along.
+template <class SolverTraits, class EigensolverTraits>
+class Moving_delaunay_view {
+ public:
+  using Transformation = Robust_spin_transformation<SolverTraits, EigensolverTraits>;
+
+  /// \brief takes the adjoint's constraints, whatever exactness is asked for.
+  /// \param transformation of the mesh; must outlive the object
+  /// \param on where the values of rho are
+  Moving_delaunay_view(Transformation& transformation, const Mesh_view& mesh, Exactness,
+                       Curvature_potential::On on)
+      : m_transformation(transformation), m_on(on)
+  {
+    move_to(mesh.positions());
+  }
+
+  static Mesh_view measured(const Transformation& transformation, const Mesh_view&)
+  {
+    return transformation.chords();
+  }
+
+  void update()
+  {
+    const Delaunay_view& mesh = m_transformation.view();
+    m_basis = harmonic_basis(mesh, m_transformation.reconstruction().solver());
+    auto& equation = m_transformation.dirac_equation();
+    if (equation.is_closed()) {
+      auto& problem = equation.problem();
+      using Solver = typename std::decay_t<decltype(problem)>::Solver;
+      Dirac_solution::Seconds seconds;
+      problem.set_potential(no_potential(mesh), seconds);
+      const Dirac_energy_inverse<Solver> inverse(problem.matrix(), problem.areas(),
+                                                 problem.solver());
+      m_functions = exactness_constraints(mesh, m_basis, inverse, m_on);
+    } else {
+      const auto respond = [&](const Block<Quaternion<double>>& c) { return equation.response(c); };
+      m_functions = bounded_exactness_constraints(mesh, m_basis, respond, m_on);
+    }
+  }
+
+  Constraint_basis basis() const
+  {
+    Constraint_basis basis(curvature_areas(m_transformation.view(), m_on));
+    if (m_transformation.dirac_equation().is_self_adjoint())
+      basis.add(Eigen::VectorXd::Ones(m_functions.rows()));
+    basis.add(m_functions);
+    return basis;
+  }
+
+  double defect(const Quaternion_vector<double>& lambda) const
+  {
+    const Delaunay_view& mesh = m_transformation.view();
+    const Eigen::VectorXd& w = mesh.cotan_weights();
+    const Eigen::MatrixX3d edges = transformed_edges(mesh, lambda);
+    const double total = w.cwiseAbs().dot(edges.rowwise().squaredNorm());
+    return m_basis.coefficients(w, edges).norm() / std::sqrt(total);
+  }
+
+  void move_to(const Points& positions)
+  {
+    m_positions = positions;
+    m_areas = m_transformation.unit() * m_transformation.unit() *
+              curvature_areas(m_transformation.view(), m_on);
+  }
+
+  const Points& positions() const { return m_positions; }
+
+  const Eigen::VectorXd& areas() const { return m_areas; }
+
+ private:
+  Transformation& m_transformation;
+  Curvature_potential::On m_on;
+  Points m_positions;
+  Eigen::VectorXd m_areas;  // of the surface before `move_to()`, until then
+  Harmonic_basis m_basis;
+  Eigen::MatrixXd m_functions;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

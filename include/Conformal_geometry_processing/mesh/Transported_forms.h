@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_TRANSPORTED_FORMS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_TRANSPORTED_FORMS_H
+
+#include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgMesh
+/// \brief closed 1-forms that follow the flips of an intrinsic triangulation: what they add up to
+/// along a path stays, for around every triangle they add up to zero.
+class Transported_forms {
+ public:
+  /// \param forms |E| x k, along each edge i -> j of the mesh, i < j; closed
+  Transported_forms(const Mesh_view& mesh, const Eigen::MatrixXd& forms)
+      : m_values(mesh.size_of_halfedges(), forms.cols())
+  {
+    for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+      m_values.row(h) = (mesh.from(h) < mesh.to(h) ? 1 : -1) * forms.row(mesh.edge(h));
+  }
+
+  /// along halfedge h, from its first vertex to its second; k numbers
+  Eigen::RowVectorXd along(int h) const { return m_values.row(h); }
+
+  /// \pre the edge of h will be flipped, and has not been yet
+  void before_flip(const Intrinsic_triangulation& triangles, int h)
+  {
+    const int t = triangles.twin(h), a = 3 * (h / 3), b = 3 * (t / 3);
+    const Eigen::RowVectorXd jk = along(Mesh_view::next_in_face(h)),
+                             ki = along(Mesh_view::previous_in_face(h)),
+                             il = along(Mesh_view::next_in_face(t)),
+                             lj = along(Mesh_view::previous_in_face(t));
+    // the new faces (k, i, l) and (l, j, k)
+    m_values.row(a) = il;
+    m_values.row(a + 1) = -(ki + il);
+    m_values.row(a + 2) = ki;
+    m_values.row(b) = jk;
+    m_values.row(b + 1) = ki + il;
+    m_values.row(b + 2) = lj;
+  }
+
+ private:
+  Eigen::MatrixXd m_values;  // a row for each halfedge
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif
