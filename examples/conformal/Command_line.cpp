@@ -70,7 +70,7 @@ class Parser {
     return command;
   }
 
-  // A command that works on one surface, to which no other file must fit.
+  // A command that works on a surface; files that must fit it are repaired alike.
   CLI::App* add_command_that_repairs(const char* name, const char* description)
   {
     return add_repair(add_command(name, description), m_common.repair);
@@ -95,13 +95,14 @@ class Parser {
 
   void add_spin()
   {
-    CLI::App& command = *add_command_that_repairs("spin", about_spin);
+    CLI::App& command = add_each_component(*add_command_that_repairs("spin", about_spin), m_common);
     add_input(command, m_spin.input);
     add_output_and_page(command);
     add_rho(command, m_spin.rho)->require_option(1);
     add_filter(command, m_spin.rho.filter);
     add_boundary(command, m_spin.boundary);
     add_solver(command, m_spin);
+    add_mollification(command, m_spin.mollification);
     command
         .add_option("--problem", m_problem,
                     "standard, or generalized for rho on faces where that can be trusted")
@@ -115,7 +116,7 @@ class Parser {
 
   void add_boundary_command()
   {
-    CLI::App& command = *add_command("boundary", about_boundary);
+    CLI::App& command = *add_command_that_repairs("boundary", about_boundary);
     Spin_options& spin = m_boundary.spin;
     add_input(command, spin.input);
     add_output_and_page(command);
@@ -131,7 +132,7 @@ class Parser {
 
   void add_fit()
   {
-    CLI::App& command = *add_command("fit", about_fit);
+    CLI::App& command = *add_command_that_repairs("fit", about_fit);
     add_fit_options(command, m_fit);
     add_output_and_page(command);
     add_eigenvector(command, m_common);
@@ -140,7 +141,7 @@ class Parser {
 
   void add_blend()
   {
-    CLI::App& command = *add_command("blend", about_blend);
+    CLI::App& command = *add_command_that_repairs("blend", about_blend);
     add_blend_options(command, m_blend);
     add_output_and_page(command);
     add_eigenvector(command, m_common);
@@ -149,7 +150,7 @@ class Parser {
 
   void add_flow()
   {
-    CLI::App& command = *add_command_that_repairs("flow", about_flow);
+    CLI::App& command = add_each_component(*add_command_that_repairs("flow", about_flow), m_common);
     add_input(command, m_flow.input);
     add_output_and_page(command);
     add_flow_options(command, m_flow);
@@ -159,7 +160,8 @@ class Parser {
 
   void add_flatten()
   {
-    CLI::App& command = *add_command_that_repairs("flatten", about_flatten);
+    CLI::App& command =
+        add_each_component(*add_command_that_repairs("flatten", about_flatten), m_common);
     add_flatten_options(command, m_flatten);
     add_output_and_page(command);
     add_limits(command, m_flatten.limits, m_flatten.force);

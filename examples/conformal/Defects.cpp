@@ -95,29 +95,37 @@ bool is_flat(const CGP::Mesh_view& mesh, int f)
   return !holds(CGP::require_positive_areas, CGP::Mesh_view(std::move(p), {{0, 1, 2}}));
 }
 
-void find_geometrical(const Surface_input& input, std::vector<std::string>& defects)
+void find_geometrical(const Surface_input& input, Defects& found)
 {
   const CGP::Mesh_view& mesh = input.mesh;
+  std::vector<std::string>& defects = found.of_geometry;
   const double largest = 1e300;
   add_if_any(
       defects, mesh.size_of_vertices(),
       [&](int v) { return !(mesh.position(v).cwiseAbs().maxCoeff() <= largest); },
       [&](int v) { return name_of_vertex(input, v); }, "vertex", " beyond the coordinate 1e300",
       "scale the mesh down");
+  found.has_area = defects.empty() && holds(CGP::require_some_area, mesh);
   if (!defects.empty() || holds(CGP::require_positive_areas, mesh)) return;
+  if (!found.has_area) {
+    defects.push_back("no face has an area, wanted a surface; try: another mesh");
+    return;
+  }
   add_if_any(
       defects, mesh.size_of_faces(), [&](int f) { return is_flat(mesh, f); },
       [&](int f) { return name_of_face(input, f); }, "face", " of area zero",
-      "merge coincident vertices, as --repair does, and remove degenerate faces in a mesh editor");
+      std::string(input.repair ? "" : "--repair, which mends most of them, or ") +
+          "conformal spin --mollify, which takes them as they are");
 }
 
 }  // namespace
 
-std::string Defects::first() const
+std::string Defects::first(Flat_faces flat_faces) const
 {
-  for (const auto* kind : {&of_topology, &of_components, &of_geometry})
+  for (const auto* kind : {&of_topology, &of_components})
     if (!kind->empty()) return kind->front();
-  return {};
+  const bool is_fine = of_geometry.empty() || (flat_faces == Flat_faces::allowed && has_area);
+  return is_fine ? std::string() : of_geometry.front();
 }
 
 Defects find_defects(const Surface_input& input)
@@ -133,8 +141,9 @@ Defects find_defects(const Surface_input& input)
   if (components > 1)
     defects.of_components.push_back(
         "the surface has " + std::to_string(components) + " components (the second begins at " +
-        name_of_vertex(input, second) + "), one is wanted; try: a file for each");
-  find_geometrical(input, defects.of_geometry);
+        name_of_vertex(input, second) +
+        "), one is wanted; try: --each-component (spin, flow, flatten), or a file for each");
+  find_geometrical(input, defects);
   return defects;
 }
 
@@ -147,9 +156,17 @@ std::string description(const CGP::Mesh_view& mesh)
          std::to_string(t.genus);
 }
 
-void require_surface(const Surface_input& input)
+void require_surface(const Surface_input& input, Flat_faces flat_faces)
 {
-  const std::string defect = find_defects(input).first();
+  const std::string defect = find_defects(input).first(flat_faces);
+  if (!defect.empty()) throw unsuitable(input.file.path, defect);
+}
+
+void require_surface_components(const Surface_input& input, Flat_faces flat_faces)
+{
+  Defects defects = find_defects(input);
+  defects.of_components.clear();
+  const std::string defect = defects.first(flat_faces);
   if (!defect.empty()) throw unsuitable(input.file.path, defect);
 }
 

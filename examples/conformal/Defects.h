@@ -10,15 +10,19 @@
 
 namespace conformal {
 
+/// whether faces of area zero are a defect
+enum class Flat_faces { refused, allowed };
+
 /// What keeps a mesh from being one oriented manifold surface with areas, in the words of the
 /// user's file: how many elements, the first of them, what to try.
 struct Defects {
   std::vector<std::string> of_topology;    ///< non-manifold, not orientable
   std::vector<std::string> of_geometry;    ///< faces of area zero, coordinates too large
   std::vector<std::string> of_components;  ///< more than one
+  bool has_area = true;  ///< of geometry nothing but faces of area zero, and not all of them
 
   /// the first one, or an empty string
-  std::string first() const;
+  std::string first(Flat_faces flat_faces = Flat_faces::refused) const;
 };
 
 Defects find_defects(const Surface_input& input);
@@ -28,9 +32,13 @@ Defects find_defects(const Surface_input& input);
 std::string description(const CGP::Mesh_view& mesh);
 
 /// \throws Failure naming the first defect
-void require_surface(const Surface_input& input);
+void require_surface(const Surface_input& input, Flat_faces flat_faces = Flat_faces::refused);
 
-/// the same, and no boundary
+/// the same but for the number of components
+void require_surface_components(const Surface_input& input,
+                                Flat_faces flat_faces = Flat_faces::refused);
+
+/// the same as `require_surface()`, and no boundary
 void require_closed_surface(const Surface_input& input);
 
 /// \throws Failure if something was done to the input that it did not ask for

@@ -15,6 +15,7 @@ struct Common_options {
   unsigned seed = 0;
   double tolerance = 1e-8;
   bool quiet = false, strict = false, repair = false;
+  bool each_component = false;  ///< works on one component after the other
 };
 
 enum class Projection { uv, x, y, z, sphere };
@@ -61,6 +62,7 @@ struct Spin_options {
   Boundary_choice boundary = Boundary_choice::free;
   std::string lambda;  ///< the name of the vertex properties, none if empty
   bool generalized = false, force = false;
+  double mollification = 0;       ///< share of the mean edge; 0: faces of area zero are refused
   bool open_handles = false;      ///< rho is applied as it is, though it opens handles and holes
   std::string solver = "native";  // or cholmod, eigen
   Verification_limits limits;

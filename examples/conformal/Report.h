@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -33,6 +34,7 @@ class Report {
 
  private:
   std::vector<std::pair<std::string, Value>> m_entries;
+  std::unordered_map<std::string, std::size_t> m_index;  // of the entry of a place
 };
 
 /// the report as an indented JSON object, UTF-8, with a line break at its end

@@ -31,6 +31,7 @@ class Session {
   /// Tells what was done to the input without being asked: a line on stderr, and in the report.
   void note(const std::string& text);
   void note_all(const std::vector<std::string>& texts);
+  const std::vector<std::string>& notes() const { return m_notes; }
 
   /// Prints a result on stdout, unless the user wants silence.
   void print(std::string_view text) const;

@@ -92,6 +92,12 @@ void turn_outward(Surface_input& input)
       "the surface is inside out: computed with outward normals, faces are written as they were");
 }
 
+// What the user has is the file before it was repaired.
+int before_repair(std::vector<int> Repair::*in_file, const Surface_input& input, int i)
+{
+  return input.repair ? ((*input.repair).*in_file)[static_cast<std::size_t>(i)] : i;
+}
+
 std::string with_obj_number(const Surface_input& input, const char* what, int i)
 {
   std::string name = what + (' ' + std::to_string(i));
@@ -106,7 +112,7 @@ Surface_input prepare(Surface_file file)
 {
   Surface_input input;
   input.file = std::move(file);
-  auto [corners, face_in_file, triangulated] = triangulate(input.file);
+  auto [corners, face_in_file, places, triangulated] = triangulate(input.file);
   input.face_in_file = std::move(face_in_file);
   input.triangulated = triangulated;
   input.vertex_in_file = leave_out_unreferenced(input.file.points.size(), corners);
@@ -141,12 +147,14 @@ Surface_input read_surface_input(const std::string& path, bool is_repaired)
 
 std::string name_of_vertex(const Surface_input& input, int v)
 {
-  return with_obj_number(input, "vertex", input.vertex_in_file[static_cast<std::size_t>(v)]);
+  const int i = input.vertex_in_file[static_cast<std::size_t>(v)];
+  return with_obj_number(input, "vertex", before_repair(&Repair::vertex_in_file, input, i));
 }
 
 std::string name_of_face(const Surface_input& input, int f)
 {
-  return with_obj_number(input, "face", input.face_in_file[static_cast<std::size_t>(f)]);
+  const int i = input.face_in_file[static_cast<std::size_t>(f)];
+  return with_obj_number(input, "face", before_repair(&Repair::face_in_file, input, i));
 }
 
 std::string name_of_edge(const Surface_input& input, int k)

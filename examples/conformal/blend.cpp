@@ -45,6 +45,7 @@ Pair read_pair(const Blend_options& options, Session& session)
   Surface_input a = read_suitable_surface(options.spin.input, session);
   Surface_input b = read_surface_like(a, options.other);
   Surface_input start = options.onto.empty() ? a : read_surface_like(a, options.onto);
+  note_repaired_alike(a, {options.other, options.onto}, session);
   const CGP::Points& p = b.mesh.positions();
   CGP::Mesh_view near(CGP::align(p, a.mesh.positions()).apply(p), a.mesh.corners());
   return {std::move(a), std::move(b), std::move(start), std::move(near)};

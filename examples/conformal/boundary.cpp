@@ -5,6 +5,7 @@
 #include "boundary_condition.h"
 #include "deform.h"
 #include "rho.h"
+#include "same_faces.h"
 #include "suitable_surface.h"
 #include "write_result.h"
 
@@ -36,7 +37,9 @@ void boundary(const Boundary_options& options, Session& session)
   const Surface_input input = read_bounded_surface(options.spin.input, session);
   Spin_problem problem;
   problem.rho = potential(input, options);
-  problem.boundary = prescribed_boundary(input, options.prescription);
+  const Prescription_options& by = options.prescription;
+  problem.boundary = prescribed_boundary(input, by);
+  note_repaired_alike(input, {by.tangents_from, by.binormals_from, by.positions_from}, session);
   // What is prescribed leaves no choice: loops close with it, or the residual tells.
   problem.closes_loops = false;
   if (options.minimal) problem.kernel_tolerance = CGP::minimal_kernel_tolerance(input.mesh);

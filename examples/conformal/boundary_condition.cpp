@@ -38,9 +38,7 @@ CGP::Points axes(const CGP::Boundary_frames& frames, Eigen::Index axis)
 /// the surface of a file that has the same faces
 CGP::Mesh_view target_surface(const Surface_input& input, const std::string& path)
 {
-  const Surface_input target = read_surface_input(path);
-  require_same_faces(input.file, target.file);
-  return {positions_in(input, target.file), input.mesh.corners()};
+  return {positions_in(input, read_file_like(input, path)), input.mesh.corners()};
 }
 
 Boundary_condition positions_of(const CGP::Mesh_view& target)

@@ -5,6 +5,7 @@
 #include "Failure.h"
 
 #include <Conformal_geometry_processing/flow/filtered_on_surface.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/painting/image_filters.h>
 
 namespace conformal {
@@ -60,11 +61,28 @@ CGP::Gray_image filtered(CGP::Gray_image image, const Rho_options& options)
                        filter.amount.value_or(1));
 }
 
+namespace {
+
+/// `--mollify` takes faces of area zero, the Laplacian of the filter does not.
+void require_areas_to_filter(const Surface_input& input)
+{
+  try {
+    CGP::require_positive_areas(input.mesh, "filter");
+  } catch (const CGP::Precondition_error&) {
+    throw unsuitable(input.file.path,
+                     "has faces of area zero, which filters on the surface do not take; try: "
+                     "--repair, or no --filter");
+  }
+}
+
+}  // namespace
+
 CGP::Curvature_potential filtered(const Surface_input& input, const CGP::Curvature_potential& rho,
                                   const Filter_request& filter)
 {
   refuse_if(rho.on == CGP::Curvature_potential::On::faces,
             "--filter-on surface wants rho on vertices; try: --on vertices");
+  require_areas_to_filter(input);
   CGP::Filter_options options;
   options.weight = filter.weight.value_or(options.weight);
   options.order = filter.order.value_or(options.order);

@@ -4,6 +4,7 @@
 
 #include "Failure.h"
 #include "Surface_input.h"
+#include "each_component.h"
 #include "flat_image.h"
 #include "interruption.h"
 #include "io/texture_coordinates.h"
@@ -11,6 +12,10 @@
 #include "keep_exhibit.h"
 #include "suitable_surface.h"
 #include "write_result.h"
+
+#include <Conformal_geometry_processing/mesh/Mesh_component.h>
+#include <Conformal_geometry_processing/parameterization/place_in_plane.h>
+#include <Conformal_geometry_processing/parameterization/place_side_by_side.h>
 
 #include <algorithm>
 #include <array>
@@ -43,6 +48,32 @@ std::vector<std::array<double, 2>> in_unit_square(const Surface_input& input,
   return uv;
 }
 
+/// The image of a surface in one component, which verifies.
+CGP::Points flattened(const Surface_input& input, const Flatten_options& options, Session& session)
+{
+  Flat_image image = flat_image(input, options, session);
+  throw_if_interrupted();
+  session.end_stage("solve");
+  verify(image, options, session);
+  return std::move(image.positions);
+}
+
+/// The images of all components, side by side.
+CGP::Points flattened_components(const Surface_input& input, const Flatten_options& options,
+                                 Session& session)
+{
+  CGP::Points positions =
+      each_component(input, session, [&](const Component& component, Session& own) {
+        return flattened(component.input, options, own);
+      });
+  Eigen::VectorXcd z(positions.cols());
+  z.real() = positions.row(0).transpose();
+  z.imag() = positions.row(1).transpose();
+  CGP::place_side_by_side(CGP::mesh_components(input.mesh), z);
+  positions.topRows<2>() = CGP::in_space(z).topRows<2>();
+  return positions;
+}
+
 }  // namespace
 
 void flatten(const Flatten_options& options, Session& session)
@@ -50,14 +81,13 @@ void flatten(const Flatten_options& options, Session& session)
   const std::string& output = session.options().output;
   require_writable(output);
   const Surface_input input = read_bounded_surface(options.input, session);
-  const Flat_image image = flat_image(input, options, session);
-  throw_if_interrupted();
-  session.end_stage("solve");
-  verify(image, options, session);
-  keep_flat_exhibit(input, image.positions, session);
-  Surface_file file = options.planar_mesh ? moved(input, image.positions) : input.file;
-  set_texture_coordinates(file, in_unit_square(input, image.positions));
-  set_quality(input, image.positions, file);
+  const CGP::Points positions = session.options().each_component
+                                    ? flattened_components(input, options, session)
+                                    : flattened(input, options, session);
+  keep_flat_exhibit(input, positions, session);
+  Surface_file file = options.planar_mesh ? moved(input, positions) : input.file;
+  set_texture_coordinates(file, in_unit_square(input, positions));
+  set_quality(input, positions, file);
   session.note_all(write_surface(output, file));
   session.end_stage("write");
 }

@@ -5,6 +5,7 @@
 #include "Failure.h"
 #include "boundary_condition.h"
 #include "boundary_report.h"
+#include "each_component.h"
 #include "flow_report.h"
 #include "io/write_surface.h"
 #include "keep_exhibit.h"
@@ -93,24 +94,50 @@ void tell_if_interrupted(const Flow_solution& solution, Session& session)
                        " was written to " + session.options().output);
 }
 
+/// Lets a surface in one component flow, tells what came of it, and judges it.
+Flow_solution flowed(const Surface_input& input, const Flow_options& options, Session& session)
+{
+  require_options_that_fit(input, options);
+  session.end_stage("prepare");
+  Flow_watch watch(input, options, session);
+  Flow_solution solution = run_flow(input.mesh, options, session.options(), watch);
+  watch.end();
+  if (solution.report.steps.empty()) throw_if_interrupted();
+  session.end_stage("flow");
+  tell(solution, watch.evidence(), input, options, session);
+  verify(solution, watch.evidence(), input, options, session);
+  return solution;
+}
+
+/// The same for each component; the report of the way is that of each alone.
+Flow_solution flowed_components(const Surface_input& input, const Flow_options& options,
+                                Session& session)
+{
+  if (options.every > 0)
+    throw Failure(Exit_code::usage,
+                  "--every wants snapshots of the whole surface, whose components flow one after "
+                  "the other; try: without --each-component");
+  session.end_stage("prepare");
+  const auto work = [&](const Component& component, Session& own) {
+    Flow_solution solution = flowed(component.input, options, own);
+    throw_if_interrupted();
+    return std::move(solution.positions);
+  };
+  return {each_component(input, session, work), {}};
+}
+
 }  // namespace
 
 void flow(const Flow_options& options, Session& session)
 {
   require_writable(session.options().output);
   const Surface_input input = read_suitable_surface(options.input, session);
-  require_options_that_fit(input, options);
-  session.end_stage("prepare");
-  Flow_watch watch(input, options, session);
-  const Flow_solution solution = run_flow(input.mesh, options, session.options(), watch);
-  watch.end();
-  if (solution.report.steps.empty()) throw_if_interrupted();
-  session.end_stage("flow");
-  tell(solution, watch.evidence(), input, options, session);
-  verify(solution, watch.evidence(), input, options, session);
+  const Flow_solution solution = session.options().each_component
+                                     ? flowed_components(input, options, session)
+                                     : flowed(input, options, session);
   keep_exhibit(input, solution.positions, session);
   write(solution, input, session);
-  tell_if_interrupted(solution, session);
+  if (!session.options().each_component) tell_if_interrupted(solution, session);
 }
 
 }  // namespace conformal

@@ -42,8 +42,43 @@ CGP::Mesh_view in_frame(const CGP::Mesh_view& mesh)
   return {CGP::Normalized_frame(mesh.positions()).to_frame(mesh.positions()), mesh.corners()};
 }
 
-/// Tells how well the equations hold, and the class of a torus.
-void tell(const CGP::Mesh_view& mesh, const CGP::Hodge_decomposition<>& hodge, Session& session)
+// The certificate: closed, coclosed and orthonormal forms are harmonic, whoever has computed them.
+struct Residuals {
+  double closed, coclosed, orthonormal;
+
+  double largest() const
+  {
+    const Eigen::Array3d all(closed, coclosed, orthonormal);
+    return all.maxCoeff<Eigen::PropagateNaN>();
+  }
+};
+
+Residuals residuals(const CGP::Mesh_view& mesh, const CGP::Hodge_decomposition<>& hodge)
+{
+  const Eigen::MatrixXd& forms = hodge.harmonic_basis().one_forms;
+  const double size = forms.cwiseAbs().maxCoeff();
+  const Eigen::MatrixXd around_faces = CGP::exterior_derivative_1(mesh) * forms;
+  const Eigen::MatrixXd around_vertices = CGP::codifferential(mesh, hodge.weights(), forms);
+  const Eigen::MatrixXd products = hodge.harmonic_basis().coefficients(hodge.weights(), forms);
+  const auto identity = Eigen::MatrixXd::Identity(products.rows(), products.cols());
+  return {around_faces.cwiseAbs().maxCoeff() / size, around_vertices.cwiseAbs().maxCoeff() / size,
+          (products - identity).cwiseAbs().maxCoeff()};
+}
+
+void verify(const Residuals& found, const std::string& input, Session& session)
+{
+  const double limit = 1e-6;
+  const bool is_verified = found.largest() <= limit;
+  session.report().set("verified", is_verified);
+  if (!is_verified)
+    throw Failure(Exit_code::failed, input + ": the residual of the forms is " +
+                                         text_of(found.largest(), 3) + ", more than " +
+                                         text_of(limit, 3) + "; try: a mesh without slivers");
+}
+
+// How well the equations hold, and the class of a torus.
+void tell(const CGP::Mesh_view& mesh, const CGP::Hodge_decomposition<>& hodge,
+          const Residuals& found, Session& session)
 {
   Table table;
   const auto tell_number = [&](const std::string& place, const std::string& label, double value) {
@@ -51,22 +86,13 @@ void tell(const CGP::Mesh_view& mesh, const CGP::Hodge_decomposition<>& hodge, S
     table.add(label, value);
   };
   const CGP::Harmonic_basis& basis = hodge.harmonic_basis();
-  const Eigen::MatrixXd& forms = basis.one_forms;
   session.report().set("result/genus", basis.genus());
   session.report().set("result/forms", basis.size());
   table.add("genus", basis.genus());
   table.add("harmonic forms", basis.size());
-  const double size = forms.cwiseAbs().maxCoeff();
-  const Eigen::MatrixXd around_faces = CGP::exterior_derivative_1(mesh) * forms;
-  const Eigen::MatrixXd around_vertices = CGP::codifferential(mesh, hodge.weights(), forms);
-  const Eigen::MatrixXd products = basis.coefficients(hodge.weights(), forms);
-  tell_number("closed_residual", "sum around faces, relative",
-              around_faces.cwiseAbs().maxCoeff() / size);
-  tell_number("coclosed_residual", "sum around vertices, relative",
-              around_vertices.cwiseAbs().maxCoeff() / size);
-  tell_number(
-      "orthonormal_residual", "deviation from orthonormal",
-      (products - Eigen::MatrixXd::Identity(basis.size(), basis.size())).cwiseAbs().maxCoeff());
+  tell_number("closed_residual", "sum around faces, relative", found.closed);
+  tell_number("coclosed_residual", "sum around vertices, relative", found.coclosed);
+  tell_number("orthonormal_residual", "deviation from orthonormal", found.orthonormal);
   if (basis.genus() == 1) {
     const std::complex<double> tau = CGP::conformal_modulus(mesh, basis);
     tell_number("conformal_modulus/real", "conformal modulus, real part", tau.real());
@@ -117,7 +143,9 @@ void harmonic(const Harmonic_options& options, Session& session)
   const CGP::Hodge_decomposition<> hodge(mesh, "harmonic");
   throw_if_interrupted();
   session.end_stage("solve");
-  tell(mesh, hodge, session);
+  const Residuals found = residuals(mesh, hodge);
+  tell(mesh, hodge, found, session);
+  verify(found, options.input, session);
   session.end_stage("measure");
   if (output.empty()) return;
   session.note_all(

@@ -29,6 +29,8 @@ inline constexpr const char* about_spin =
     "the\n"
     "table tells how much. A boundary is free, unless --boundary says what it keeps.\n"
     "--filter keeps the large features of rho, the small ones, or lifts these out.\n"
+    "--mollify takes faces as thin as they may be, also of area zero, which are refused "
+    "otherwise.\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply\n"
     "Example: conformal spin bear.obj --paint fur.png --filter unsharp --amplitude 8 -o bear.ply";
@@ -40,8 +42,9 @@ inline constexpr const char* about_flow =
     "Area, centroid and triangle quality stay. The\n"
     "output has the vertex property quality (quasi-conformal error against the input, 1 is\n"
     "perfect). The flow stops early where the energy has settled, or no step lowers it.\n"
-    "When interrupted (Ctrl-C, SIGTERM), it writes the surface after the last complete step, and\n"
-    "ends with exit code 130 or 143; a second signal ends it at once.\n"
+    "When interrupted (Ctrl-C, SIGTERM), it writes the surface after the last complete step (with\n"
+    "--each-component nothing), and ends with exit code 130 or 143; a second signal ends it at "
+    "once.\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: conformal flow bear.off -o bear_flow.ply --html bear.html";
 

@@ -124,6 +124,11 @@ void report_repair(const Repair& repair, Report& report, const std::string& plac
   report.set(place + "/cut_edges", repair.cut_edges);
   report.set(place + "/added_vertices", repair.added_vertices);
   report.set(place + "/removed_vertices", repair.removed_vertices);
+  report.set(place + "/flipped_edges", repair.flipped_edges);
+  report.set(place + "/collapsed_edges", repair.collapsed_edges);
+  report.set(place + "/longest_collapsed_edge", repair.longest_collapsed_edge);
+  report.set(place + "/removed_flat_faces", repair.removed_flat_faces);
+  report.set(place + "/cut_polygons", repair.cut_polygons);
   if (!repair.has_changed_anything()) return;
   report.set(place + "/new_vertex", numbers(repair.new_vertex));
   report.set(place + "/new_face", numbers(repair.new_face));

@@ -21,6 +21,13 @@ std::string finite(const std::string& text)
   return *end == 0 && std::isfinite(value) ? "" : "wanted a finite number";
 }
 
+std::string below_one(const std::string& text)
+{
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return *end == 0 && value > 0 && value < 1 ? "" : "wanted a number between 0 and 1";
+}
+
 void add_input(CLI::App& command, std::string& input)
 {
   command.add_option("input", input, "mesh file, - for standard input")->required();
@@ -35,9 +42,17 @@ void add_html(CLI::App& command, std::string& html)
 
 CLI::App* add_repair(CLI::App* command, bool& repair)
 {
-  command->add_flag("--repair", repair,
-                    "first merge coincident points, remove degenerate and repeated faces, and cut "
-                    "where the surface is no manifold; new numbers are in the JSON report");
+  const char* const description =
+      "first merge coincident points, remove degenerate and repeated faces, mend those of area "
+      "zero, and cut where the surface is no manifold; new numbers are in the JSON report";
+  command->add_flag("--repair", repair, description);
+  return command;
+}
+
+CLI::App& add_each_component(CLI::App& command, Common_options& options)
+{
+  command.add_flag("--each-component", options.each_component,
+                   "take a surface of several components, and work on each as if it were alone");
   return command;
 }
 
@@ -106,6 +121,20 @@ void add_solver(CLI::App& command, Spin_options& options)
       .add_option("--solver", options.solver, "native, cholmod (where it was built in) or eigen")
       ->check(CLI::IsMember({"native", "cholmod", "eigen"}))
       ->capture_default_str();
+}
+
+void add_mollification(CLI::App& command, double& mollification)
+{
+  const std::string description =
+      "take thin faces as they are, also those of area zero: solve on the intrinsic Delaunay "
+      "triangulation, and add to all edges what triangles lack, at most this share of the mean "
+      "edge (--mollify=0.001; default 1e-6); the report tells how many edges were flipped and by "
+      "how much they were made longer";
+  command.add_flag("--mollify{1e-6}", description)
+      ->check(below_one)
+      ->each([&mollification](const std::string& text) {
+        mollification = std::strtod(text.c_str(), nullptr);
+      });
 }
 
 void add_boundary(CLI::App& command, Boundary_choice& boundary)

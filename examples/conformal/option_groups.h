@@ -15,6 +15,7 @@ namespace conformal {
 
 /// checks of numbers; an empty string if all is well
 std::string above_zero(const std::string& text);
+std::string below_one(const std::string& text);  // and above zero
 std::string finite(const std::string& text);
 
 /// an option whose value is one of the words, which are in the order of the enumeration
@@ -35,6 +36,7 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& choi
 void add_input(CLI::App& command, std::string& input);
 void add_html(CLI::App& command, std::string& html);
 CLI::App* add_repair(CLI::App* command, bool& repair);
+CLI::App& add_each_component(CLI::App& command, Common_options& options);
 
 /// `--rho-expression` and the others; the group of which at most one is allowed
 CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho);
@@ -43,6 +45,7 @@ CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho);
 void add_filter(CLI::App& command, Filter_request& filter);
 
 void add_solver(CLI::App& command, Spin_options& options);
+void add_mollification(CLI::App& command, double& mollification);
 void add_boundary(CLI::App& command, Boundary_choice& boundary);
 void add_prescription(CLI::App& command, Prescription_options& prescription);
 void add_eigenvector(CLI::App& command, Common_options& options);

@@ -5,6 +5,7 @@
 #include "io/texture_coordinates.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace conformal {
@@ -17,6 +18,14 @@ std::size_t at(int i)
   return static_cast<std::size_t>(i);
 }
 
+// The halfedges of a triangle in an order that is the same when it is turned around.
+std::array<int, 3> sides(const Mesh_view& mesh, int f)
+{
+  std::array<int, 3> h = {3 * f, 3 * f + 1, 3 * f + 2};
+  std::sort(h.begin(), h.end(), [&](int i, int j) { return mesh.edge(i) < mesh.edge(j); });
+  return h;
+}
+
 // Walks over a component from its first triangle, which is not turned, and decides about all
 // others. Returns the triangles of the component; clears `is_orientable` at a contradiction.
 std::vector<int> walk(const Mesh_view& mesh, int first, std::vector<signed char>& turned,
@@ -25,7 +34,7 @@ std::vector<int> walk(const Mesh_view& mesh, int first, std::vector<signed char>
   std::vector<int> component = {first};
   turned[at(first)] = 0;
   for (std::size_t i = 0; i < component.size(); ++i)
-    for (int h = 3 * component[i]; h < 3 * component[i] + 3; ++h) {
+    for (const int h : sides(mesh, component[i])) {
       const int g = mesh.twin(h);
       if (g < 0) continue;
       const bool conflict = mesh.from(g) == mesh.from(h);

@@ -3,16 +3,20 @@
 #include "repair.h"
 
 #include "Corner_fans.h"
-#include "Table.h"
+#include "Failure.h"
+#include "mend_flat_faces.h"
 #include "merge_points.h"
 #include "orientation.h"
+#include "select_faces.h"
+#include "separate_fans.h"
 #include "triangulation.h"
 
-#include "io/select_rows.h"
 #include "io/texture_coordinates.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
+#include <utility>
 
 namespace conformal {
 namespace {
@@ -23,104 +27,31 @@ std::size_t at(int i)
 }
 
 /// The corners of one face as places in the file; those that repeat the one before are left out.
-std::vector<int> distinct_corners(const Polygons& polygons, std::size_t f)
+std::vector<std::size_t> distinct_corners(const Polygons& polygons, std::size_t f)
 {
-  std::vector<int> places;
+  const std::vector<int>& corners = polygons.corners;
+  std::vector<std::size_t> places;
   for (std::size_t c = polygons.first[f]; c < polygons.first[f + 1]; ++c)
-    if (places.empty() || polygons.corners[at(places.back())] != polygons.corners[c])
-      places.push_back(static_cast<int>(c));
-  while (places.size() > 1 &&
-         polygons.corners[at(places.back())] == polygons.corners[at(places.front())])
-    places.pop_back();
+    if (places.empty() || corners[places.back()] != corners[c]) places.push_back(c);
+  while (places.size() > 1 && corners[places.back()] == corners[places.front()]) places.pop_back();
   return places;
 }
 
-/// Faces to be kept, as places of their corners in the file: not degenerate, and each once.
-struct Kept_faces {
-  std::vector<int> face_in_file;
-  std::vector<std::vector<int>> places;
-};
-
-Kept_faces keep_faces(const Polygons& polygons)
+/// Faces to be kept: not degenerate, and each once.
+Selected_faces keep_faces(const Surface_file& file)
 {
-  Kept_faces kept;
+  Selected_faces kept;
   std::set<std::vector<int>> known;
-  for (std::size_t f = 0; f < polygons.size(); ++f) {
-    std::vector<int> places = distinct_corners(polygons, f), vertices;
-    for (const int c : places) vertices.push_back(polygons.corners[at(c)]);
+  for (std::size_t f = 0; f < file.polygons.size(); ++f) {
+    const std::vector<std::size_t> places = distinct_corners(file.polygons, f);
+    std::vector<int> vertices;
+    for (const std::size_t c : places) vertices.push_back(file.polygons.corners[c]);
     std::sort(vertices.begin(), vertices.end());
     const bool is_repeated = std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
     if (vertices.size() < 3 || is_repeated || !known.insert(std::move(vertices)).second) continue;
-    kept.face_in_file.push_back(static_cast<int>(f));
-    kept.places.push_back(std::move(places));
+    append(kept, file, static_cast<int>(f), places);
   }
   return kept;
-}
-
-/// Rebuilds faces and all that belongs to them or their corners.
-void select_faces(Surface_file& file, const Kept_faces& kept)
-{
-  Polygons polygons;
-  std::vector<int> texture, normals;
-  for (const std::vector<int>& places : kept.places) {
-    for (const int c : places) {
-      polygons.corners.push_back(file.polygons.corners[at(c)]);
-      if (!file.texture.index.empty()) texture.push_back(file.texture.index[at(c)]);
-      if (!file.normals.index.empty()) normals.push_back(file.normals.index[at(c)]);
-    }
-    polygons.first.push_back(polygons.corners.size());
-  }
-  for (Group_line& line : file.group_lines)
-    line.face = static_cast<std::size_t>(std::lower_bound(kept.face_in_file.begin(),
-                                                          kept.face_in_file.end(),
-                                                          static_cast<int>(line.face)) -
-                                         kept.face_in_file.begin());
-  file.polygons = std::move(polygons);
-  file.texture.index = std::move(texture);
-  file.normals.index = std::move(normals);
-  file.faces = selected_rows(file.faces, kept.face_in_file);
-}
-
-/// Where the vertices of the repaired file were, the copies last.
-struct Separated_vertices {
-  std::vector<int> vertex_in_file;
-  int copies = 0;
-};
-
-/// Gives every fan of corners a vertex of its own: the first fan of a vertex has its place.
-Separated_vertices separate_fans(Surface_file& file, const Corner_fans& fans)
-{
-  std::vector<int>& corners = file.polygons.corners;
-  std::vector<int> fan_of_vertex(file.points.size(), -1), copied;
-  std::vector<int> vertex_of_fan(at(fans.size()), -1), number(at(fans.size()), -1);
-  for (std::size_t c = 0; c < corners.size(); ++c) {
-    const int fan = fans.of_corner(c);
-    if (vertex_of_fan[at(fan)] >= 0) continue;
-    vertex_of_fan[at(fan)] = corners[c];
-    if (fan_of_vertex[at(corners[c])] < 0)
-      fan_of_vertex[at(corners[c])] = fan;
-    else
-      copied.push_back(fan);
-  }
-  Separated_vertices separated;
-  const auto number_next = [&](int fan) {
-    number[at(fan)] = static_cast<int>(separated.vertex_in_file.size());
-    separated.vertex_in_file.push_back(vertex_of_fan[at(fan)]);
-  };
-  for (const int fan : fan_of_vertex)
-    if (fan >= 0) number_next(fan);
-  for (const int fan : copied) number_next(fan);
-  separated.copies = static_cast<int>(copied.size());
-  for (std::size_t c = 0; c < corners.size(); ++c) corners[c] = number[at(fans.of_corner(c))];
-  return separated;
-}
-
-void select_vertices(Surface_file& file, const std::vector<int>& kept)
-{
-  std::vector<Point> points;
-  for (const int v : kept) points.push_back(file.points[at(v)]);
-  file.points = std::move(points);
-  file.vertices = selected_rows(file.vertices, kept);
 }
 
 std::vector<int> inverse(const std::vector<int>& where_it_was, std::size_t size)
@@ -142,11 +73,11 @@ bool is_counting(const std::vector<int>& numbers, std::size_t size)
 /// \returns how many faces were turned around
 int orient(Surface_file& file)
 {
-  const auto [corners, face_in_file, triangulated] = triangulate(file);
+  const Triangulation all = triangulate(file);
   Conformal_geometry_processing::Points nowhere =
       Conformal_geometry_processing::Points::Zero(3, static_cast<Eigen::Index>(file.points.size()));
-  const Conformal_geometry_processing::Mesh_view mesh(std::move(nowhere), corners);
-  const Orientation o = find_orientation(mesh, face_in_file, file.polygons.size());
+  const Conformal_geometry_processing::Mesh_view mesh(std::move(nowhere), all.corners);
+  const Orientation o = find_orientation(mesh, all.face_in_file, file.polygons.size());
   turn_faces(file, o.is_turned);
   return static_cast<int>(std::count(o.is_turned.begin(), o.is_turned.end(), 1));
 }
@@ -160,47 +91,68 @@ void leave_out_other_elements(Surface_file& file)
   file.other_elements.clear();
 }
 
-}  // namespace
-
-bool Repair::has_changed_anything() const
+/// Gives corners the first vertex at their place. \returns that of each vertex
+std::vector<int> merge_vertices(Surface_file& file)
 {
-  return merged_points + removed_faces + turned_faces + cut_edges + added_vertices +
-             removed_vertices >
-         0;
-}
-
-std::vector<std::string> Repair::notes() const
-{
-  std::vector<std::string> notes;
-  const auto tell = [&](int count, const char* noun, const char* what) {
-    if (count > 0)
-      notes.push_back("repaired: " + count_of(static_cast<std::size_t>(count), noun) + what);
-  };
-  tell(merged_points, "vertex", " merged into others at the same place");
-  tell(removed_faces, "face", " removed: repeated, or with fewer than three different corners");
-  tell(turned_faces, "face", " turned around, to agree with the others");
-  tell(cut_edges, "edge", " cut open where more than two faces met, or two could not agree");
-  tell(added_vertices, "vertex", " added where fans of faces only touched");
-  tell(removed_vertices, "vertex", " without a face removed");
-  return notes;
-}
-
-Repair repair(Surface_file& file)
-{
-  Repair done;
-  const std::size_t points = file.points.size(), faces = file.polygons.size();
-  const std::vector<int> merged = merge_points(file.points);
-  if (is_counting(merged, points))
+  std::vector<int> merged = merge_points(file.points);
+  if (is_counting(merged, file.points.size()))
     list_to_corners(file);
   else if (Corner_values texture = texture_coordinates(file); !texture.empty())
     set_texture_coordinates(file, std::move(texture));  // points of a seam may be one now
   for (int& v : file.polygons.corners) v = merged[at(v)];
+  return merged;
+}
 
-  const Kept_faces kept = keep_faces(file.polygons);
+void remove_bad_faces(Surface_file& file, Repair& done)
+{
+  const std::size_t faces = file.polygons.size();
+  Selected_faces kept = keep_faces(file);
   done.face_in_file = kept.face_in_file;
   done.removed_faces = static_cast<int>(faces - kept.face_in_file.size());
-  select_faces(file, kept);
+  select_faces(file, std::move(kept));
+}
+
+/// \param merged into which vertex each one went; collapses are added
+void mend(Surface_file& file, Repair& done, std::vector<int>& merged)
+{
+  Mended_faces mended = mend_flat_faces(file);
+  done.flipped_edges = mended.flipped_edges;
+  done.collapsed_edges = static_cast<int>(mended.collapsed.size());
+  done.removed_flat_faces = static_cast<int>(mended.removed.size());
+  done.cut_polygons = mended.cut_polygons;
+  done.longest_collapsed_edge = mended.longest_collapsed;
+  done.removed_triangles = std::move(mended.removed);
+  for (int& f : mended.face_in_file) f = done.face_in_file[at(f)];
+  done.face_in_file = std::move(mended.face_in_file);
+  std::vector<int> into(file.points.size());
+  std::iota(into.begin(), into.end(), 0);
+  for (const auto& [from, to] : mended.collapsed) into[at(from)] = to;
+  for (int& v : merged)
+    while (into[at(v)] != v) v = into[at(v)];
+}
+
+void count_vertices(Repair& done, const std::vector<int>& merged)
+{
+  for (std::size_t v = 0; v < merged.size(); ++v) {
+    const bool is_merged = merged[v] != static_cast<int>(v);
+    done.merged_points += is_merged;
+    done.removed_vertices += !is_merged && done.new_vertex[v] < 0;
+    if (is_merged) done.new_vertex[v] = done.new_vertex[at(merged[v])];
+  }
+  done.merged_points -= done.collapsed_edges;
+}
+
+Repair repair_all(Surface_file& file)
+{
+  Repair done;
+  const std::size_t points = file.points.size(), faces = file.polygons.size();
+  std::vector<int> merged = merge_vertices(file);
+  remove_bad_faces(file, done);
   done.turned_faces = orient(file);
+  mend(file, done, merged);
+  // Where three faces met, two may be left that are against each other; a one-sided surface is now
+  // cut elsewhere.
+  done.turned_faces += orient(file);
 
   const Corner_fans fans(file.polygons);
   done.cut_edges = fans.size_of_cut_edges();
@@ -208,16 +160,27 @@ Repair repair(Surface_file& file)
   done.added_vertices = separated.copies;
   done.vertex_in_file = std::move(separated.vertex_in_file);
   if (!is_counting(done.vertex_in_file, points)) leave_out_other_elements(file);
-  select_vertices(file, done.vertex_in_file);
 
   done.new_face = inverse(done.face_in_file, faces);
   done.new_vertex = inverse(done.vertex_in_file, points);
-  for (std::size_t v = 0; v < points; ++v) {
-    const bool is_merged = merged[v] != static_cast<int>(v);
-    done.merged_points += is_merged;
-    done.removed_vertices += !is_merged && done.new_vertex[v] < 0;
-    if (is_merged) done.new_vertex[v] = done.new_vertex[at(merged[v])];
-  }
+  count_vertices(done, merged);
+  return done;
+}
+
+}  // namespace
+
+Repair repair(Surface_file& file)
+{
+  Surface_file repaired = file;
+  Repair done = repair_all(repaired);
+  if (repaired.polygons.size() == 0)
+    throw unsuitable(file.path, "no face has an area, wanted a surface; try: another mesh");
+  if (!done.has_changed_anything()) return done;
+  done.before.path = file.path;
+  done.before.format = file.format;
+  done.before.points = std::move(file.points);
+  done.before.polygons = std::move(file.polygons);
+  file = std::move(repaired);
   return done;
 }
 

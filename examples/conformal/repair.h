@@ -5,13 +5,14 @@
 
 #include "io/Surface_file.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace conformal {
 
-/// \brief What was done to make the faces of a file an oriented manifold, and which vertex and face
-/// became which.
+/// \brief What was done to make the faces of a file an oriented manifold of faces with areas, and
+/// which vertex and face became which.
 struct Repair {
   int merged_points = 0;   ///< vertices that lay exactly upon another
   int removed_faces = 0;   ///< fewer than three different corners were left, or it was there twice
@@ -20,20 +21,33 @@ struct Repair {
   int added_vertices = 0;  ///< copies, for fans of faces that only touch
   int removed_vertices = 0;  ///< without a face
 
+  /// done to triangles of area zero whose corners are different points, see `mend_flat_faces()`
+  int flipped_edges = 0, collapsed_edges = 0;
+  int removed_flat_faces = 0;  ///< at the boundary, or of components without an area
+  int cut_polygons = 0;        ///< that had such triangles for a part or a neighbour
+  double longest_collapsed_edge = 0;
+
   std::vector<int> vertex_in_file, face_in_file;  ///< of what there is now, where it was
   std::vector<int> new_vertex, new_face;  ///< of what was, where it is (the first copy), or -1
+
+  /// the points and faces as they were, if anything has changed
+  Surface_file before;
+  /// the corners of the flat triangles that were removed, by the numbers they had
+  std::vector<std::array<int, 3>> removed_triangles;
 
   bool has_changed_anything() const;
   std::vector<std::string> notes() const;  ///< a line for each thing done
 };
 
-/// \brief Merges coincident points, removes degenerate and repeated faces, orients the rest,
-/// separates the surface where it is no manifold, and removes vertices without a face.
+/// \brief Merges coincident points, removes degenerate and repeated faces, orients the rest, mends
+/// faces of area zero, separates the surface where it is no manifold, and removes vertices without
+/// a face. Does nothing at all, bit by bit, if there is nothing to do.
 ///
 /// What is kept keeps its order, its properties and the values at its corners; copies of vertices
-/// come last. Faces of area zero whose corners are different points stay: without them, or their
-/// neighbours changed, the surface would have a slit. Elements that are neither vertices nor faces
-/// are left out, with a note, if vertices have changed their numbers.
+/// come last, and parts of a face have its place. No point moves. A face of area zero that cannot
+/// be mended stays. Elements that are neither vertices nor faces are left out, with a note, if
+/// vertices have changed their numbers.
+/// \throws Failure if no face would be left
 Repair repair(Surface_file& file);
 
 }  // namespace conformal

@@ -10,7 +10,7 @@ std::string to_json(const Report& report)
 {
   using Json = nlohmann::ordered_json;
   Json json = Json::object();
-  const auto parts = {"command", "version", "input", "result", "steps", "seconds"};
+  const auto parts = {"command", "version", "input", "result", "components", "steps", "seconds"};
   for (const char* part : parts) json[part] = nullptr;  // fixes the order
   for (const auto& [place, value] : report.entries())
     std::visit([&, &at = place](const auto& v) { json[Json::json_pointer("/" + at)] = v; }, value);

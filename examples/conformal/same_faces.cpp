@@ -5,9 +5,13 @@
 #include "Defects.h"
 #include "Failure.h"
 #include "Table.h"
+#include "repair_alike.h"
+
+#include "io/read_surface.h"
 
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace conformal {
 namespace {
@@ -18,6 +22,11 @@ std::string corners_of(const Polygons& polygons, std::size_t f)
   for (std::size_t c = polygons.first[f]; c < polygons.first[f + 1]; ++c)
     text += (text.empty() ? "" : " ") + std::to_string(polygons.corners[c]);
   return text;
+}
+
+bool is_repaired(const Surface_input& input)
+{
+  return input.repair && input.repair->has_changed_anything();
 }
 
 }  // namespace
@@ -51,11 +60,32 @@ CGP::Points positions_in(const Surface_input& first, const Surface_file& second)
   return points;
 }
 
+Surface_file read_file_like(const Surface_input& first, const std::string& path)
+{
+  if (!is_repaired(first)) {
+    Surface_file file = read_surface_input(path).file;
+    require_same_faces(first.file, file);
+    return file;
+  }
+  Surface_file file = read_surface(path == "-" ? "/dev/stdin" : path);
+  require_same_faces(first.repair->before, file);
+  repair_alike(file, *first.repair);
+  return prepare(std::move(file)).file;
+}
+
+void note_repaired_alike(const Surface_input& first, const std::vector<std::string>& paths,
+                         Session& session)
+{
+  for (const std::string& path : paths)
+    if (is_repaired(first) && !path.empty())
+      session.note(path + ": repaired like " + first.file.path +
+                   ", each vertex and face as the one of the same number there");
+}
+
 Surface_input read_surface_like(const Surface_input& first, const std::string& path)
 {
   Surface_input second = first;
-  second.file = read_surface_input(path).file;
-  require_same_faces(first.file, second.file);
+  second.file = read_file_like(first, path);
   second.mesh.set_positions(positions_in(first, second.file));
   const Defects defects = find_defects(second);
   if (!defects.of_geometry.empty()) throw unsuitable(path, defects.of_geometry.front());

@@ -3,9 +3,11 @@
 #ifndef CONFORMAL_SAME_FACES_H
 #define CONFORMAL_SAME_FACES_H
 
+#include "Session.h"
 #include "Surface_input.h"
 
 #include <string>
+#include <vector>
 
 namespace conformal {
 
@@ -17,9 +19,18 @@ void require_same_faces(const Surface_file& first, const Surface_file& second);
 /// \pre they have the same faces
 CGP::Points positions_in(const Surface_input& first, const Surface_file& second);
 
-/// \brief Reads a surface with the faces of another: what a command takes beside its input, where
-/// angles and areas matter.
-/// \throws Failure if the faces are others or one has area zero; Read_error
+/// \brief Reads a file with the vertices and faces of another. If that one was repaired, the same
+/// is done to this one, see `repair_alike()`.
+/// \throws Failure if the faces are others, or cannot be repaired alike; Read_error
+Surface_file read_file_like(const Surface_input& first, const std::string& path);
+
+/// Tells that files were repaired like the first, if it was; empty names are none.
+void note_repaired_alike(const Surface_input& first, const std::vector<std::string>& paths,
+                         Session& session);
+
+/// \brief Reads a surface with the faces of another, as `read_file_like()`: what a command takes
+/// beside its input, where angles and areas matter.
+/// \throws Failure also if a face has area zero
 Surface_input read_surface_like(const Surface_input& first, const std::string& path);
 
 }  // namespace conformal

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solve_spin.h"
 
+#include "solve_robustly.h"
+
 #include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
 #include <Conformal_geometry_processing/linear_algebra/Cholmod_hermitian_solver_traits.h>
@@ -39,6 +41,7 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
   dirac.kernel_tolerance = problem.kernel_tolerance;
+  if (problem.mollification > 0) return solve_robustly(mesh, problem, dirac, go_further);
   if (options.solver == "eigen")
     return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, problem, dirac, go_further);
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD

@@ -30,11 +30,12 @@ struct Spin_problem {
   CGP::Curvature_potential rho;
   CGP::Boundary_condition boundary;
   double kernel_tolerance = 0;
+  double mollification = 0;  ///< if not 0, by robust operators and the native solver
   bool closes_loops = true;  ///< in as many steps as it takes; leaves out what opens them
 };
 
-/// Calls the library's `Spin_transformation` with the solver that the options name. This is the one
-/// place that compiles it.
+/// Calls the library's `Spin_transformation` with the solver that the options name, or
+/// `solve_robustly()`. This is the one place that compiles it.
 Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
                          const Spin_options& options, const Common_options& common,
                          const std::function<bool(const CGP::Eigen_progress&)>& go_further);

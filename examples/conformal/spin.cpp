@@ -6,6 +6,7 @@
 #include "boundary_condition.h"
 #include "deform.h"
 #include "rho.h"
+#include "spin_components.h"
 #include "suitable_surface.h"
 #include "write_result.h"
 
@@ -21,21 +22,44 @@ void require_standard_problem_at_boundary(const Surface_input& input, const Spin
                      "--problem generalized wants a closed surface; try: --problem standard");
 }
 
+void require_native_solver_to_mollify(const Spin_options& options)
+{
+  if (options.mollification > 0 && options.solver != "native")
+    throw Failure(Exit_code::usage,
+                  "--mollify works with the native solver; try: without --solver");
+}
+
 }  // namespace
+
+void require_possible_spin(const Surface_input& input, const Spin_options& options)
+{
+  require_boundary_to_keep(input, options.boundary);
+  require_standard_problem_at_boundary(input, options);
+}
+
+std::string easier_spin(const Spin_options& options)
+{
+  return options.mollification > 0 ? "a weaker rho" : "a weaker rho, --mollify for thin faces";
+}
 
 void spin(const Spin_options& options, Session& session)
 {
+  require_native_solver_to_mollify(options);
   require_writable(session.options().output);
-  const Surface_input input = read_suitable_surface(options.input, session);
-  require_boundary_to_keep(input, options.boundary);
-  require_standard_problem_at_boundary(input, options);
+  const Surface_input input =
+      read_suitable_surface(options.input, session,
+                            options.mollification > 0 ? Flat_faces::allowed : Flat_faces::refused);
+  const bool is_whole = !session.options().each_component;
+  if (is_whole) require_possible_spin(input, options);
   Spin_problem problem;
   problem.rho = read_rho(input, options.rho);
   if (options.generalized && problem.rho.on == CGP::Curvature_potential::On::vertices)
     throw Failure(Exit_code::usage, "--problem generalized wants rho on faces; try: --on faces");
   problem.boundary = kept_boundary(options.boundary);
   problem.closes_loops = !options.open_handles;
-  deform(input, std::move(problem), options, "a weaker rho", session);
+  problem.mollification = options.mollification;
+  is_whole ? deform(input, std::move(problem), options, easier_spin(options), session)
+           : spin_components(input, std::move(problem), options, session);
 }
 
 }  // namespace conformal

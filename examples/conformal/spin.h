@@ -4,6 +4,9 @@
 #define CONFORMAL_SPIN_H
 
 #include "Session.h"
+#include "Surface_input.h"
+
+#include <string>
 
 namespace conformal {
 
@@ -11,6 +14,12 @@ namespace conformal {
 /// \throws Failure if the input is unsuitable or the result does not verify, and what the readers,
 /// the library and the writers throw
 void spin(const Spin_options& options, Session& session);
+
+/// What to try where a result of these options does not verify.
+std::string easier_spin(const Spin_options& options);
+
+/// \throws Failure if the options do not fit a surface in one component
+void require_possible_spin(const Surface_input& input, const Spin_options& options);
 
 }  // namespace conformal
 

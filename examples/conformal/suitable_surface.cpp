@@ -2,23 +2,26 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "suitable_surface.h"
 
-#include "Defects.h"
 #include "Failure.h"
+#include "each_component.h"
 #include "info.h"
 
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 namespace conformal {
 
-Surface_input read_suitable_surface(const std::string& path, Session& session)
+Surface_input read_suitable_surface(const std::string& path, Session& session,
+                                    Flat_faces flat_faces)
 {
   Surface_input input = read_surface_input(path, session.options().repair);
   session.set_input(path);
   session.end_stage("read");
+  const bool is_whole = !session.options().each_component;
+  if (!is_whole) turn_components_outward(input);
   session.note_all(input.notes);
   report_input(input, session.report());
   if (session.options().strict) require_untouched(input);
-  require_surface(input);
+  is_whole ? require_surface(input, flat_faces) : require_surface_components(input, flat_faces);
   return input;
 }
 

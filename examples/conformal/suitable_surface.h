@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_SUITABLE_SURFACE_H
 #define CONFORMAL_SUITABLE_SURFACE_H
 
+#include "Defects.h"
 #include "Session.h"
 #include "Surface_input.h"
 
@@ -13,7 +14,9 @@ namespace conformal {
 /// \brief Reads the surface that a command is to work on, with or without a boundary, and enters it
 /// into the report.
 /// \throws Read_error; Failure for what cannot be worked on, or under --strict what was repaired
-Surface_input read_suitable_surface(const std::string& path, Session& session);
+/// \param flat_faces whether it may have faces of area zero
+Surface_input read_suitable_surface(const std::string& path, Session& session,
+                                    Flat_faces flat_faces = Flat_faces::refused);
 
 /// the same for closed surfaces only, and for those with a boundary only
 Surface_input read_closed_surface(const std::string& path, Session& session);

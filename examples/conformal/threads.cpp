@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "threads.h"
 
+#include <Conformal_geometry_processing/linear_algebra/number_of_threads.h>
+
 #include <dlfcn.h>
 
 #include <initializer_list>
@@ -10,6 +12,7 @@ namespace conformal {
 
 void set_threads(int count)
 {
+  Conformal_geometry_processing::set_number_of_threads(count);
   // Which BLAS there is shows at run time: Debian lets the user choose.
   for (const char* name : {"openblas_set_num_threads", "omp_set_num_threads",
                            "bli_thread_set_num_threads", "MKL_Set_Num_Threads"}) {

@@ -5,7 +5,10 @@
 
 namespace conformal {
 
-/// Lets the BLAS and OpenMP use so many threads. The last bits of a result depend on the number.
+/// \brief Lets the library, the BLAS and OpenMP use so many threads.
+///
+/// Results of the library alone are the same to the bit for any number; where the BLAS works, for
+/// `--solver cholmod`, the last bits may depend on it.
 void set_threads(int count);
 
 }  // namespace conformal

@@ -136,11 +136,13 @@ Triangulation triangulate(const Surface_file& file)
   result.corners.reserve(file.polygons.size());
   result.face_in_file.reserve(file.polygons.size());
   for (std::size_t f = 0; f < file.polygons.size(); ++f) {
-    const int* corners = file.polygons.corners.data() + file.polygons.first[f];
+    const std::size_t first = file.polygons.first[f];
+    const int* corners = file.polygons.corners.data() + first;
     result.triangulated += file.polygons.degree(f) > 3;
     for (const auto& t : triangles_of_polygon(file, f)) {
       result.corners.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
       result.face_in_file.push_back(static_cast<int>(f));
+      result.places.push_back({first + t[0], first + t[1], first + t[2]});
     }
   }
   return result;

@@ -7,6 +7,8 @@
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace conformal {
@@ -14,8 +16,9 @@ namespace conformal {
 /// the triangles of all faces of a file, in their order
 struct Triangulation {
   Conformal_geometry_processing::Mesh_view::Corners corners;
-  std::vector<int> face_in_file;  ///< of each triangle
-  int triangulated = 0;           ///< how many faces had more than three corners
+  std::vector<int> face_in_file;                   ///< of each triangle
+  std::vector<std::array<std::size_t, 3>> places;  ///< of its corners among those of the file
+  int triangulated = 0;                            ///< how many faces had more than three corners
 };
 
 /// \brief Cuts polygons into triangles without new vertices: ear clipping in the plane that fits

@@ -26,11 +26,45 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
   return {};
 }
 
+/// With less of the surface its certificate would tell little.
+constexpr double least_measured_area = 0.5;
+
+/// of how many triangles the conformality is
+int measured_faces(const CGP::Spin_report& report, int faces)
+{
+  return report.mollification.share > 0 ? report.mollification.measured_triangles : faces;
+}
+
 std::string exceeds(const std::string& what, double value, double limit)
 {
   int digits = 3;  // as many as show a difference
   while (digits < 17 && text_of(value, digits) == text_of(limit, digits)) ++digits;
   return what + " is " + text_of(value, digits) + ", more than " + text_of(limit, 3);
+}
+
+void report_mollification(const CGP::Spin_report::Mollification& made, Report& report)
+{
+  if (made.share == 0) return;
+  report.set("result/mollification/share", made.share);
+  report.set("result/mollification/thin_faces", made.thin_faces);
+  report.set("result/mollification/longer_edges", made.longer_edges);
+  report.set("result/mollification/added_length", made.added_length);
+  report.set("result/mollification/flipped_edges", made.flipped_edges);
+  report.set("result/mollification/measured_triangles", made.measured_triangles);
+  report.set("result/mollification/measured_area", made.measured_area);
+}
+
+void add_mollification(const CGP::Spin_report::Mollification& made, Table& table)
+{
+  if (made.share == 0) return;
+  table.add("thin faces", std::to_string(made.thin_faces));
+  table.add("edges made longer",
+            std::to_string(made.longer_edges) +
+                (made.longer_edges > 0 ? ", each by " + text_of(made.added_length, 3) : ""));
+  table.add("edges flipped", std::to_string(made.flipped_edges));
+  table.add("measured",
+            text_of(100 * made.measured_area, 4) + " % of the area, " +
+                count_of(static_cast<std::size_t>(made.measured_triangles), "triangle"));
 }
 
 }  // namespace
@@ -42,6 +76,8 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
     return "no part of rho could be reached with handles and holes closed; try: a weaker rho, a "
            "finer mesh, or --open-handles";
   // Written so that what is not a number is objected to.
+  if (!std::isfinite(report.eigenvalue))
+    return "the eigenvalue is not finite: the mesh is too small or too thin; try: a finer mesh";
   if (!report.converged)
     return "the eigenvector did not converge: residual " + text_of(report.residual, 3) + " after " +
            count_of(static_cast<std::size_t>(report.iterations), "iteration") + "; try: " + easier +
@@ -52,7 +88,10 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
   if (!(report.closure_residual <= limits.closure))
     return exceeds("the closure residual", report.closure_residual, limits.closure) +
            ": the surface does not close up; try: " + easier + ", or --max-closure";
-  return objection(report.conformality, faces, limits, easier);
+  if (report.mollification.share > 0 && !(report.mollification.measured_area > least_measured_area))
+    return "only " + text_of(100 * report.mollification.measured_area, 3) +
+           " % of the area is not folded by --mollify, and could be measured; try: a smaller share";
+  return objection(report.conformality, measured_faces(report, faces), limits, easier);
 }
 
 std::string objection(const CGP::Conformality& map, int faces, const Verification_limits& limits,
@@ -98,6 +137,7 @@ void report_certificate(const CGP::Spin_report& spin, Report& report)
   report.set("result/reached", spin.reached);
   report.set("result/missing_share", spin.missing_share);
   report.set("result/period_defect", spin.period_defect);
+  report_mollification(spin.mollification, report);
   report.set("steps", Report::Value(std::vector<double>()));
   report.add_seconds("assembly", spin.seconds.assembly);
   report.add_seconds("factorization", spin.seconds.factorization);
@@ -134,7 +174,8 @@ Table certificate_table(const CGP::Spin_report& spin, int faces)
     table.add("steps that keep handles closed", spin.steps);
     table.add("left out of rho, for handles (%)", text_of(100 * spin.missing_share, 3));
   }
-  add_conformality(spin.conformality, faces, table);
+  add_mollification(spin.mollification, table);
+  add_conformality(spin.conformality, measured_faces(spin, faces), table);
   return table;
 }
 

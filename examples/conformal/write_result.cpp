@@ -6,6 +6,7 @@
 #include "io/write_surface.h"
 
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@ namespace conformal {
 namespace {
 
 // Q of the faces as values of the vertices; as large as a float can be where a face is squashed.
+// Faces of area zero have no angles, and do not count.
 Eigen::VectorXd quality_at_vertices(const CGP::Mesh_view& mesh, const CGP::Points& positions)
 {
   const double largest = 1e30;
@@ -24,10 +26,12 @@ Eigen::VectorXd quality_at_vertices(const CGP::Mesh_view& mesh, const CGP::Point
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(mesh.size_of_vertices()), weight = sum;
   for (int f = 0; f < mesh.size_of_faces(); ++f)
     for (const int v : mesh.corners(f)) {
+      if (CGP::has_area_zero(mesh, f)) continue;
       sum[v] += areas[f] * Q[f];
       weight[v] += areas[f];
     }
-  return sum.cwiseQuotient(weight);
+  const auto has_none = weight.array() == 0;
+  return has_none.select(1, sum.cwiseQuotient(has_none.select(1, weight)));
 }
 
 void set_rho(const Surface_input& input, const CGP::Curvature_potential& rho, Surface_file& file)

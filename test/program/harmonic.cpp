@@ -145,6 +145,18 @@ TEST_F(Harmonic, refuses_spheres_and_boundaries)
   EXPECT_FALSE(has("b.ply"));
 }
 
+// One vertex so far away that the digits do not suffice for its edges and the others.
+TEST_F(Harmonic, writes_nothing_that_is_not_harmonic)
+{
+  cgp_test::Points points = cgp_test::torus(2, 0.7, 10, 6).positions();
+  points(0, 7) = 1e12;
+  write("a.off", off({points, cgp_test::torus(2, 0.7, 10, 6).corners()}));
+  const Program_run r = run("harmonic a.off -o b.ply --json b.json");
+  EXPECT_TRUE(fails(r, 1, "residual of the forms"));
+  EXPECT_FALSE(has("b.ply"));
+  EXPECT_FALSE(nlohmann::json::parse(content(path("b.json")))["verified"]);
+}
+
 TEST_F(Harmonic, has_help_with_an_example)
 {
   const Program_run r = run("harmonic --help");

@@ -1,15 +1,14 @@
 // Tests examples/conformal/repair.cpp examples/conformal/Corner_fans.cpp
-// Tests examples/conformal/merge_points.h examples/conformal/io/select_rows.h
+// Tests examples/conformal/separate_fans.cpp examples/conformal/select_faces.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/repair.h"
 
 #include "conformal/Defects.h"
-#include "conformal/Surface_input.h"
+#include "conformal/Failure.h"
+#include "program/repair_support.h"
 #include "program/support.h"
 #include "support/spheres.h"
-
-#include "conformal/io/read_surface.h"
 
 #include <Conformal_geometry_processing/mesh/topology.h>
 
@@ -19,32 +18,6 @@ namespace {
 
 using namespace program_test;
 using namespace conformal;
-
-std::string off_of(const std::vector<Point>& points, const std::vector<std::vector<int>>& faces)
-{
-  std::string text =
-      "OFF\n" + std::to_string(points.size()) + " " + std::to_string(faces.size()) + " 0\n";
-  for (const Point& p : points)
-    text += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
-  for (const auto& face : faces) {
-    text += std::to_string(face.size());
-    for (const int v : face) text += " " + std::to_string(v);
-    text += "\n";
-  }
-  return text;
-}
-
-struct Repaired {
-  Repair done;
-  Surface_input input;
-};
-
-Repaired repaired(const std::string& text, const char* name = "a.off")
-{
-  Surface_file file = parse_surface(text, name);
-  Repair done = repair(file);
-  return {std::move(done), prepare(std::move(file))};
-}
 
 const std::vector<Point> corners_of_a_fan = {
     {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}};
@@ -179,6 +152,36 @@ TEST(Repair, keeps_properties_and_texture_with_what_they_belong_to)
   const auto& row =
       r.input.file.texture.values[static_cast<std::size_t>(r.input.file.texture.index.front())];
   EXPECT_NEAR(row[0], .3, 1e-6);  // of vertex 2, though its place is vertex 1's now
+}
+
+TEST(Repair, of_a_good_file_changes_no_bit)
+{
+  // a texture in a list of the faces, a polygon, an element of another kind
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\n"
+      "property double z\nelement face 2\nproperty list uchar int vertex_indices\n"
+      "property list uchar float texcoord\nelement edge 1\nproperty int vertex1\n"
+      "property int vertex2\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n"
+      "4 0 1 2 3 8 0 0 1 0 1 1 0 1\n3 1 4 2 6 0 0 1 0 1 1\n0 1\n";
+  const Surface_file before = parse_surface(text, "a.ply");
+  Surface_file after = before;
+  EXPECT_FALSE(repair(after).has_changed_anything());
+  EXPECT_EQ(after.points, before.points);
+  EXPECT_EQ(faces_of(after), faces_of(before));
+  EXPECT_TRUE(after.texture.empty());
+  EXPECT_EQ(after.other_elements.size(), 1u);
+  EXPECT_TRUE(after.notes.empty());
+  const Property* texture = find_property(after.faces, "texcoord");
+  ASSERT_NE(texture, nullptr);
+  EXPECT_EQ(texture->count(0), 8u);
+}
+
+TEST(Repair, refuses_what_would_leave_no_face)
+{
+  const std::string line = off_of({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {{0, 1, 2}});
+  EXPECT_THROW(repaired(line), Failure);
+  const std::string point = off_of({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 1, 2}});
+  EXPECT_THROW(repaired(point), Failure);
 }
 
 TEST(Repair, of_a_repaired_file_changes_nothing_more)

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/spheres.h"
+#include "support/thin_faces.h"
 #include "support/tori.h"
 
 #include "conformal/io/read_surface.h"
@@ -105,6 +106,91 @@ TEST_F(Spin, output_has_quality_rho_and_lambda)
   for (const char* name : {"quality", "rho", "spin_w", "spin_x", "spin_y", "spin_z"})
     EXPECT_NE(find_property(b.vertices, name), nullptr) << name;
   EXPECT_GE(find_property(b.vertices, "quality")->value(0), 1);
+}
+
+TEST_F(Spin, mollify_takes_faces_of_area_zero_and_tells_what_it_did)
+{
+  const auto clean = cgp_test::icosphere(3), mesh = cgp_test::spoilt(clean);
+  write("clean.off", off(clean));
+  write("a.off", off(mesh));
+  const std::string rho = " --rho-expression '0.7*sin(4*y)' -o ";
+  EXPECT_TRUE(fails(run("spin a.off" + rho + "b.ply"), 4, "--mollify"));
+  ASSERT_EQ(run("spin clean.off" + rho + "clean.ply").code, 0);
+  const auto expected = read_surface(path("clean.ply"));
+  for (const std::string option : {"--mollify", "--mollify=1e-5"}) {
+    const Program_run r = run("spin " + option + " a.off" + rho + "b.ply --json b.json");
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_NE(r.out.find("edges flipped"), std::string::npos) << r.out;
+    const auto json = nlohmann::json::parse(content(path("b.json")));
+    EXPECT_TRUE(json["verified"]);
+    const auto made = json["result"]["mollification"];
+    EXPECT_EQ(made["share"], option == "--mollify" ? 1e-6 : 1e-5);
+    EXPECT_GT(made["thin_faces"], 100);
+    EXPECT_EQ(made["longer_edges"], mesh.size_of_edges());
+    EXPECT_GT(made["added_length"], 0);
+    EXPECT_LT(made["added_length"], 1e-5);
+    EXPECT_GT(made["flipped_edges"], 100);
+    const auto b = read_surface(path("b.ply"));
+    for (std::size_t v = 0; v < expected.points.size(); ++v)
+      for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(b.points[v][i], expected.points[v][i], 3e-3);
+    const auto* quality = find_property(b.vertices, "quality");
+    for (std::size_t v = 0; v < b.points.size(); ++v) EXPECT_GE(quality->value(v), 1);
+  }
+}
+
+TEST_F(Spin, mollify_changes_nothing_where_there_is_nothing_to_be_changed)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(2)));
+  ASSERT_EQ(run("spin a.off --rho-expression 'x*y' -o b.ply").code, 0);
+  ASSERT_EQ(run("spin a.off --rho-expression 'x*y' --mollify -o c.ply --json c.json").code, 0);
+  const auto made = nlohmann::json::parse(content(path("c.json")))["result"]["mollification"];
+  for (const char* name : {"thin_faces", "longer_edges", "added_length", "flipped_edges"})
+    EXPECT_EQ(made[name], 0) << name;
+  const auto b = read_surface(path("b.ply")), c = read_surface(path("c.ply"));
+  for (std::size_t v = 0; v < b.points.size(); ++v)
+    EXPECT_NEAR(b.points[v][0], c.points[v][0], 1e-7);
+}
+
+TEST_F(Spin, mollify_refuses_numbers_and_solvers_that_it_cannot_use)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  const std::string spin = "spin a.off --rho-expression x -o b.ply --mollify";
+  for (const std::string number : {"=0", "=1", "=-1", "=x", "=nan"})
+    EXPECT_TRUE(fails(run(spin + number), 2, "between 0 and 1")) << number;
+  EXPECT_TRUE(fails(run(spin + " --solver eigen"), 2, "native solver"));
+}
+
+TEST_F(Spin, mollify_is_what_to_try_where_it_was_not_tried)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(2)));
+  const std::string strict = "spin a.off --rho-expression x --max-quasi-conformal 1.0001 -o b.ply";
+  EXPECT_TRUE(fails(run(strict), 1, "try: a weaker rho, --mollify for thin faces, a finer mesh"));
+  EXPECT_TRUE(fails(run(strict + " --mollify"), 1, "try: a weaker rho, a finer mesh"));
+}
+
+TEST_F(Spin, mollify_measures_a_cap_that_is_the_whole_surface)
+{
+  write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n.5 1e-2 0\n3 0 1 2\n");
+  run("spin a.off --rho-expression x --mollify -o b.ply --json b.json");
+  const auto made = nlohmann::json::parse(content(path("b.json")))["result"]["mollification"];
+  EXPECT_EQ(made["measured_triangles"], 1);
+  EXPECT_EQ(made["measured_area"], 1);
+}
+
+TEST_F(Spin, mollify_that_folds_the_surface_is_refused)
+{
+  write("a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1e-9 0\n0 1e-9 0\n3 0 1 2\n3 0 2 3\n");
+  EXPECT_TRUE(fails(run("spin a.off --rho-expression x --mollify -o b.ply"), 4,
+                    "folds all faces; a smaller one is needed"));
+}
+
+TEST_F(Spin, mollify_wants_some_area)
+{
+  const auto mesh = cgp_test::icosahedron();
+  write("a.off", off(cgp_test::mapped(
+                     mesh, [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), 0, 0); })));
+  EXPECT_TRUE(
+      fails(run("spin --mollify a.off --rho-expression x -o b.ply"), 4, "no face has an area"));
 }
 
 TEST_F(Spin, unreferenced_vertices_stay_where_they_are)

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_COMPONENT_FAILURES_H
+#define CONFORMAL_COMPONENT_FAILURES_H
+
+#include "Failure.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace conformal {
+
+/// which components of a surface failed, and why
+class Component_failures {
+ public:
+  /// \param path the file that messages name \param size how many components there are
+  Component_failures(std::string path, std::size_t size) : m_path(std::move(path)), m_size(size) {}
+
+  /// \brief Works on a component, and keeps why it failed.
+  /// \returns the reason, or nothing if all went well
+  /// \throws what is not about this component alone: of signals and of memory
+  std::string attempt(const std::string& name, const std::function<void()>& work);
+
+  std::size_t size() const { return m_count; }
+
+  /// \throws Failure that tells each reason with the components that failed for it
+  void throw_if_any() const;
+
+ private:
+  std::string reason_of(const std::function<void()>& work);
+  void add(const std::string& name, const std::string& reason);
+
+  std::string m_path;
+  std::size_t m_size, m_count = 0;
+  bool m_is_of_data = false;
+  std::vector<std::pair<std::string, std::string>> m_names_of_reasons;
+};
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_EACH_COMPONENT_H
+#define CONFORMAL_EACH_COMPONENT_H
+
+#include "Session.h"
+#include "Surface_input.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace conformal {
+
+/// one component of a surface, as if there were no other; its elements have their names in the file
+struct Component {
+  std::string name;  ///< `component 1 (from vertex 17)`
+  Surface_input input;
+  std::vector<int> vertices, faces;  ///< in the mesh of the whole surface
+};
+
+/// new positions of a component, 3 x |V|; tells a session of its own what came of it
+/// \throws Failure if it does not verify, and what the library throws
+using Component_work = std::function<CGP::Points(const Component&, Session&)>;
+
+/// \brief Works on one component after the other, on all of them whatever becomes of the others.
+///
+/// What their sessions were told is in the report at `components/<number>`, a line for each is
+/// printed. The whole is verified if all of them are.
+/// \returns the new positions of all vertices
+/// \throws Failure that names all that failed and why; what is not about one of them (signals,
+/// memory) at once
+CGP::Points each_component(const Surface_input& input, Session& session,
+                           const Component_work& work);
+
+/// Turns the closed components around that are inside out, as a file with one of them would be.
+void turn_components_outward(Surface_input& input);
+
+}  // namespace conformal
+
+#endif

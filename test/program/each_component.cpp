@@ -1,0 +1,161 @@
+// Tests examples/conformal/each_component.cpp examples/conformal/spin_components.cpp
+// Tests examples/conformal/Component_failures.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "program/support.h"
+#include "support/several_components.h"
+
+#include "conformal/io/read_surface.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace {
+
+using namespace program_test;
+using cgp_test::Joined_meshes;
+using cgp_test::Mesh_view;
+using conformal::read_surface;
+
+class Each_component : public Program {
+ protected:
+  nlohmann::json json(const std::string& name) const
+  {
+    return nlohmann::json::parse(content(path(name)));
+  }
+
+  /// the points of the vertices in a file, 3 x count
+  cgp_test::Points points(const std::string& name, const std::vector<int>& vertices) const
+  {
+    const auto file = read_surface(path(name));
+    cgp_test::Points p(3, static_cast<Eigen::Index>(vertices.size()));
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      p.col(static_cast<Eigen::Index>(i)) =
+          Eigen::Vector3d::Map(file.points[static_cast<std::size_t>(vertices[i])].data());
+    return p;
+  }
+};
+
+std::vector<int> all_of(const Mesh_view& mesh)
+{
+  std::vector<int> numbers(static_cast<std::size_t>(mesh.size_of_vertices()));
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<int>(i);
+  return numbers;
+}
+
+const std::vector<Mesh_view>& parts()
+{
+  static const std::vector<Mesh_view> surfaces = cgp_test::surfaces_of_different_types();
+  return surfaces;
+}
+
+TEST_F(Each_component, spins_as_it_does_alone_and_has_a_certificate)
+{
+  const Joined_meshes all = cgp_test::interleaved(parts());
+  write("all.off", off(all.mesh));
+  // rho as a property, which is in units of the normalised frame of each file: scaled by hand
+  const auto diagonal = [](const Mesh_view& mesh) {
+    const auto& p = mesh.positions();
+    return (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
+  };
+  const auto text = [&](const Mesh_view& mesh) {
+    std::string lines;
+    for (int v = 0; v < mesh.size_of_vertices(); ++v)
+      lines += std::to_string(.25 * std::round(4 * std::sin(mesh.position(v).x()))) + "\n";
+    return lines;
+  };
+  write("all.txt", text(all.mesh));
+  const Program_run r =
+      run("spin all.off --rho-file all.txt --each-component -o b.ply --json b.json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const auto report = json("b.json");
+  EXPECT_TRUE(report["verified"]);
+  ASSERT_EQ(report["components"].size(), 3u);
+  for (std::size_t p = 0; p < 3; ++p) {
+    const auto& own = report["components"][p];
+    EXPECT_TRUE(own["verified"]);
+    EXPECT_EQ(own["first_vertex"], p);
+    EXPECT_EQ(own["vertices"], parts()[p].size_of_vertices());
+    EXPECT_EQ(own["genus"], p == 1 ? 1 : 0);
+    EXPECT_EQ(own["boundary_loops"], p == 2 ? 1 : 0);
+    write("one.off", off(parts()[p]));
+    write("one.txt", text(parts()[p]));
+    const std::string factor = std::to_string(diagonal(parts()[p]) / diagonal(all.mesh));
+    ASSERT_EQ(
+        run("spin one.off --rho-file one.txt --amplitude " + factor + " -o one.ply --json one.json")
+            .code,
+        0);
+    const auto alone = json("one.json");
+    EXPECT_NEAR(own["result"]["quasi_conformal"]["mean"],
+                alone["result"]["quasi_conformal"]["mean"], 1e-6);
+    EXPECT_NEAR(own["result"]["eigenvalue"], alone["result"]["eigenvalue"], 1e-5);
+    const cgp_test::Points difference =
+        points("b.ply", all.vertices[p]) - points("one.ply", all_of(parts()[p]));
+    EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-4);
+  }
+}
+
+TEST_F(Each_component, flows_and_is_flattened)
+{
+  const Joined_meshes all = cgp_test::interleaved(
+      {cgp_test::cap_from_disk(cgp_test::disk(5), 1.5), cgp_test::annulus(1, 2, 24, 3)});
+  write("a.off", off(all.mesh));
+  ASSERT_EQ(run("flow a.off --steps 2 --each-component -o b.ply --json b.json").code, 0);
+  EXPECT_TRUE(json("b.json")["verified"]);
+  EXPECT_FALSE(json("b.json")["components"][1]["steps"].is_null());
+  const Program_run r = run("flatten a.off --planar-mesh --each-component -o c.ply --json c.json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_EQ(json("c.json")["components"][1]["result"]["boundary_loops"], 2);
+  const auto first = points("c.ply", all.vertices[0]), second = points("c.ply", all.vertices[1]);
+  EXPECT_GT(first.row(1).minCoeff(), second.row(1).maxCoeff());  // two rows, the higher one first
+}
+
+TEST_F(Each_component, that_is_inside_out_is_computed_with_outward_normals)
+{
+  const Mesh_view s = cgp_test::icosphere(1);
+  const Joined_meshes all = cgp_test::interleaved(
+      {cgp_test::scaled(s, 2), cgp_test::with_reversed_faces(cgp_test::moved(s, {9, 0, 0}))});
+  write("a.off", off(all.mesh));
+  const Program_run r = run("spin a.off --rho-expression 'nx' --each-component -o b.ply");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_NE(r.err.find("1 component inside out"), std::string::npos) << r.err;
+  EXPECT_EQ(read_surface(path("a.off")).polygons.corners,
+            read_surface(path("b.ply")).polygons.corners);
+}
+
+TEST_F(Each_component, is_refused_unless_it_is_asked_for)
+{
+  write("a.off", off(cgp_test::interleaved(parts()).mesh));
+  EXPECT_TRUE(fails(run("spin -q a.off --rho-expression x -o b.ply"), 4, "try: --each-component"));
+  EXPECT_FALSE(has("b.ply"));
+}
+
+TEST_F(Each_component, that_fails_is_named_and_nothing_is_written)
+{
+  write("a.off", off(cgp_test::interleaved(parts()).mesh));
+  const std::string each = "a.off --each-component -o b.ply --json b.json ";
+  EXPECT_TRUE(fails(run("flatten -q " + each), 4,
+                    "a.off: 2 of 3 components failed; component 0 (from vertex 0), component 1 "
+                    "(from vertex 1): the surface is closed"));
+  EXPECT_FALSE(has("b.ply"));
+  const auto report = json("b.json");
+  EXPECT_FALSE(report["verified"]);
+  EXPECT_FALSE(report["components"][0]["verified"]);
+  EXPECT_TRUE(report["components"][2]["verified"]);
+  EXPECT_TRUE(fails(run("spin -q --rho-expression x --max-quasi-conformal 1.000001 " + each), 1,
+                    "components failed; component 0 (from vertex 0)"));
+  EXPECT_FALSE(has("b.ply"));
+  EXPECT_EQ(run("spin -q --rho-expression x --force --max-quasi-conformal 1.000001 " + each).code,
+            0);
+  EXPECT_TRUE(has("b.ply"));
+  EXPECT_FALSE(json("b.json")["verified"]);
+}
+
+TEST_F(Each_component, cannot_be_shown_in_snapshots_of_the_whole)
+{
+  write("a.off", off(cgp_test::interleaved(parts()).mesh));
+  EXPECT_TRUE(fails(run("flow -q a.off --every 1 --each-component -o b.ply"), 2, "--every"));
+}
+
+}  // namespace
