@@ -31,7 +31,7 @@ class Mutator {
 
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(m_random() % n); }
 
- private:
+ protected:
   static bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
   // the word around a random place: [begin, end)
@@ -43,6 +43,7 @@ class Mutator {
     return {begin, end};
   }
 
+ private:
   void replace_word(std::string& text)
   {
     using namespace std::string_view_literals;

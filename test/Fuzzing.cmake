@@ -1,0 +1,26 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Damaged files for the readers and the program (doc/fuzzing.md). A few of them are tests; by the
+# thousand they are wanted with sanitizers, and then by hand: test/tools/fuzz.
+
+function(cgp_add_fuzz_program name library)
+  add_executable(${name} ${ARGN} tools/${name}.cpp)
+  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${library})
+endfunction()
+
+foreach(what readers runs)
+  set(library conformal_io)
+  if(what STREQUAL "runs")
+    set(library conformal_lib)
+  endif()
+  if(NOT TARGET ${library})
+    continue()
+  endif()
+  cgp_add_fuzz_program(fuzz_${what} ${library})
+  add_test(NAME program.fuzz_${what} COMMAND fuzz_${what} 100)
+  if(CGP_SANITIZE STREQUAL "fuzzer")
+    cgp_add_fuzz_program(fuzz_${what}_guided ${library} EXCLUDE_FROM_ALL)
+    target_link_options(fuzz_${what}_guided PRIVATE -fsanitize=fuzzer)
+  endif()
+endforeach()

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_TOOLS_FUZZ_NAMED_RUN_H
+#define TEST_TOOLS_FUZZ_NAMED_RUN_H
+
+#include "conformal/io/read_surface.h"
+#include "conformal/run.h"
+#include "fuzz_scratch.h"
+#include "fuzz_trials.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+// One run of the program on one file, in this process, and the laws of its end.
+
+namespace fuzz {
+
+/// what may become of a run; anything else ends the process
+enum Fate : std::size_t { verified, not_verified, unsuitable, unreadable };
+
+inline const std::vector<std::string>& fates()
+{
+  static const std::vector<std::string> names = {"verified", "not verified", "unsuitable",
+                                                 "cannot read"};
+  return names;
+}
+
+/// the words between the program and the file
+using Command = std::vector<std::string>;
+
+inline const std::vector<Command>& commands()
+{
+  static const std::vector<Command> all = {
+      {"info"},
+      {"info", "--repair"},
+      {"spin", "--rho-expression", "0.7*sin(4*y)"},
+      {"spin", "--rho-expression", "0.7*sin(4*y)", "--repair"},
+      {"spin", "--rho-expression", "x", "--on", "faces", "--solver", "cholmod"},
+      {"spin", "--rho-expression", "0.3*x", "--boundary", "tangents"},
+      {"flow", "--steps", "2"},
+      {"flow", "--steps", "2", "--repair"},
+      {"flow", "--steps", "2", "--balance", "initial"},
+      {"boundary", "--binormal-tilt", "10*cos(2*pi*s)"},
+      {"boundary", "--tangent-rotation", "5*sin(2*pi*s)"},
+      {"flatten"},
+      {"flatten", "--repair"},
+      {"flatten", "--planar"},
+      {"harmonic"},
+      {"harmonic", "--repair"},
+      {"spectrum", "--count", "3"},
+  };
+  return all;
+}
+
+inline std::string text_of(const Command& command)
+{
+  std::string text = "conformal";
+  for (const std::string& word : command)
+    text += word.find_first_of(" *()") == std::string::npos ? ' ' + word : " '" + word + "'";
+  return text;
+}
+
+inline bool has_output(const Command& command)
+{
+  return command.front() != "info" && command.front() != "spectrum";
+}
+
+inline int exit_code(const Command& command, const std::string& input, const std::string& output,
+                     const std::string& report)
+{
+  std::vector<std::string> words = {"conformal"};
+  words.insert(words.end(), command.begin(), command.end());
+  words.insert(words.end(), {input, "--quiet", "--json", report});
+  if (has_output(command)) words.insert(words.end(), {"-o", output});
+  std::vector<const char*> arguments;
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  return conformal::run(static_cast<int>(arguments.size()), arguments.data());
+}
+
+// One line that a user understands: nothing of the libraries inside.
+inline void require_reason(const std::string& message)
+{
+  const std::string begin = "conformal: error: ";
+  require(message.rfind(begin, 0) == 0 && message.size() > begin.size() + 10,
+          "no reason: " + message);
+  require(message.find('\n') == message.size() - 1, "not one line: " + message);
+  for (const char* inside : {"::", "basic_string", "json.", "what()"})
+    require(message.find(inside) == std::string::npos, "no reason for a user: " + message);
+}
+
+inline bool is_certified(const std::string& command, const nlohmann::json& report)
+{
+  const auto& result = report.at("result");
+  if (command == "info") return result.contains("problems");
+  if (command == "spectrum") return result.contains("eigenvalues");
+  if (command != "harmonic") return report.value("verified", false);
+  for (const char* name : {"closed_residual", "coclosed_residual", "orthonormal_residual"})
+    if (!(result.at(name).get<double>() < 1e-6)) return false;
+  return true;
+}
+
+inline void require_output(const std::string& path, const nlohmann::json& input)
+{
+  const conformal::Surface_file file = conformal::read_surface(path);
+  require(file.points.size() == input.at("vertices").get<std::size_t>(), "output: other vertices");
+  require(file.polygons.size() == input.at("faces").get<std::size_t>(), "output: other faces");
+  for (const auto& point : file.points)
+    for (const double x : point) require(std::isfinite(x), "output: a coordinate is not finite");
+}
+
+inline void require_success(const Scratch& scratch, const Command& command,
+                            const std::string& output)
+{
+  const auto report = nlohmann::json::parse(scratch.content("report.json"));
+  require(is_certified(command.front(), report), "a result without a certificate");
+  require(scratch.messages().empty(), "not quiet: " + scratch.messages());
+  if (has_output(command))
+    require_output(scratch.path(output), report.at("input"));
+  else
+    require(!scratch.has(output), "an output that nobody asked for");
+}
+
+/// \brief Runs the command on a file with this content and extension.
+///
+/// A success has a certificate, and an output that can be read and is finite; a failure has a
+/// reason of one line, and leaves no output. Neither leaves a temporary file.
+inline Fate fate(const Command& command, const std::string& content, const std::string& extension)
+{
+  static Scratch scratch;
+  const std::string input = "input" + extension;
+  const std::string output = extension == ".off" ? "output.off" : "output.ply";
+  scratch.clear();
+  scratch.write(input, content);
+  scratch.begin_listening();
+  const int code =
+      exit_code(command, scratch.path(input), scratch.path(output), scratch.path("report.json"));
+  scratch.end_listening();
+  require(scratch.has_only({input, output, "report.json"}), "a file is left");
+  if (code == 0) {
+    require_success(scratch, command, output);
+    return verified;
+  }
+  require_reason(scratch.messages());
+  require(!scratch.has(output), "an output of a failure");
+  require(code == 1 || code == 3 || code == 4,
+          "exit code " + std::to_string(code) + ": " + scratch.messages());
+  return code == 1 ? not_verified : code == 3 ? unreadable : unsuitable;
+}
+
+}  // namespace fuzz
+
+#endif

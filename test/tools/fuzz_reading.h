@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_TOOLS_FUZZ_READING_H
+#define TEST_TOOLS_FUZZ_READING_H
+
+#include "conformal/io/io_errors.h"
+#include "conformal/io/read_obj.h"
+#include "conformal/io/read_off.h"
+#include "conformal/io/read_ply.h"
+#include "conformal/io/read_stl.h"
+#include "conformal/io/read_surface.h"
+#include "conformal/io/write_glb.h"
+#include "conformal/io/write_obj.h"
+#include "conformal/io/write_off.h"
+#include "conformal/io/write_ply.h"
+#include "fuzz_trials.h"
+
+#include <cmath>
+
+// One file through the readers and, if it is read, through the writers.
+
+namespace fuzz {
+
+// What the readers guarantee.
+inline void require_sound(const conformal::Surface_file& file)
+{
+  for (const auto& point : file.points)
+    for (const double x : point) require(std::isfinite(x), "a coordinate is not finite");
+  require(file.points.size() == file.vertices.size, "properties of other vertices");
+  require(file.polygons.size() == file.faces.size, "properties of other faces");
+  for (const int corner : file.polygons.corners)
+    require(corner >= 0 && static_cast<std::size_t>(corner) < file.points.size(),
+            "a corner is no vertex");
+}
+
+// Every writer takes what was read, and PLY brings it back.
+inline void require_writable(const conformal::Surface_file& file)
+{
+  std::vector<std::string> notes;
+  conformal::encode_off(file, notes);
+  conformal::encode_obj(file, notes);
+  try {
+    conformal::encode_glb(file, "", notes);
+  } catch (const conformal::Write_error&) {  // coordinates that are no floats
+  }
+  for (const auto encoding :
+       {conformal::Ply_encoding::ascii, conformal::Ply_encoding::big_endian}) {
+    const std::string ply = conformal::encode_ply(file, encoding, notes);
+    const conformal::Surface_file again = conformal::parse_ply(ply, "again.ply");
+    require(again.points == file.points, "PLY brings back other points");
+    require(again.polygons.corners == file.polygons.corners, "PLY brings back other faces");
+    require(conformal::encode_ply(again, encoding, notes) == ply, "PLY is written otherwise");
+  }
+}
+
+inline conformal::Surface_file parsed(const std::string& text, const std::string& extension,
+                                      bool by_content)
+{
+  if (by_content) return conformal::parse_surface(text, "a" + extension);
+  if (extension == ".off") return conformal::parse_off(text, "a.off");
+  if (extension == ".obj") return conformal::parse_obj(text, "a.obj");
+  if (extension == ".ply") return conformal::parse_ply(text, "a.ply");
+  return conformal::parse_stl(text, "a.stl");
+}
+
+/// whether the file is read, or else refused; its format is shown by the content or the extension
+inline bool is_read(const std::string& text, const std::string& extension, bool by_content)
+{
+  try {
+    const conformal::Surface_file file = parsed(text, extension, by_content);
+    require_sound(file);
+    require_writable(file);
+    return true;
+  } catch (const conformal::Read_error&) {
+    return false;
+  }
+}
+
+}  // namespace fuzz
+
+#endif

@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_TOOLS_FUZZ_SCRATCH_H
+#define TEST_TOOLS_FUZZ_SCRATCH_H
+
+#include "fuzz_trials.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#if defined(__SANITIZE_ADDRESS__)
+#define CGP_HAS_ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define CGP_HAS_ADDRESS_SANITIZER
+#endif
+#endif
+#ifdef CGP_HAS_ADDRESS_SANITIZER
+#include <sanitizer/common_interface_defs.h>
+#endif
+
+// Where a run finds its input and leaves its output, and what it says.
+
+namespace fuzz {
+
+class Scratch {
+ public:
+  Scratch() : m_terminal{::dup(STDOUT_FILENO), ::dup(STDERR_FILENO)}
+  {
+    std::string name = (std::filesystem::temp_directory_path() / "conformal-fuzz-XXXXXX").string();
+    require(::mkdtemp(name.data()) != nullptr, "no folder for temporary files");
+    m_folder = name;
+    m_messages = ::memfd_create("messages", 0);
+#ifdef CGP_HAS_ADDRESS_SANITIZER
+    // The sanitizers speak to the terminal also while the program speaks to us.
+    __sanitizer_set_report_fd(reinterpret_cast<void*>(static_cast<std::intptr_t>(m_terminal[1])));
+#endif
+  }
+  ~Scratch()
+  {
+    std::filesystem::remove_all(m_folder);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  std::string path(const std::string& name) const
+  {
+    return (m_folder / name).string();
+  }
+  bool has(const std::string& name) const
+  {
+    return std::filesystem::exists(m_folder / name);
+  }
+
+  bool has_only(const std::vector<std::string>& names) const
+  {
+    const std::filesystem::directory_iterator files(m_folder), end;
+    return std::all_of(files, end, [&](const auto& entry) {
+      return std::find(names.begin(), names.end(), entry.path().filename()) != names.end();
+    });
+  }
+
+  void clear() const
+  {
+    for (const auto& entry : std::filesystem::directory_iterator(m_folder))
+      std::filesystem::remove_all(entry.path());
+  }
+
+  void write(const std::string& name, const std::string& content) const
+  {
+    std::ofstream(m_folder / name, std::ios::binary) << content;
+  }
+
+  std::string content(const std::string& name) const
+  {
+    std::ifstream file(m_folder / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  /// From now on what goes to the terminal is kept, that of earlier runs forgotten.
+  void begin_listening() const
+  {
+    require(::ftruncate(m_messages, 0) == 0 && ::lseek(m_messages, 0, SEEK_SET) == 0, "no memory");
+    redirect(m_messages, m_messages);
+  }
+
+  void end_listening() const
+  {
+    std::fflush(nullptr);
+    redirect(m_terminal[0], m_terminal[1]);
+  }
+
+  /// what has been kept
+  std::string messages() const
+  {
+    std::string text(static_cast<std::size_t>(::lseek(m_messages, 0, SEEK_END)), ' ');
+    require(::pread(m_messages, text.data(), text.size(), 0) >= 0, "what was said is lost");
+    return text;
+  }
+
+ private:
+  static void redirect(int out, int err)
+  {
+    std::fflush(nullptr);
+    ::dup2(out, STDOUT_FILENO);
+    ::dup2(err, STDERR_FILENO);
+  }
+
+  int m_terminal[2];
+  int m_messages = -1;
+  std::filesystem::path m_folder;
+};
+
+}  // namespace fuzz
+
+#endif
