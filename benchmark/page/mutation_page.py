@@ -1,18 +1,30 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""doc/mutations.md: which broken formulas the tests notice."""
+"""doc/mutations.md: which broken formulas the tests notice, and why the others may live."""
 
 import json
+import pathlib
 
 from page.tables import table
 
 INTRODUCTION = """# Do the tests notice a wrong formula?
 
 Written by `benchmark/mutate`, which breaks the headers of `operators/`, `spin/` and `flow/` in one place at a
-time: a sign, a factor, a root, a conjugation, a division. A mutant is *killed* if the tests of its header, or
-those of the results of its folder, fail, end early or do not end. One that does not compile is not counted.
-Mutants are drawn by lot, and a run goes on where the last one was stopped: the table counts those judged so far.
+time: a sign, a factor, a root, a conjugation, a division. A mutant is *killed* if a test that comes past it
+fails, ends early or does not end. All mutants are compiled into one copy of the headers, and the environment
+chooses one, so that each test is compiled once; which line a test comes past is noted in a run without mutants.
+The tests are those of the three folders and of the entry points.
 """
+
+SURVIVORS = """
+## Survivors
+
+Most decide when a search goes on, not what it finds: whatever it finds is certified afterwards by the residual,
+the gap and the sign of the eigenvalue, which are formulas of their own.
+"""
+
+REASONS = pathlib.Path(__file__).with_name("mutation_reasons.json")
+
 
 def is_killed(record):
     return record["outcome"] in ("fails", "ends early", "does not end")
@@ -21,8 +33,7 @@ def is_killed(record):
 def score_table(records):
     rows = []
     for name in [*sorted({r["header"].split("/")[0] for r in records}), "all"]:
-        some = [r for r in records if name in ("all", r["header"].split("/")[0])
-                and r["outcome"] != "does not compile"]
+        some = [r for r in records if name in ("all", r["header"].split("/")[0])]
         killed = sum(map(is_killed, some))
         rows.append([f"`{name}`" if name != "all" else name, str(len(some)), str(killed),
                      f"{100 * killed / max(1, len(some)):.1f} %"])
@@ -30,15 +41,17 @@ def score_table(records):
 
 
 def survivor_list(records):
+    """Two lines for each: what is changed, and the reason, which is written by hand."""
+    reasons = json.loads(REASONS.read_text(encoding="utf-8"))
     lines = []
     for r in sorted(records, key=lambda r: (r["header"], r["line"])):
-        if r["outcome"] == "survived":
-            lines.append(f"- `{r['header']}`, {r['what']}: `{r['before']}` as `{r['after']}`")
+        if not is_killed(r):
+            reason = reasons.get(f"{r['header']}: {r['after']}", "Not looked into yet.")
+            lines.append(f"- `{r['header']}`, {r['what']}: `{r['before']}` as `{r['after']}`.\n  {reason}")
     return "\n".join(lines) or "None."
 
 
 def write(folder, record_file):
     records = [json.loads(line) for line in record_file.read_text(encoding="utf-8").splitlines()]
-    text = "\n".join([INTRODUCTION, score_table(records), "", "## Survivors", "",
-                      survivor_list(records), ""])
+    text = "\n".join([INTRODUCTION, score_table(records), SURVIVORS, survivor_list(records), ""])
     (folder / "mutations.md").write_text(text, encoding="utf-8")

@@ -1,26 +1,29 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Formulas broken on purpose: one sign, factor or conjugation of a header at a time."""
+"""Formulas broken on purpose: one sign, factor, root, conjugation or division of a header at a time.
+
+A mutant is a change of one line. Instead of compiling each, `switchable` writes all of a header into
+one text, where benchmark/support/mutation.h chooses among them at run time."""
 
 import re
 from dataclasses import dataclass
 
-# What is replaced, by what, and what it is called. The sources are formatted, so that binary
-# operators stand between blanks and signs before what they belong to.
+# What is replaced, by what, what stands there if it is to be chosen at run time ({} is the switch,
+# \g<0> the original), and what it is called. The sources are formatted, so that binary operators
+# stand between blanks and signs before what they belong to.
 RULES = [
-    (re.compile(r"(?<=[\w)\]}]) \+ (?=[\w(*-])"), " - ", "plus to minus"),
-    (re.compile(r"(?<=[\w)\]}]) - (?=[\w(*])"), " + ", "minus to plus"),
-    (re.compile(r" \+= "), " -= ", "add to subtract"),
-    (re.compile(r" -= "), " += ", "subtract to add"),
-    (re.compile(r"(?<=[=(,{?:] )-(?=[a-zA-Z(])"), "", "sign dropped"),
-    (re.compile(r"(?<=return )-(?=[a-zA-Z(])"), "", "sign dropped"),
-    (re.compile(r"(?<=[({])-(?=[a-zA-Z(])"), "", "sign dropped"),
-    (re.compile(r" [*/] (?:\d+\.?\d*|\.\d+)(?=[ ;,)])"), "", "factor dropped"),
-    (re.compile(r"(?<=[ (])(?:[2-9]|\d*\.\d+) \* "), "", "factor dropped"),
-    (re.compile(r"\bconjugate\("), "(", "conjugation dropped"),
-    (re.compile(r"\bstd::sqrt\("), "(", "root dropped"),
-    (re.compile(r"(?<=[\w)\]]) / (?=[a-zA-Z(])"), " * ", "division to product"),
+    (r"(?<=[\w)\]}]) \+ (?=[\w(*-])", " - ", " + {} * ", "plus to minus"),
+    (r"(?<=[\w)\]}]) - (?=[\w(*])", " + ", " - {} * ", "minus to plus"),
+    (r" \+= ", " -= ", " += {} %= ", "add to subtract"),
+    (r" -= ", " += ", " -= {} %= ", "subtract to add"),
+    (r"(?:(?<=[=(,{?:] )|(?<=return )|(?<=[({]))-(?=[a-zA-Z(])", "", "-{} * ", "sign dropped"),
+    (r"(?<= [*/] )(?:\d+\.?\d*|\.\d+)(?=[ ;,)])", "1", r"{}.factor(\g<0>)", "factor dropped"),
+    (r"(?<=[ (])(?<![*/] )(?:[2-9]|\d*\.\d+)(?= \* )", "1", r"{}.factor(\g<0>)", "factor dropped"),
+    (r"\bconjugate\(", "(", "{}.conjugate_of(", "conjugation dropped"),
+    (r"\bstd::sqrt\(", "(", "{}.root(", "root dropped"),
+    (r"(?<=[\w)\]]) / (?=[a-zA-Z(])", " * ", " / {} ->* ", "division to product"),
 ]
+RULES = [(re.compile(rule[0]), *rule[1:]) for rule in RULES]
 
 # Lines without a formula: declarations, messages, loops and places in arrays.
 NO_FORMULA = re.compile(
@@ -31,35 +34,48 @@ SUBSCRIPT = re.compile(r"\[[^\]]*\]")
 
 @dataclass(frozen=True)
 class Mutant:
-    header: str  # below include/Conformal_geometry_processing
-    line: int    # counted from 1
+    header: str   # below include/Conformal_geometry_processing
+    line: int     # counted from 1
     what: str
     before: str
     after: str
+    column: int   # where the change begins
+    length: int   # of what is replaced
+    switch: str   # what replaces it in the text with all mutants
 
     @property
     def name(self):
-        return f"{self.header}:{self.line}: {self.after.strip()}"
+        return f"{self.header}: {self.after.strip()}"
+
+
+def mutants_of_line(header, number, line):
+    code = line.split("//")[0]
+    if NO_FORMULA.search(code) or not code.strip():
+        return
+    subscripts = [match.span() for match in SUBSCRIPT.finditer(code)]
+    for pattern, replacement, switch, what in RULES:
+        for match in pattern.finditer(code):
+            start, end = match.span()
+            if not any(a <= start < b for a, b in subscripts):
+                yield Mutant(header, number, what, line, line[:start] + replacement + line[end:],
+                             start, end - start, match.expand(switch))
 
 
 def mutants_of(header, text):
     """All mutants of a header, in the order of its lines."""
-    found = []
-    for number, line in enumerate(text.splitlines(), start=1):
-        code = line.split("//")[0]
-        if NO_FORMULA.search(code) or not code.strip():
-            continue
-        subscripts = [match.span() for match in SUBSCRIPT.finditer(code)]
-        for pattern, replacement, what in RULES:
-            for match in pattern.finditer(code):
-                if any(a <= match.start() < b for a, b in subscripts):
-                    continue
-                after = line[:match.start()] + replacement + line[match.end():]
-                found.append(Mutant(header, number, what, line, after))
-    return found
+    return [mutant for number, line in enumerate(text.splitlines(), start=1)
+            for mutant in mutants_of_line(header, number, line)]
 
 
-def text_with(mutant, text):
+def switchable(ids, text):
+    """The text of a header with a switch for each of its mutants, given as {mutant: number}."""
     lines = text.splitlines(keepends=True)
-    lines[mutant.line - 1] = mutant.after + "\n"
+    for mutant, number in sorted(ids.items(), key=lambda pair: pair[0].column, reverse=True):
+        start, end = mutant.column, mutant.column + mutant.length
+        line = lines[mutant.line - 1]
+        switch = mutant.switch.replace("{}", f"mutation::Mutant{{{number}}}")
+        lines[mutant.line - 1] = line[:start] + switch + line[end:]
+    guard = next(i for i, line in enumerate(lines) if line.startswith("#define "))
+    lines[guard] += "#include <Conformal_geometry_processing/mutation.h>\n"
+    lines[guard + 1] = f"#line {guard + 2}\n" + lines[guard + 1]
     return "".join(lines)
