@@ -6,15 +6,17 @@ import collections
 import json
 import shlex
 
-from page import machine, survey_outcome, tables
+from page import machine, survey_outcome, survey_repair, tables
 from page.survey_outcome import (BAD, CRASHED, GOOD, NOT_VERIFIED, TIMED_OUT, UNREADABLE,
                                  UNSUITABLE, VERIFIED)
 
 RECORD = machine.ROOT / "doc" / "survey.jsonl"
+REPAIRED = machine.ROOT / "doc" / "survey_repair.jsonl"
 FAULTS = machine.ROOT / "doc" / "faults.jsonl"
 COMMANDS = {
     "info": [],
     "spin": ["--rho-expression", "0.7*sin(4*y)"],
+    "spin --mollify": ["--rho-expression", "0.7*sin(4*y)"],
     "flow": ["--steps", "3"],
     "boundary": ["--binormal-tilt", "10*cos(2*pi*s)"],
     "flatten": [],
@@ -22,6 +24,14 @@ COMMANDS = {
 }
 LETTERS = {VERIFIED: "✓", UNSUITABLE: "4", UNREADABLE: "3", NOT_VERIFIED: "1",
            CRASHED: "CRASH", TIMED_OUT: "TIME"}
+
+
+
+def command_line(command, mesh, *more):
+    """The words after `conformal`, of a command that may have options in its name."""
+    verb, *options = command.split()
+    return [verb, str(mesh), *COMMANDS[command], *options, *more]
+
 
 TEXT = """\
 # A survey: what becomes of any mesh
@@ -51,6 +61,16 @@ Of the runs on surfaces that `info` finds without a problem (one component, mani
 How often which reason is given; N are numbers, and what is in parentheses is left out.
 
 {reasons}
+
+## With --repair
+
+{repaired}
+
+The columns tell why `spin` refused the mesh, what `--repair` did (and the report has, with the new
+number of every vertex and face), which problems are left, and what became of the commands, as below.
+Each kind of damage alone is in [damaged meshes](damage.md).
+
+{repairs}
 
 ## Interrupts, limits and bad outputs
 
@@ -88,7 +108,8 @@ def summary(found):
 
 def suitable_table(found, facts):
     """How many of the suitable surfaces are done, where the command has something to do."""
-    meant = {"spin": lambda mesh: True, "flow": lambda mesh: True,
+    meant = {"spin": lambda mesh: True, "spin --mollify": lambda mesh: True,
+             "flow": lambda mesh: True,
              "boundary": lambda mesh: mesh["loops"], "flatten": lambda mesh: mesh["loops"],
              "harmonic": lambda mesh: mesh["genus"] and not mesh["loops"]}
     lines = []
@@ -141,9 +162,12 @@ def check_table():
 def write():
     found = rows(RECORD)
     facts = {(row["set"], row["mesh"]): row for row in found if row["command"] == "info"}
-    called = "\n".join("- `" + " ".join(["conformal", name, "MESH", *map(shlex.quote, options)])
-                       + "`" for name, options in COMMANDS.items())
-    text = TEXT.format(small=survey_outcome.SMALL, commands=called,
+    called = "\n".join("- `" + shlex.join(["conformal", *command_line(name, "MESH")]) + "`"
+                       for name in COMMANDS)
+    repaired = rows(REPAIRED)
+    text = TEXT.format(repaired=survey_repair.summary(found, repaired),
+                       repairs=survey_repair.table(found, repaired, LETTERS, list(COMMANDS)),
+                       small=survey_outcome.SMALL, commands=called,
                        summary=summary(found), suitable=suitable_table(found, facts),
                        faults=fault_list(found), reasons=reason_table(found),
                        checks=check_table(), meshes=mesh_table(found, facts))
