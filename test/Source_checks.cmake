@@ -22,7 +22,8 @@ else()
   foreach(example IN LISTS examples)
     cmake_path(GET example STEM name)
     add_test(NAME examples.${name} COMMAND ${Python3_EXECUTABLE}
-             ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_example.py $<TARGET_FILE:${name}>)
+             ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_example.py
+             ${PROJECT_BINARY_DIR}/examples/${name})
   endforeach()
 endif()
 
@@ -39,17 +40,24 @@ elseif(Python3_FOUND AND TARGET conformal AND CGP_HAS_THREE)
 endif()
 
 # Every core header in two translation units that are linked: a function that is not inline, or a
-# variable that is defined twice, does not link.
+# variable that is defined twice, does not link. The second is a copy of what the first became.
 set(include_all "")
 foreach(header IN LISTS CGP_CORE_HEADERS)
   cmake_path(RELATIVE_PATH header BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/include)
   string(APPEND include_all "#include <${header}>\n")
 endforeach()
-file(GENERATE OUTPUT first_unit.cpp CONTENT "${include_all}")
-file(GENERATE OUTPUT second_unit.cpp CONTENT "${include_all}int main() {}\n")
-add_executable(sources.two_units ${CMAKE_CURRENT_BINARY_DIR}/first_unit.cpp
-               ${CMAKE_CURRENT_BINARY_DIR}/second_unit.cpp)
-target_compile_options(sources.two_units PRIVATE -O0)
+file(GENERATE OUTPUT all_headers.cpp CONTENT "${include_all}")
+file(GENERATE OUTPUT two_units.cpp CONTENT "int main() {}\n")
+add_library(sources.all_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/all_headers.cpp)
+target_compile_options(sources.all_headers PRIVATE -O0)
+target_link_libraries(sources.all_headers PRIVATE cgp_core)
+set(second_unit ${CMAKE_CURRENT_BINARY_DIR}/second_unit${CMAKE_CXX_OUTPUT_EXTENSION})
+add_custom_command(OUTPUT ${second_unit} DEPENDS $<TARGET_OBJECTS:sources.all_headers> VERBATIM
+                   COMMAND ${CMAKE_COMMAND} -E copy $<TARGET_OBJECTS:sources.all_headers>
+                           ${second_unit})
+add_executable(sources.two_units ${CMAKE_CURRENT_BINARY_DIR}/two_units.cpp
+               $<TARGET_OBJECTS:sources.all_headers> ${second_unit})
+set_source_files_properties(${second_unit} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
 target_link_libraries(sources.two_units PRIVATE cgp_core)
 add_test(NAME sources.two_units COMMAND sources.two_units)
 

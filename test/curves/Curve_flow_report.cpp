@@ -20,6 +20,7 @@ TEST(Curve_flow_stop, has_words_for_every_reason)
        {Curve_flow_stop::none, Curve_flow_stop::energy_settled, Curve_flow_stop::steps_done,
         Curve_flow_stop::cancelled, Curve_flow_stop::step_failed})
     EXPECT_STRNE(to_string(stop), "unknown");
+  EXPECT_STREQ(to_string(static_cast<Curve_flow_stop>(-1)), "unknown");
 }
 
 TEST(Curve_flow_report, does_not_take_in_steps_that_failed)

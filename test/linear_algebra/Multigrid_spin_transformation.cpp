@@ -10,6 +10,7 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
+// Compiled alone: support/dense.h and hermitian_matrices.h each have a dense().
 namespace cgp_test {
 namespace {
 

@@ -20,4 +20,5 @@ TEST(Solver_status, says_something_different_about_each_case)
     words.insert(CGP::to_string(status));
   EXPECT_EQ(words.size(), 5u);
   EXPECT_EQ(words.count("unknown"), 0u);
+  EXPECT_STREQ(CGP::to_string(static_cast<Solver_status>(-1)), "unknown");
 }

@@ -24,7 +24,7 @@ inline Eigen::VectorXcd plane_points(const Mesh_view& mesh)
 }
 
 /// a_0, b_0, a_1, b_1, ... of a + i b
-inline Eigen::VectorXd interleaved(const Eigen::VectorXcd& z)
+inline Eigen::VectorXd interleaved_parts(const Eigen::VectorXcd& z)
 {
   Eigen::VectorXd ab(2 * z.size());
   for (Eigen::Index v = 0; v < z.size(); ++v) ab.segment<2>(2 * v) << z[v].real(), z[v].imag();

@@ -245,12 +245,16 @@ TEST(Spectral_parameterization, refuses_what_has_no_boundary_or_is_no_surface)
 
 namespace {
 
-/// a solver that never finds a matrix positive definite
+CGP::Solver_status failure;
+int tries = 0;
+
+/// a solver that fails as it is told
 template <class Scalar>
 struct Failing_solver : CGP::Supernodal_cholesky<Scalar> {
   CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>&, const Eigen::VectorXd&)
   {
-    return CGP::Solver_status::not_positive_definite;
+    ++tries;
+    return failure;
   }
 };
 struct Failing_solver_traits {
@@ -258,17 +262,32 @@ struct Failing_solver_traits {
   using Solver = Failing_solver<Scalar>;
 };
 
+std::string message_of_failure(CGP::Solver_status status)
+{
+  failure = status;
+  tries = 0;
+  try {
+    (void)CGP::spectral_parameterization<Failing_solver_traits>(disk(2));
+  } catch (const CGP::Solver_error& error) {
+    return error.what();
+  }
+  return "not thrown";
+}
+
 }  // namespace
 
 TEST(Spectral_parameterization, throws_if_the_solver_fails)
 {
-  try {
-    (void)CGP::spectral_parameterization<Failing_solver_traits>(disk(2));
-    FAIL();
-  } catch (const CGP::Solver_error& error) {
-    EXPECT_NE(std::string(error.what()).find("factorization of the conformal energy failed"),
-              std::string::npos);
-  }
+  const std::string indefinite = message_of_failure(CGP::Solver_status::not_positive_definite);
+  EXPECT_NE(indefinite.find("factorization of the conformal energy failed"), std::string::npos);
+  EXPECT_EQ(tries, 3);  // with ever larger shifts
+}
+
+TEST(Spectral_parameterization, does_not_try_again_where_a_larger_shift_is_no_help)
+{
+  const std::string message = message_of_failure(CGP::Solver_status::out_of_memory);
+  EXPECT_NE(message.find("failed: out of memory"), std::string::npos);
+  EXPECT_EQ(tries, 1);
 }
 
 TEST(Parameterization_report, is_written_in_words)

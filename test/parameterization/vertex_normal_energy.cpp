@@ -21,7 +21,7 @@ namespace CGP = Conformal_geometry_processing;
 
 double energy(const Mesh_view& mesh, const Points& normals, const Eigen::VectorXcd& z)
 {
-  const Eigen::VectorXd ab = interleaved(z);
+  const Eigen::VectorXd ab = interleaved_parts(z);
   return ab.dot(CGP::vertex_normal_energy(mesh, normals, *CGP::vertex_graph(mesh)) * ab);
 }
 
