@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "components_checks.h"
 
@@ -49,10 +50,20 @@ class Components_that_fail : public testing::Test {
   const Function rho = [this](Vertex v) { return rho_at(before.position(static_cast<int>(v))); };
 };
 
-struct Visitor_that_cancels : CGP::Spin_visitor {
-  int iterations = 0;
-  void on_iteration(const CGP::Eigen_progress&) { ++iterations; }
-  bool go_further() const { return false; }
+int tries = 0;
+
+/// a solver without memory
+template <class Scalar>
+struct Solver_without_memory : CGP::Supernodal_cholesky<Scalar> {
+  CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>&, const Eigen::VectorXd&)
+  {
+    ++tries;
+    return CGP::Solver_status::out_of_memory;
+  }
+};
+struct Solver_traits_without_memory {
+  template <class Scalar>
+  using Solver = Solver_without_memory<Scalar>;
 };
 
 }  // namespace
@@ -71,7 +82,7 @@ TEST_F(Components_that_fail, are_named_with_the_reason)
                   mesh, map_of(rho), params::boundary_direction(CGP::Boundary_direction{0, 0, 1}));
             }),
             "spin_transform_components: 1 of 2 components failed (their elements are counted in "
-            "each): component 0, from vertex 0: the surface is closed; no boundary can be "
+            "each): component 0 (from vertex 0): the surface is closed; no boundary can be "
             "prescribed");
   EXPECT_EQ(refusal([&] {
               std::map<Vertex, std::complex<double>> uv;
@@ -79,12 +90,70 @@ TEST_F(Components_that_fail, are_named_with_the_reason)
                                                                boost::make_assoc_property_map(uv));
             }),
             "conformal_parameterization_components: 1 of 2 components failed (their elements are "
-            "counted in each): component 0, from vertex 0: the surface is closed; one with a "
+            "counted in each): component 0 (from vertex 0): the surface is closed; one with a "
             "boundary is needed, cut it open");
-  EXPECT_NE(refusal([&] {
-              (void)CGP::conformal_willmore_flow_components(mesh, params::time_step(-1.));
-            }).find("2 of 2 components failed"),
-            std::string::npos);
+}
+
+TEST(Components_that_fail_alike, are_counted_and_the_first_are_named)
+{
+  Surface mesh = to_cgal_mesh<Surface>(interleaved(std::vector<Mesh_view>(7, tetrahedron())).mesh);
+  try {
+    (void)CGP::conformal_willmore_flow_components(mesh, params::time_step(-1.));
+    FAIL();
+  } catch (const CGP::Precondition_error& error) {
+    EXPECT_EQ(error.message().rfind("7 of 7 components failed (their elements are counted in each):"
+                                    " component 0 (from vertex 0), component 1 (from vertex 1), ",
+                                    0),
+              0u);
+    const std::size_t reason = error.message().find(" and 2 more: ");
+    ASSERT_NE(reason, std::string::npos);
+    EXPECT_EQ(error.message().find("component", reason), std::string::npos);
+  }
+}
+
+TEST(Components_that_fail_for_lack_of_memory, are_the_last_ones_tried)
+{
+  const Surface mesh = to_cgal_mesh<Surface>(interleaved({disk(2), disk(2)}).mesh);
+  std::map<Vertex, std::complex<double>> uv;
+  tries = 0;
+  try {
+    (void)CGP::conformal_parameterization_components(
+        mesh, boost::make_assoc_property_map(uv),
+        params::sparse_solver(Solver_traits_without_memory()));
+    FAIL();
+  } catch (const CGP::Solver_error& error) {
+    EXPECT_TRUE(CGP::is_out_of_memory(error)) << error.what();
+  }
+  EXPECT_EQ(tries, 1);
+  EXPECT_TRUE(uv.empty());
+}
+
+TEST_F(Components_that_fail, with_mollification_are_named_with_the_reason)
+{
+  const auto none = map_of([](Vertex) { return 0.; });
+  for (const double share : {0., 1.})
+    EXPECT_NE(refusal([&] {
+                (void)CGP::spin_transform_components(mesh, none, params::mollification(share));
+              }).find("component 0 (from vertex 0), component 1 (from vertex 1): a mollification"),
+              std::string::npos)
+        << share;
+  Points strip(3, 4);
+  strip << 0, 1, 1, 0, 0, 0, 1e-9, 1e-9, 0, 0, 0, 0;
+  for (const auto& [height, reason] :
+       {std::pair(1., "folds all faces"), std::pair(0., "all faces have area zero")}) {
+    const Points points = Eigen::Vector3d(1, height, 1).asDiagonal() * strip;
+    const Joined_meshes two = interleaved({icosahedron(), {points, {{0, 1, 2}, {0, 2, 3}}}});
+    Surface surface = to_cgal_mesh<Surface>(two.mesh);
+    try {
+      (void)CGP::spin_transform_components(surface, none, params::mollification(1e-6));
+      FAIL();
+    } catch (const CGP::Precondition_error& error) {
+      EXPECT_NE(error.message().find("1 of 2 components"), std::string::npos) << error.what();
+      EXPECT_NE(error.message().find("component 1 (from vertex 1): "), std::string::npos);
+      EXPECT_NE(error.message().find(reason), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(view_of(surface).positions(), two.mesh.positions());
+  }
 }
 
 TEST_F(Components_that_fail, for_their_elements_name_them_as_those_of_the_mesh)
@@ -128,18 +197,6 @@ TEST_F(Components_that_fail, to_converge_leave_the_others_as_they_were_too)
   ASSERT_EQ(reports.components.size(), 2u);
   EXPECT_FALSE(reports.components[0].report);
   EXPECT_TRUE(reports.components[1].report);
-  expect_untouched();
-}
-
-TEST_F(Components_that_fail, because_they_are_cancelled_are_not_begun)
-{
-  Visitor_that_cancels visitor;
-  const auto reports =
-      CGP::spin_transform_components(mesh, map_of(rho), params::visitor(std::ref(visitor)));
-  EXPECT_FALSE(reports);
-  EXPECT_TRUE(reports.components[0].report.cancelled);
-  EXPECT_TRUE(reports.components[1].report.cancelled);
-  EXPECT_EQ(visitor.iterations, 1);
   expect_untouched();
 }
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Component_failures.h"
 
-#include <Conformal_geometry_processing/exceptions.h>
+#include "Failure.h"
 
-#include <algorithm>
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/mesh/Component_failures.h>
 
 namespace conformal {
 
@@ -15,7 +16,7 @@ std::string Component_failures::attempt(const std::string& name, const std::func
   std::string reason = reason_of(work);
   const std::string path = m_path + ": ";
   if (reason.compare(0, path.size(), path) == 0) reason.erase(0, path.size());
-  if (!reason.empty()) add(name, reason);
+  if (!reason.empty()) m_reasons.add(name, reason);
   return reason;
 }
 
@@ -31,30 +32,19 @@ std::string Component_failures::reason_of(const std::function<void()>& work)
     m_is_of_data = true;
     return error.message() + " (elements are counted within the component)";
   } catch (const CGP::Solver_error& error) {
-    if (error.message().find("out of memory") != std::string::npos) throw;
+    if (CGP::is_out_of_memory(error)) throw;
     return error.message();
   }
   return {};
 }
 
-void Component_failures::add(const std::string& name, const std::string& reason)
-{
-  ++m_count;
-  const auto known = std::find_if(m_names_of_reasons.begin(), m_names_of_reasons.end(),
-                                  [&](const auto& entry) { return entry.first == reason; });
-  if (known != m_names_of_reasons.end())
-    known->second += ", " + name;
-  else
-    m_names_of_reasons.emplace_back(reason, name);
-}
-
 void Component_failures::throw_if_any() const
 {
-  if (m_count == 0) return;
-  std::string all = m_path + ": " + std::to_string(m_count) + " of " + std::to_string(m_size) +
-                    (m_size == 1 ? " component failed" : " components failed");
-  for (const auto& [reason, names] : m_names_of_reasons) all += "; " + names + ": " + reason;
-  throw Failure(m_is_of_data ? Exit_code::unsuitable : Exit_code::failed, all);
+  if (m_reasons.size() == 0) return;
+  throw Failure(m_is_of_data ? Exit_code::unsuitable : Exit_code::failed,
+                m_path + ": " + std::to_string(m_reasons.size()) + " of " + std::to_string(m_size) +
+                    (m_size == 1 ? " component failed; " : " components failed; ") +
+                    m_reasons.text());
 }
 
 }  // namespace conformal

@@ -3,13 +3,12 @@
 #ifndef CONFORMAL_COMPONENT_FAILURES_H
 #define CONFORMAL_COMPONENT_FAILURES_H
 
-#include "Failure.h"
+#include <Conformal_geometry_processing/mesh/Failure_reasons.h>
 
 #include <cstddef>
 #include <functional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace conformal {
 
@@ -24,19 +23,16 @@ class Component_failures {
   /// \throws what is not about this component alone: of signals and of memory
   std::string attempt(const std::string& name, const std::function<void()>& work);
 
-  std::size_t size() const { return m_count; }
-
-  /// \throws Failure that tells each reason with the components that failed for it
+  /// \throws Failure that tells each reason with the first components that failed for it
   void throw_if_any() const;
 
  private:
   std::string reason_of(const std::function<void()>& work);
-  void add(const std::string& name, const std::string& reason);
 
   std::string m_path;
-  std::size_t m_size, m_count = 0;
+  std::size_t m_size;
   bool m_is_of_data = false;
-  std::vector<std::pair<std::string, std::string>> m_names_of_reasons;
+  Conformal_geometry_processing::Failure_reasons m_reasons;
 };
 
 }  // namespace conformal

@@ -13,7 +13,7 @@
 #include "suitable_surface.h"
 #include "write_result.h"
 
-#include <Conformal_geometry_processing/mesh/Mesh_component.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/place_in_plane.h>
 #include <Conformal_geometry_processing/parameterization/place_side_by_side.h>
 
@@ -69,7 +69,7 @@ CGP::Points flattened_components(const Surface_input& input, const Flatten_optio
   Eigen::VectorXcd z(positions.cols());
   z.real() = positions.row(0).transpose();
   z.imag() = positions.row(1).transpose();
-  CGP::place_side_by_side(CGP::mesh_components(input.mesh), z);
+  CGP::place_side_by_side(CGP::connected_components(input.mesh), z);
   positions.topRows<2>() = CGP::in_space(z).topRows<2>();
   return positions;
 }

@@ -6,9 +6,11 @@
 #include <Conformal_geometry_processing/conformal_parameterization.h>
 #include <Conformal_geometry_processing/mesh/for_each_component.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/place_side_by_side.h>
 
 #include <string>
+#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -25,10 +27,13 @@ namespace Conformal_geometry_processing {
 /// \param np optional named parameters: those of `conformal_parameterization()`
 ///
 /// \returns the reports in the order of the first vertices of the components. They convert to
-/// `true` if all maps were found; otherwise nothing has been written. \throw Precondition_error if
-/// the mesh is not an oriented manifold triangle mesh with finite coordinates and positive areas,
-/// or a component is closed; Solver_error if an energy cannot be factorized. All the others are
-/// tried all the same, and the message names each component that failed.
+/// `true` if all maps were found; otherwise nothing has been written.
+/// \throw Precondition_error if the mesh is not an oriented manifold triangle mesh with finite
+/// coordinates and positive areas, or a component is closed
+/// \throw Solver_error if an energy cannot be factorized
+///
+/// A component that is refused, or fails, does not keep the others from being tried, unless there
+/// is no memory left; the message tells how many failed, and names the first ones for each reason.
 template <class TriangleMesh, class VertexUVMap,
           class NamedParameters = parameters::Default_named_parameters>
 Component_reports<Parameterization_report> conformal_parameterization_components(
@@ -45,11 +50,11 @@ Component_reports<Parameterization_report> conformal_parameterization_components
       [&](const Graph_view<TriangleMesh>& component) {
         return internal::parameterization_result(component, np, function);
       },
-      [&](const Mesh_component& component, const Parameterization_result& result) {
-        z(component.vertices) = result.z;
+      [&](const std::vector<int>& vertices, const Parameterization_result& result) {
+        z(vertices) = result.z;
       });
   if (!reports) return reports;
-  place_side_by_side(mesh_components(graph.view()), z);
+  place_side_by_side(connected_components(graph.view()), z);
   internal::write_plane_points(graph, z, uv_map);
   return reports;
 }

@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 
 #include <string>
+#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -22,15 +23,19 @@ namespace Conformal_geometry_processing {
 /// \tparam TriangleMesh, NamedParameters as of `conformal_willmore_flow()`
 /// \param mesh the surface, of any number of components; its points are overwritten
 /// \param np optional named parameters: those of `conformal_willmore_flow()`; a visitor watches one
-/// component after the other
+/// component after the other, and cancels all of them
 ///
 /// \returns the reports in the order of the first vertices of the components, which tell why each
 /// has stopped. They convert to `true` if all of them do. Whatever the reason, the points are those
-/// of the last complete step of each.
+/// of the last complete step of each: after a visitor has said no, the components that follow have
+/// made none, stay where they were, and report `Flow_stop::cancelled` too.
 /// \throw Precondition_error if the mesh is not an oriented manifold triangle mesh with finite
-/// coordinates and positive areas, or a component is refused; Solver_error if an analysis fails.
-/// All the others are tried all the same, and the message names each component that failed.
-/// Whatever is thrown, the mesh is as it was.
+/// coordinates and positive areas, or a component or a parameter is refused
+/// \throw Solver_error if an analysis fails
+///
+/// A component that is refused, or fails, does not keep the others from being tried, unless there
+/// is no memory left; the message tells how many failed, and names the first ones for each reason.
+/// Whatever is thrown, also by the visitor, the mesh is as it was.
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 Component_reports<Flow_report> conformal_willmore_flow_components(
     TriangleMesh& mesh, const NamedParameters& np = parameters::default_values())
@@ -40,13 +45,18 @@ Component_reports<Flow_report> conformal_willmore_flow_components(
   require_manifold_components(graph.view(), function);
   require_positive_areas(graph.view(), function);
   Points positions = graph.view().positions();
+  bool is_cancelled = false;
   auto reports = internal::for_each_component(
       graph, function,
       [&](const Graph_view<TriangleMesh>& component) {
-        return internal::flow_result(component, np, function);
+        internal::Flow_result result{component.view().positions(), {}};
+        result.report.stop = Flow_stop::cancelled;  // unless it is begun
+        if (!is_cancelled) result = internal::flow_result(component, np, function);
+        is_cancelled = result.report.stop == Flow_stop::cancelled;
+        return result;
       },
-      [&](const Mesh_component& component, const internal::Flow_result& result) {
-        positions(Eigen::all, component.vertices) = result.positions;
+      [&](const std::vector<int>& vertices, const internal::Flow_result& result) {
+        positions(Eigen::all, vertices) = result.positions;
       });
   internal::write_points(mesh, graph, positions, np);
   return reports;

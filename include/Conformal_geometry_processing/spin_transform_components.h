@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <string>
+#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -17,12 +18,12 @@ namespace Conformal_geometry_processing {
 ///
 /// The Dirac matrix of several components is block diagonal, and each block has an eigenvector and
 /// an eigenvalue gamma of its own: so there is one eigenproblem, one factorization and one
-/// certificate for each, and the memory is that of the largest. Each component is transformed to
-/// the bit as it would be in a mesh of its own, whatever lies beside it, and by the same rules: of
-/// rho a constant has no effect on each, each keeps its own area, its own centroid and on the whole
-/// its direction, so that they stay where they were relative to each other; a component with
-/// handles takes its own number of steps; what may be prescribed at a boundary is refused if one
-/// component has none. Nothing keeps components from running into each other.
+/// certificate for each, and the factors take the memory of the largest. Each component is
+/// transformed to the bit as it would be in a mesh of its own, whatever lies beside it, and by the
+/// same rules: of rho a constant has no effect on each, each keeps its own area, its own centroid
+/// and on the whole its direction, so that they stay where they were relative to each other; a
+/// component with handles takes its own number of steps; what may be prescribed at a boundary is
+/// refused if one component has none. Nothing keeps components from running into each other.
 ///
 /// \tparam TriangleMesh, CurvaturePotentialMap, NamedParameters as of `spin_transform()`
 /// \param mesh the surface, of any number of components; its points are overwritten
@@ -31,11 +32,17 @@ namespace Conformal_geometry_processing {
 /// component after the other, and cancels all of them
 ///
 /// \returns the reports in the order of the first vertices of the components. They convert to
-/// `true` if the equations of all were solved; otherwise nothing has been written. \throw
-/// Precondition_error if the mesh is not an oriented manifold triangle mesh with finite coordinates
-/// and positive areas, or a component is refused; Solver_error if a factorization fails. All the
-/// others are tried all the same, and the message names each component that failed. Whatever is
-/// thrown, the mesh is as it was.
+/// `true` if the equations of all were solved; otherwise nothing has been written.
+/// \throw Precondition_error if the mesh is not an oriented manifold triangle mesh with finite
+/// coordinates and, without `mollification`, positive areas; if rho is not finite; or if a
+/// component is refused: because what is prescribed at the boundary does not fit it, because
+/// `mollification` is not above 0 and below 1, all its faces have area zero, or so much is added to
+/// its edges that all of them fold
+/// \throw Solver_error if a factorization fails
+///
+/// A component that is refused, or fails, does not keep the others from being tried, unless there
+/// is no memory left; the message tells how many failed, and names the first ones for each reason.
+/// Whatever is thrown, the mesh is as it was.
 template <class TriangleMesh, class CurvaturePotentialMap,
           class NamedParameters = parameters::Default_named_parameters>
 Component_reports<Spin_report> spin_transform_components(
@@ -61,10 +68,10 @@ Component_reports<Spin_report> spin_transform_components(
         is_cancelled = result.report.cancelled;
         return result;
       },
-      [&](const Mesh_component& component, const Spin_result& result) {
+      [&](const std::vector<int>& vertices, const Spin_result& result) {
         if (!result.report) return;
-        all.positions(Eigen::all, component.vertices) = result.positions;
-        all.lambda(component.vertices) = result.lambda;
+        all.positions(Eigen::all, vertices) = result.positions;
+        all.lambda(vertices) = result.lambda;
       });
   if (reports) internal::write_spin_result(mesh, graph, all, np);
   return reports;

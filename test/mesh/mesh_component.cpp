@@ -1,10 +1,11 @@
-// Tests include/Conformal_geometry_processing/mesh/Mesh_component.h
-// Tests include/Conformal_geometry_processing/mesh/Component_failures.h
-// Tests include/Conformal_geometry_processing/mesh/Component_reports.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests mesh/Mesh_component.h, mesh/Component_failures.h, mesh/Failure_reasons.h
+// Tests mesh/Component_reports.h
+#include <Conformal_geometry_processing/linear_algebra/Solver_status.h>
 #include <Conformal_geometry_processing/mesh/Component_failures.h>
 #include <Conformal_geometry_processing/mesh/Component_reports.h>
+#include <Conformal_geometry_processing/mesh/Failure_reasons.h>
 #include <Conformal_geometry_processing/mesh/Mesh_component.h>
 
 #include <gtest/gtest.h>
@@ -52,7 +53,34 @@ TEST(Mesh_components, of_nothing_are_none_and_of_a_lonely_vertex_one)
   EXPECT_EQ(components[1].mesh.size_of_faces(), 0);
 }
 
-TEST(Component_failures, names_all_that_failed)
+TEST(Failure_reasons, are_told_once_with_the_first_that_have_them)
+{
+  CGP::Failure_reasons reasons;
+  EXPECT_EQ(reasons.text(), "");
+  for (const char* const name : {"a", "b", "c"}) reasons.add(name, "it is closed");
+  reasons.add("d", "it is flat");
+  EXPECT_EQ(reasons.text(), "a, b, c: it is closed; d: it is flat");
+  for (const char* const name : {"e", "f", "g", "h"}) reasons.add(name, "it is closed");
+  EXPECT_EQ(reasons.text(), "a, b, c, e, f and 2 more: it is closed; d: it is flat");
+  EXPECT_EQ(reasons.size(), 8u);
+}
+
+TEST(Failure_reasons, of_ever_so_many_are_a_short_text)
+{
+  CGP::Failure_reasons reasons;
+  std::string expected;
+  for (int i = 0; i < 100000; ++i) {
+    const std::string name = "a" + std::to_string(i), reason = "r" + std::to_string(i);
+    reasons.add(name, reason);
+    if (i < 5) expected += name + ": " + reason + "; ";
+  }
+  EXPECT_EQ(reasons.text(), expected + "99995 more for other reasons");
+  reasons.add("b", "r4");
+  EXPECT_NE(reasons.text().find("; a4, b: r4; 99995 more for"), std::string::npos);
+  EXPECT_EQ(reasons.size(), 100001u);
+}
+
+TEST(Component_failures, names_those_that_failed)
 {
   CGP::Component_failures failures(4, "some_function");
   failures.attempt(0, 0, [] {});
@@ -64,8 +92,8 @@ TEST(Component_failures, names_all_that_failed)
   } catch (const CGP::Precondition_error& error) {
     EXPECT_EQ(error.function(), "some_function");
     EXPECT_EQ(error.message(),
-              "2 of 4 components failed (their elements are counted in each): component 1, from "
-              "vertex 7: no factor; component 3, from vertex 9: it is closed");
+              "2 of 4 components failed (their elements are counted in each): component 1 (from "
+              "vertex 7): no factor; component 3 (from vertex 9): it is closed");
   }
 }
 
@@ -83,10 +111,23 @@ TEST(Component_failures, of_the_solver_alone_are_an_error_of_the_solver)
   EXPECT_THROW(failures.throw_if_any(), CGP::Solver_error);
 }
 
-TEST(Component_failures, let_what_is_not_of_the_library_pass)
+TEST(Component_failures, let_what_is_not_of_one_component_pass)
 {
   CGP::Component_failures failures(2, "some_function");
   EXPECT_THROW(failures.attempt(1, 7, [] { throw std::bad_alloc(); }), std::bad_alloc);
+  EXPECT_THROW(
+      failures.attempt(1, 7, [] { throw CGP::Solver_error("inner", "failed: out of memory"); }),
+      CGP::Solver_error);
+  EXPECT_NO_THROW(failures.throw_if_any());
+}
+
+TEST(Component_failures, know_the_words_of_solvers_for_a_lack_of_memory)
+{
+  const auto is_of_memory = [](CGP::Solver_status status) {
+    return CGP::is_out_of_memory({"inner", std::string("failed: ") + CGP::to_string(status)});
+  };
+  EXPECT_TRUE(is_of_memory(CGP::Solver_status::out_of_memory));
+  EXPECT_FALSE(is_of_memory(CGP::Solver_status::not_positive_definite));
 }
 
 TEST(Component_reports, are_true_if_all_of_them_are)

@@ -2,6 +2,7 @@
 // Tests include/Conformal_geometry_processing/parameterization/place_side_by_side.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/pack_in_rows.h>
 #include <Conformal_geometry_processing/parameterization/place_side_by_side.h>
 
@@ -58,7 +59,7 @@ TEST(Place_side_by_side, moves_images_and_nothing_else)
   z.real() = all.mesh.positions().row(0).transpose();
   z.imag() = all.mesh.positions().row(1).transpose();
   const Eigen::VectorXcd before = z;
-  CGP::place_side_by_side(CGP::mesh_components(all.mesh), z);
+  CGP::place_side_by_side(CGP::connected_components(all.mesh), z);
   for (const auto& vertices : all.vertices) {
     const std::complex<double> move = z[vertices[0]] - before[vertices[0]];
     for (const int v : vertices) EXPECT_LT(std::abs(z[v] - before[v] - move), 1e-15);

@@ -3,6 +3,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
+#include "support/polyhedra.h"
 #include "support/several_components.h"
 
 #include "conformal/io/read_surface.h"
@@ -150,6 +151,18 @@ TEST_F(Each_component, that_fails_is_named_and_nothing_is_written)
             0);
   EXPECT_TRUE(has("b.ply"));
   EXPECT_FALSE(json("b.json")["verified"]);
+}
+
+TEST_F(Each_component, that_fails_like_many_others_is_counted)
+{
+  std::vector<Mesh_view> crumbs(8, cgp_test::tetrahedron());
+  crumbs.push_back(cgp_test::disk(2));
+  write("a.off", off(cgp_test::interleaved(crumbs).mesh));
+  EXPECT_TRUE(fails(run("flatten -q a.off --each-component -o b.ply --json b.json"), 4,
+                    "a.off: 8 of 9 components failed; component 0 (from vertex 0), component 1 "
+                    "(from vertex 1), component 2 (from vertex 2), component 3 (from vertex 3), "
+                    "component 4 (from vertex 4) and 3 more: the surface is closed"));
+  EXPECT_TRUE(json("b.json")["components"][7].contains("error"));
 }
 
 TEST_F(Each_component, cannot_be_shown_in_snapshots_of_the_whole)

@@ -4,56 +4,73 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_COMPONENT_FAILURES_H
 
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/mesh/Failure_reasons.h>
 
+#include <cstddef>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
+
+/// \ingroup PkgMesh
+/// whether a solver had no memory left, which its status says in these words (`Solver_status`)
+inline bool is_out_of_memory(const Solver_error& error)
+{
+  return error.message().find("out of memory") != std::string::npos;
+}
 
 /// \ingroup PkgMesh
 /// \brief what went wrong with the components of a mesh. All of them are tried, so that the user
 /// hears of all that are in the way at once.
 class Component_failures {
  public:
-  /// \param size how many components there are \param function named in the exception
+  /// \param size how many components there are
+  /// \param function named in the exception
   Component_failures(std::size_t size, std::string function)
       : m_size(size), m_function(std::move(function))
   {}
 
-  /// Carries out the work on component c, and keeps what this library throws.
+  /// \brief Carries out the work on component c, and keeps why it failed.
+  ///
+  /// What is not about this component alone passes: a solver out of memory, and whatever this
+  /// library does not throw itself.
   /// \param first_vertex the number of its first vertex, as the user counts
   template <class Work>
   void attempt(std::size_t c, int first_vertex, const Work& work)
   {
-    const std::string name =
-        "component " + std::to_string(c) + ", from vertex " + std::to_string(first_vertex) + ": ";
     try {
       work();
     } catch (const Precondition_error& error) {
-      m_messages.push_back(name + error.message());
+      m_reasons.add(name_of(c, first_vertex), error.message());
       m_is_of_data = true;
     } catch (const Solver_error& error) {
-      m_messages.push_back(name + error.message());
+      if (is_out_of_memory(error)) throw;
+      m_reasons.add(name_of(c, first_vertex), error.message());
     }
   }
 
-  /// \throw Precondition_error if one was caught, else Solver_error if one was; the message names
-  /// all the components that failed, in which elements have numbers of their own
+  /// \throw Precondition_error if one was caught, else Solver_error if one was; the message tells
+  /// how many components failed, and each reason with the first of them; their elements have
+  /// numbers of their own there
   void throw_if_any() const
   {
-    if (m_messages.empty()) return;
-    std::string all = std::to_string(m_messages.size()) + " of " + std::to_string(m_size) +
-                      " components failed (their elements are counted in each): ";
-    for (std::size_t i = 0; i < m_messages.size(); ++i) all += (i > 0 ? "; " : "") + m_messages[i];
+    if (m_reasons.size() == 0) return;
+    const std::string all =
+        std::to_string(m_reasons.size()) + " of " + std::to_string(m_size) +
+        " components failed (their elements are counted in each): " + m_reasons.text();
     if (m_is_of_data) throw Precondition_error(m_function, all);
     throw Solver_error(m_function, all);
   }
 
  private:
+  static std::string name_of(std::size_t c, int first_vertex)
+  {
+    return "component " + std::to_string(c) + " (from vertex " + std::to_string(first_vertex) + ")";
+  }
+
   std::size_t m_size;
   std::string m_function;
-  std::vector<std::string> m_messages;
+  Failure_reasons m_reasons;
   bool m_is_of_data = false;
 };
 

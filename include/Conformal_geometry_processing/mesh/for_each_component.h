@@ -16,25 +16,27 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// Calls `work(graph)` with a view of each component in turn, and `take(component, result)` with
-/// what it returns, which has a `report`. The first one's memory is free when the next one begins.
+/// \brief Calls `work(graph)` with a view of each component in turn, and `take(vertices, result)`
+/// with the numbers of its vertices in the whole mesh and what it returns, which has a `report`.
+///
+/// All components are split off at first, and what belongs to one is free when the next one begins.
 /// \throw Precondition_error, Solver_error see `Component_failures`
 template <class TriangleMesh, class Work, class Take>
 auto for_each_component(const Graph_view<TriangleMesh>& whole, const std::string& function,
                         const Work& work, const Take& take)
 {
   using Report = decltype(work(whole).report);
-  const std::vector<Mesh_component> parts = mesh_components(whole.view());
+  std::vector<Mesh_component> parts = mesh_components(whole.view());
   Component_failures failures(parts.size(), function);
   Component_reports<Report> all;
   for (std::size_t c = 0; c < parts.size(); ++c) {
-    const Mesh_component& part = parts[c];
-    const int first = part.vertices.front();
-    failures.attempt(c, first, [&] {
-      auto result = work(Graph_view<TriangleMesh>(whole, part));
-      take(part, result);
-      all.components.push_back(
-          {first, part.mesh.size_of_vertices(), part.mesh.size_of_faces(), result.report});
+    const std::vector<int> vertices = parts[c].vertices;
+    const Graph_view<TriangleMesh> component(whole, std::move(parts[c]));
+    failures.attempt(c, vertices.front(), [&] {
+      auto result = work(component);
+      take(vertices, result);
+      all.components.push_back({vertices.front(), component.view().size_of_vertices(),
+                                component.view().size_of_faces(), std::move(result.report)});
     });
   }
   failures.throw_if_any();

@@ -3,11 +3,12 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PLACE_SIDE_BY_SIDE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PLACE_SIDE_BY_SIDE_H
 
-#include <Conformal_geometry_processing/mesh/Mesh_component.h>
 #include <Conformal_geometry_processing/parameterization/pack_in_rows.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <vector>
@@ -16,25 +17,25 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
 /// \brief moves the images of components in the plane so that their bounding boxes do not overlap:
-/// see `pack_in_rows()`, with gaps of a hundredth of the largest extent.
-/// \param z u + i v of each vertex of the mesh, finite
-inline void place_side_by_side(const std::vector<Mesh_component>& components, Eigen::VectorXcd& z)
+/// see `pack_in_rows()`, with gaps of a hundredth of the largest extent. O(|V| + n log n) for n
+/// components
+/// \param component of each vertex, numbered from 0 without gaps, as `connected_components()` does
+/// \param z u + i v of each vertex, finite
+inline void place_side_by_side(const std::vector<int>& component, Eigen::VectorXcd& z)
 {
-  Eigen::Matrix2Xd low(2, static_cast<Eigen::Index>(components.size())), size = low;
-  for (std::size_t c = 0; c < components.size(); ++c) {
-    const Eigen::VectorXcd image = z(components[c].vertices);
-    const auto i = static_cast<Eigen::Index>(c);
-    low.col(i) << image.real().minCoeff(), image.imag().minCoeff();
-    size.col(i) << image.real().maxCoeff(), image.imag().maxCoeff();
-    size.col(i) -= low.col(i);
+  if (component.empty()) return;
+  const auto of = [&](Eigen::Index v) { return component[static_cast<std::size_t>(v)]; };
+  const int count = 1 + *std::max_element(component.begin(), component.end());
+  Eigen::Matrix2Xd low = Eigen::Matrix2Xd::Constant(2, count, HUGE_VAL), high = -low;
+  for (Eigen::Index v = 0; v < z.size(); ++v) {
+    const Eigen::Vector2d p(z[v].real(), z[v].imag());
+    low.col(of(v)) = low.col(of(v)).cwiseMin(p);
+    high.col(of(v)) = high.col(of(v)).cwiseMax(p);
   }
-  if (components.empty()) return;
-  const Eigen::Matrix2Xd corners = pack_in_rows(size, 0.01 * size.maxCoeff());
-  for (std::size_t c = 0; c < components.size(); ++c) {
-    const Eigen::Vector2d move =
-        corners.col(static_cast<Eigen::Index>(c)) - low.col(static_cast<Eigen::Index>(c));
-    for (const int v : components[c].vertices) z[v] += std::complex<double>(move.x(), move.y());
-  }
+  const Eigen::Matrix2Xd sizes = high - low;
+  const Eigen::Matrix2Xd moves = pack_in_rows(sizes, 0.01 * sizes.maxCoeff()) - low;
+  for (Eigen::Index v = 0; v < z.size(); ++v)
+    z[v] += std::complex<double>(moves(0, of(v)), moves(1, of(v)));
 }
 
 }  // namespace Conformal_geometry_processing
