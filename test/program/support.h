@@ -4,6 +4,7 @@
 #define TEST_PROGRAM_SUPPORT_H
 
 #include "conformal/io/numbers.h"
+#include "support/Temporary_folder.h"
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -12,17 +13,12 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 /// Runs the program as a user does, in a folder of its own that goes away with the test.
 namespace program_test {
 
-inline std::string content(const std::filesystem::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+using cgp_test::content;
 
 /// how a run ended and what it printed
 struct Program_run {
@@ -32,18 +28,11 @@ struct Program_run {
 
 class Program : public ::testing::Test {
  protected:
-  Program()
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "conformal-test-XXXXXX").string();
-    m_folder = ::mkdtemp(name.data());
-  }
-  ~Program() override { std::filesystem::remove_all(m_folder); }
-
-  std::string path(const std::string& name) const { return (m_folder / name).string(); }
+  std::string path(const std::string& name) const { return m_folder / name; }
 
   std::string write(const std::string& name, const std::string& text) const
   {
-    std::ofstream(path(name), std::ios::binary) << text;
+    cgp_test::put_file(path(name), text);
     return path(name);
   }
 
@@ -56,24 +45,24 @@ class Program : public ::testing::Test {
   Program_run shell(const std::string& command) const
   {
     const std::string whole =
-        "cd '" + m_folder.string() + "' && { " + command + "; } >stdout.txt 2>stderr.txt";
+        "cd '" + m_folder.path().string() + "' && { " + command + "; } >stdout.txt 2>stderr.txt";
     const int status = std::system(whole.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(path("stdout.txt")),
             content(path("stderr.txt"))};
   }
 
-  bool has(const std::string& name) const { return std::filesystem::exists(path(name)); }
+  bool has(const std::string& name) const { return m_folder.has(name); }
 
   std::size_t temporary_files() const
   {
     std::size_t count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(m_folder))
+    for (const auto& entry : std::filesystem::directory_iterator(m_folder.path()))
       count += entry.path().extension() == ".tmp";
     return count;
   }
 
  private:
-  std::filesystem::path m_folder;
+  cgp_test::Temporary_folder m_folder;
 };
 
 inline std::string off(const Conformal_geometry_processing::Mesh_view& mesh,

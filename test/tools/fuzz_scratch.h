@@ -4,13 +4,13 @@
 #define TEST_TOOLS_FUZZ_SCRATCH_H
 
 #include "fuzz_trials.h"
+#include "support/Temporary_folder.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -33,34 +33,25 @@ class Scratch {
  public:
   Scratch() : m_terminal{::dup(STDOUT_FILENO), ::dup(STDERR_FILENO)}
   {
-    std::string name = (std::filesystem::temp_directory_path() / "conformal-fuzz-XXXXXX").string();
-    require(::mkdtemp(name.data()) != nullptr, "no folder for temporary files");
-    m_folder = name;
     m_messages = ::memfd_create("messages", 0);
 #ifdef CGP_HAS_ADDRESS_SANITIZER
     // The sanitizers speak to the terminal also while the program speaks to us.
     __sanitizer_set_report_fd(reinterpret_cast<void*>(static_cast<std::intptr_t>(m_terminal[1])));
 #endif
   }
-  ~Scratch()
-  {
-    std::filesystem::remove_all(m_folder);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
 
   std::string path(const std::string& name) const
   {
-    return (m_folder / name).string();
+    return m_folder / name;
   }
   bool has(const std::string& name) const
   {
-    return std::filesystem::exists(m_folder / name);
+    return m_folder.has(name);
   }
 
   bool has_only(const std::vector<std::string>& names) const
   {
-    const std::filesystem::directory_iterator files(m_folder), end;
+    const std::filesystem::directory_iterator files(m_folder.path()), end;
     return std::all_of(files, end, [&](const auto& entry) {
       return std::find(names.begin(), names.end(), entry.path().filename()) != names.end();
     });
@@ -68,19 +59,18 @@ class Scratch {
 
   void clear() const
   {
-    for (const auto& entry : std::filesystem::directory_iterator(m_folder))
+    for (const auto& entry : std::filesystem::directory_iterator(m_folder.path()))
       std::filesystem::remove_all(entry.path());
   }
 
   void write(const std::string& name, const std::string& content) const
   {
-    std::ofstream(m_folder / name, std::ios::binary) << content;
+    cgp_test::put_file(path(name), content);
   }
 
   std::string content(const std::string& name) const
   {
-    std::ifstream file(m_folder / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return cgp_test::content(path(name));
   }
 
   /// From now on what goes to the terminal is kept, that of earlier runs forgotten.
@@ -114,7 +104,7 @@ class Scratch {
 
   int m_terminal[2];
   int m_messages = -1;
-  std::filesystem::path m_folder;
+  cgp_test::Temporary_folder m_folder;
 };
 
 }  // namespace fuzz

@@ -5,15 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "conformal/io/Surface_file.h"
 #include "conformal/io/io_errors.h"
+#include "support/Temporary_folder.h"
 
 namespace io_test {
 
@@ -58,43 +56,9 @@ inline std::string types(const conformal::Element& element)
   return text;
 }
 
-/// a folder that is there for one test
-class Folder {
- public:
-  Folder()
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "conformal_io_XXXXXX").string();
-    EXPECT_NE(::mkdtemp(name.data()), nullptr);
-    m_path = name;
-  }
-  ~Folder() { std::filesystem::remove_all(m_path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (m_path / name).string(); }
-  const std::filesystem::path& path() const { return m_path; }
-
-  /// how many files are in it
-  std::size_t size() const
-  {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(m_path),
-                                                  std::filesystem::directory_iterator()));
-  }
-
- private:
-  std::filesystem::path m_path;
-};
-
-inline std::string content(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-inline void put_file(const std::string& path, const std::string& bytes)
-{
-  std::ofstream(path, std::ios::binary) << bytes;
-}
+using Folder = cgp_test::Temporary_folder;
+using cgp_test::content;
+using cgp_test::put_file;
 
 }  // namespace io_test
 

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_SUPPORT_TEMPORARY_FOLDER_H
+#define TEST_SUPPORT_TEMPORARY_FOLDER_H
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+namespace cgp_test {
+
+/// a folder that goes away with the object
+class Temporary_folder {
+ public:
+  Temporary_folder()
+  {
+    std::string name = (std::filesystem::temp_directory_path() / "conformal-test-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    m_path = name;
+  }
+  ~Temporary_folder() { std::filesystem::remove_all(m_path); }
+  Temporary_folder(const Temporary_folder&) = delete;
+  Temporary_folder& operator=(const Temporary_folder&) = delete;
+
+  const std::filesystem::path& path() const { return m_path; }
+  std::string operator/(const std::string& name) const { return (m_path / name).string(); }
+  bool has(const std::string& name) const { return std::filesystem::exists(m_path / name); }
+
+  /// how many files are in it
+  std::size_t size() const
+  {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(m_path), {}));
+  }
+
+ private:
+  std::filesystem::path m_path;
+};
+
+inline std::string content(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+inline void put_file(const std::filesystem::path& path, const std::string& bytes)
+{
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+}  // namespace cgp_test
+
+#endif
