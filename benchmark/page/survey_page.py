@@ -16,6 +16,7 @@ FAULTS = machine.ROOT / "doc" / "faults.jsonl"
 COMMANDS = {
     "info": [],
     "spin": ["--rho-expression", "0.7*sin(4*y)"],
+    "spin --mollify=0": ["--rho-expression", "0.7*sin(4*y)"],
     "spin --mollify": ["--rho-expression", "0.7*sin(4*y)"],
     "flow": ["--steps", "3"],
     "boundary": ["--binormal-tilt", "10*cos(2*pi*s)"],
@@ -108,8 +109,8 @@ def summary(found):
 
 def suitable_table(found, facts):
     """How many of the suitable surfaces are done, where the command has something to do."""
-    meant = {"spin": lambda mesh: True, "spin --mollify": lambda mesh: True,
-             "flow": lambda mesh: True,
+    always = {command: lambda mesh: True for command in COMMANDS if command.startswith("spin")}
+    meant = {**always, "flow": lambda mesh: True,
              "boundary": lambda mesh: mesh["loops"], "flatten": lambda mesh: mesh["loops"],
              "harmonic": lambda mesh: mesh["genus"] and not mesh["loops"]}
     lines = []

@@ -62,7 +62,7 @@ struct Spin_options {
   Boundary_choice boundary = Boundary_choice::free;
   std::string lambda;  ///< the name of the vertex properties, none if empty
   bool generalized = false, force = false;
-  double mollification = 0;       ///< share of the mean edge; 0: faces of area zero are refused
+  std::optional<double> mollification;  ///< share of the mean edge; 0: never, none: where it helps
   bool open_handles = false;      ///< rho is applied as it is, though it opens handles and holes
   std::string solver = "native";  // or cholmod, eigen
   Verification_limits limits;

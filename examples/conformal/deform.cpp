@@ -9,6 +9,7 @@
 #include "io/write_surface.h"
 #include "keep_exhibit.h"
 #include "rho.h"
+#include "solve_twice.h"
 #include "verification.h"
 #include "write_result.h"
 
@@ -43,16 +44,30 @@ void tell_certificate(const Surface_input& input, const Deformation& deformation
   session.print(table.text());
 }
 
+namespace {
+
+/// Where a good result is of another problem than that which was posed.
+void tell_departures(const Spin_solution& solution, Session& session)
+{
+  const CGP::Spin_report& report = solution.report;
+  if (!solution.note.empty()) session.note(solution.note);
+  if (report.reached < 1)
+    session.note("only " + text_of(100 * report.reached, 3) +
+                 " % of the way to rho: beyond, the handles and holes do not stay closed");
+  if (report.missing_share > 0.5)
+    session.note(text_of(100 * report.missing_share, 3) +
+                 " % of rho is left out: with it, the handles and holes would not stay closed");
+}
+
+}  // namespace
+
 void verify(const std::string& what, const Surface_input& input, const Spin_solution& solution,
             const Spin_options& options, const std::string& easier, Session& session)
 {
   const std::string fault = objection(solution.report, solution.positions,
                                       input.mesh.size_of_faces(), options.limits, easier);
   session.report().set("verified", fault.empty());
-  if (fault.empty() && solution.report.reached < 1)
-    session.note("only " + text_of(100 * solution.report.reached, 3) +
-                 " % of the way to rho: beyond, the handles and holes do not stay closed");
-  if (fault.empty()) return;
+  if (fault.empty()) return tell_departures(solution, session);
   if (!options.force) throw Failure(Exit_code::failed, what + ": " + fault);
   session.note("written all the same, as --force says: " + fault);
 }
@@ -70,10 +85,7 @@ void deform(const Surface_input& input, Spin_problem problem, const Spin_options
   session.end_stage("prepare");
   Deformation deformation{problem.rho, problem.boundary, {}};
   problem.rho.values /= User_frame(input.mesh).unit();
-  const auto solve = [&](const Go_further& go_further) {
-    return solve_spin(input.mesh, problem, options, session.options(), go_further);
-  };
-  deformation.solution = watched(solve, session.options());
+  deformation.solution = solve_twice(input.mesh, problem, options, session.options());
   session.begin_stage();
   tell_certificate(input, deformation, session);
   verify(options.input, input, deformation.solution, options, easier, session);

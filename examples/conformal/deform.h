@@ -30,7 +30,7 @@ Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& sol
 /// Enters the certificate and what came of the boundary into the report, and prints them.
 void tell_certificate(const Surface_input& input, const Deformation& deformation, Session& session);
 
-/// \brief Judges a result.
+/// \brief Judges a result, and tells what was done for it without being asked.
 /// \param what is said to be at fault
 /// \param easier what to try that asks for less
 /// \throws Failure if it does not verify, unless the options force it

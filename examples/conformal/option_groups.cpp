@@ -25,7 +25,7 @@ std::string below_one(const std::string& text)
 {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
-  return *end == 0 && value > 0 && value < 1 ? "" : "wanted a number between 0 and 1";
+  return *end == 0 && value >= 0 && value < 1 ? "" : "wanted a number between 0 and 1";
 }
 
 void add_input(CLI::App& command, std::string& input)
@@ -123,13 +123,14 @@ void add_solver(CLI::App& command, Spin_options& options)
       ->capture_default_str();
 }
 
-void add_mollification(CLI::App& command, double& mollification)
+void add_mollification(CLI::App& command, std::optional<double>& mollification)
 {
   const std::string description =
       "take thin faces as they are, also those of area zero: solve on the intrinsic Delaunay "
       "triangulation, and add to all edges what triangles lack, at most this share of the mean "
       "edge (--mollify=0.001; default 1e-6); the report tells how many edges were flipped and by "
-      "how much they were made longer";
+      "how much they were made longer. Without this option it is done where the result does not "
+      "verify otherwise; --mollify=0 never does it";
   command.add_flag("--mollify{1e-6}", description)
       ->check(below_one)
       ->each([&mollification](const std::string& text) {

@@ -45,7 +45,7 @@ struct Outcome {
 
 Outcome outcome_of(const CGP::Solver_error& error)
 {
-  if (error.message().find("out of memory") != std::string::npos)
+  if (CGP::is_out_of_memory(error))
     return {Exit_code::out_of_memory, error.message() + "; try: a coarser mesh"};
   return {Exit_code::failed,
           error.message() + "; try: less of a change, or a mesh without slivers"};

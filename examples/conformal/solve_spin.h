@@ -13,6 +13,7 @@
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <functional>
+#include <string>
 
 namespace conformal {
 
@@ -23,6 +24,7 @@ struct Spin_solution {
   CGP::Points positions;
   CGP::Quaternion_vector<double> lambda;
   CGP::Spin_report report;
+  std::string note = {};  ///< what was done without being asked, empty if nothing
 };
 
 /// what the library is asked for, in the unit of length of the mesh
@@ -31,6 +33,7 @@ struct Spin_problem {
   CGP::Boundary_condition boundary;
   double kernel_tolerance = 0;
   double mollification = 0;  ///< if not 0, by robust operators and the native solver
+  double second_try = 0;     ///< the mollification where a result without does not verify; 0: none
   bool closes_loops = true;  ///< in as many steps as it takes; leaves out what opens them
 };
 

@@ -24,7 +24,7 @@ void require_standard_problem_at_boundary(const Surface_input& input, const Spin
 
 void require_native_solver_to_mollify(const Spin_options& options)
 {
-  if (options.mollification > 0 && options.solver != "native")
+  if (options.mollification.value_or(0) > 0 && options.solver != "native")
     throw Failure(Exit_code::usage,
                   "--mollify works with the native solver; try: without --solver");
 }
@@ -39,16 +39,17 @@ void require_possible_spin(const Surface_input& input, const Spin_options& optio
 
 std::string easier_spin(const Spin_options& options)
 {
-  return options.mollification > 0 ? "a weaker rho" : "a weaker rho, --mollify for thin faces";
+  const bool is_tried = options.mollification.value_or(1) > 0 && options.solver == "native";
+  return is_tried ? "a weaker rho" : "a weaker rho, --mollify for thin faces";
 }
 
 void spin(const Spin_options& options, Session& session)
 {
   require_native_solver_to_mollify(options);
   require_writable(session.options().output);
-  const Surface_input input =
-      read_suitable_surface(options.input, session,
-                            options.mollification > 0 ? Flat_faces::allowed : Flat_faces::refused);
+  const Surface_input input = read_suitable_surface(
+      options.input, session,
+      options.mollification.value_or(0) > 0 ? Flat_faces::allowed : Flat_faces::refused);
   const bool is_whole = !session.options().each_component;
   if (is_whole) require_possible_spin(input, options);
   Spin_problem problem;
@@ -57,7 +58,8 @@ void spin(const Spin_options& options, Session& session)
     throw Failure(Exit_code::usage, "--problem generalized wants rho on faces; try: --on faces");
   problem.boundary = kept_boundary(options.boundary);
   problem.closes_loops = !options.open_handles;
-  problem.mollification = options.mollification;
+  problem.mollification = options.mollification.value_or(0);
+  if (!options.mollification && options.solver == "native") problem.second_try = 1e-6;
   is_whole ? deform(input, std::move(problem), options, easier_spin(options), session)
            : spin_components(input, std::move(problem), options, session);
 }

@@ -6,6 +6,7 @@
 #include "each_component.h"
 #include "keep_exhibit.h"
 #include "rho.h"
+#include "solve_twice.h"
 #include "spin.h"
 
 #include <utility>
@@ -27,11 +28,9 @@ Spin_solution solved(const Component& component, const Spin_problem& problem,
                      const Spin_options& options, const Common_options& common, Session& own)
 {
   require_possible_spin(component.input, options);
-  const auto solve = [&](const Go_further& go_further) {
-    return solve_spin(component.input.mesh, problem, options, common, go_further);
-  };
-  const Deformation deformation{problem.rho, problem.boundary,
-                                watched(solve, common, component.name + ": ")};
+  const Deformation deformation{
+      problem.rho, problem.boundary,
+      solve_twice(component.input.mesh, problem, options, common, component.name + ": ")};
   tell_certificate(component.input, deformation, own);
   verify(component.input.file.path, component.input, deformation.solution, options,
          easier_spin(options), own);

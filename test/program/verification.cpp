@@ -1,0 +1,88 @@
+// Tests examples/conformal/verification.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "conformal/verification.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+namespace CGP = Conformal_geometry_processing;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// a report that nobody objects to
+CGP::Spin_report faultless()
+{
+  CGP::Spin_report report;
+  report.converged = true;
+  report.steps = 1;
+  report.conformality.quasi_conformal.mean = 1.01;
+  return report;
+}
+
+std::string objection_to(const CGP::Spin_report& report)
+{
+  return conformal::objection(report, CGP::Points::Zero(3, 4), 100, {}, "EASIER");
+}
+
+void expect_objection(const CGP::Spin_report& report, const std::string& words)
+{
+  const std::string text = objection_to(report);
+  EXPECT_NE(text.find(words), std::string::npos) << text << ", wanted " << words;
+}
+
+TEST(Verification, objects_to_nothing_without_a_fault)
+{
+  EXPECT_EQ(objection_to(faultless()), "");
+}
+
+TEST(Verification, objects_to_each_fault_and_to_what_is_no_number)
+{
+  CGP::Spin_report report = faultless();
+  report.steps = 0;
+  expect_objection(report, "no part of rho could be reached");
+  (report = faultless()).eigenvalue = nan;
+  expect_objection(report, "the eigenvalue is not finite");
+  (report = faultless()).converged = false;
+  expect_objection(report, "the eigenvector did not converge");
+  for (const double value : {.2, nan}) {
+    (report = faultless()).closure_residual = value;
+    expect_objection(report, "the closure residual is");
+  }
+  for (const double value : {1.6, nan}) {
+    (report = faultless()).conformality.quasi_conformal.mean = value;
+    expect_objection(report, "the mean quasi-conformal error is");
+  }
+  (report = faultless()).conformality.flipped_faces = 2;
+  expect_objection(report, "the share of flipped faces is 0.02");
+  (report = faultless()).direction_error.mean = nan;
+  expect_objection(report, "directions at the boundary are missed");
+  (report = faultless()).boundary_fault = CGP::Boundary_fault::degenerate;
+  expect_objection(report, "try: EASIER");
+  CGP::Points positions = CGP::Points::Zero(3, 4);
+  positions(1, 2) = nan;
+  EXPECT_NE(conformal::objection(faultless(), positions, 100, {}, "").find("not finite"),
+            std::string::npos);
+}
+
+TEST(Verification, of_a_mollified_surface_wants_half_of_it_measured_and_counts_what_was)
+{
+  CGP::Spin_report report = faultless();
+  report.mollification.share = 1e-6;
+  report.mollification.measured_triangles = 1000;
+  report.mollification.measured_area = .51;
+  report.conformality.flipped_faces = 9;  // of 1000, though the mesh has 100
+  EXPECT_EQ(objection_to(report), "");
+  report.conformality.flipped_faces = 11;
+  expect_objection(report, "the share of flipped faces is 0.011");
+  report.conformality.flipped_faces = 0;
+  for (const double area : {.49, nan}) {
+    report.mollification.measured_area = area;
+    expect_objection(report, "could be measured; try: a smaller share");
+  }
+}
+
+}  // namespace
