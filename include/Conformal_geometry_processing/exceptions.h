@@ -39,6 +39,13 @@ class Solver_error : public Error {
   using Error::Error;
 };
 
+/// \relates Solver_error
+/// whether the solver had no memory left, which its status says in these words (`Solver_status`)
+inline bool is_out_of_memory(const Solver_error& error)
+{
+  return error.message().find("out of memory") != std::string::npos;
+}
+
 }  // namespace Conformal_geometry_processing
 
 #endif

@@ -20,6 +20,7 @@ using CGP::Flow_stop;
 struct Watched_solver_traits {
   enum class Refused { none, real, quaternionic };
   inline static Refused refused = Refused::none;
+  inline static CGP::Solver_status status_of_refusal = CGP::Solver_status::numerical_issue;
   inline static int analyses = 0, factorizations = 0;
 
   template <class Scalar>
@@ -49,7 +50,7 @@ struct Watched_solver_traits {
                                  const CGP::Vector<double>& shift)
     {
       ++factorizations;
-      if (refused == kind) return CGP::Solver_status::numerical_issue;
+      if (refused == kind) return status_of_refusal;
       return Parent::factorize(A, shift);
     }
   };
@@ -60,7 +61,11 @@ class Conformal_willmore_flow_solvers : public testing::Test {
   using Flow = CGP::Conformal_willmore_flow<Watched_solver_traits>;
   using Refused = Watched_solver_traits::Refused;
 
-  ~Conformal_willmore_flow_solvers() override { Watched_solver_traits::refused = Refused::none; }
+  ~Conformal_willmore_flow_solvers() override
+  {
+    Watched_solver_traits::refused = Refused::none;
+    Watched_solver_traits::status_of_refusal = CGP::Solver_status::numerical_issue;
+  }
 
   static CGP::Flow_report report_without(Refused refused)
   {
@@ -119,4 +124,14 @@ TEST_F(Conformal_willmore_flow_solvers, are_named_where_they_fail)
   EXPECT_EQ(report.stop, Flow_stop::step_failed);
   EXPECT_NE(report.message.find("factorization of the grounded matrix"), std::string::npos)
       << report.message;
+}
+
+TEST_F(Conformal_willmore_flow_solvers, end_the_flow_where_they_run_out_of_memory)
+{
+  Watched_solver_traits::status_of_refusal = CGP::Solver_status::out_of_memory;
+  for (const Refused refused : {Refused::quaternionic, Refused::real}) {
+    const int factorizations = Watched_solver_traits::factorizations;
+    EXPECT_THROW((void)report_without(refused), CGP::Solver_error);
+    EXPECT_LE(Watched_solver_traits::factorizations - factorizations, 2);  // no smaller step
+  }
 }

@@ -6,8 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -217,6 +221,45 @@ TEST(Robust_spin_transformation, tells_how_much_of_the_surface_its_certificate_m
   const auto both = Robust(cap).transform(smooth_rho(cap, 1)).report.mollification;
   EXPECT_EQ(both.measured_triangles, 1);
   EXPECT_EQ(both.measured_area, 1);
+}
+
+// Around spikes there are edges that lead back to where they began, and triangles with such a side.
+TEST(Robust_spin_transformation, measures_triangles_of_the_view_and_no_others)
+{
+  const Mesh_view sphere = icosphere(1);
+  const Eigen::VectorXd r = random_numbers(sphere.size_of_vertices(), 9);
+  Points p = sphere.positions();
+  for (int v = 0; v < sphere.size_of_vertices(); ++v) p.col(v) *= std::exp(1.5 * r[v]);
+  for (std::size_t first = 0; first < 80; ++first) {
+    Corners corners = sphere.corners();
+    std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(first),
+                corners.end());
+    const Robust robust(Mesh_view(p, corners));
+    std::set<std::array<int, 3>> all;
+    int with_a_loop = 0;
+    for (int t = 0; t < robust.view().size_of_triangles(); ++t) {
+      const auto& v = robust.view().corners(t);
+      all.insert(v);
+      with_a_loop += v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+      EXPECT_FALSE(robust.view().is_left_half(t));
+    }
+    EXPECT_GE(with_a_loop, 1);
+    const Mesh_view chords = robust.chords();
+    for (const auto& v : chords.corners()) EXPECT_EQ(all.count(v), 1) << v[0];
+  }
+}
+
+TEST(Robust_spin_transformation, measures_its_time_and_carries_generators_if_asked)
+{
+  const Mesh_view mesh = torus(1, .4, 12, 8);
+  EXPECT_EQ(Robust(mesh).view().forms().cols(), 0);
+  const Robust carrying(mesh, {}, 1e-6, "test", true);
+  EXPECT_EQ(carrying.view().forms().rows(), carrying.view().size_of_edges());
+  EXPECT_EQ(carrying.view().forms().cols(), 2);
+  const auto seconds = Robust(mesh).transform(rho_of(mesh)).report.seconds;
+  EXPECT_GT(seconds.setup, 0);
+  EXPECT_GT(seconds.reconstruction, 0);
+  EXPECT_GT(seconds.certificate, 0);
 }
 
 TEST(Robust_spin_transformation, refuses_a_mollification_that_folds_all_faces)

@@ -20,6 +20,30 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
+/// \brief What rho must be orthogonal to: functions, and the constants where they have no effect.
+/// \param areas that belong to the values of rho
+inline Constraint_basis closing_basis(const Eigen::VectorXd& areas, bool is_self_adjoint,
+                                      const Eigen::MatrixXd& functions)
+{
+  Constraint_basis basis(areas);
+  if (is_self_adjoint) basis.add(Eigen::VectorXd::Ones(functions.rows()));
+  basis.add(functions);
+  return basis;
+}
+
+/// The norm of the harmonic part of edge vectors by theirs. \param w cotan weights
+inline double period_defect(const Eigen::VectorXd& w, const Harmonic_basis& basis,
+                            const Eigen::MatrixX3d& edges)
+{
+  // |w|, for w itself is negative opposite large angles and then defines no norm.
+  const double total = w.cwiseAbs().dot(edges.rowwise().squaredNorm());
+  return basis.coefficients(w, edges).norm() / std::sqrt(total);
+}
+
+}  // namespace internal
+
 /// \ingroup PkgFlow
 /// \brief what a moving surface with handles or holes needs so that its edges keep fitting together
 /// around them: harmonic forms, the functions that rho must be orthogonal to, and how far a
@@ -72,11 +96,9 @@ class Closing_constraints {
   /// but where a boundary is free or has prescribed tangents.
   Constraint_basis basis() const
   {
-    Constraint_basis basis(m_on == Curvature_potential::On::vertices ? vertex_areas(m_mesh)
-                                                                     : face_areas(m_mesh));
-    if (m_equation.is_self_adjoint()) basis.add(Eigen::VectorXd::Ones(m_functions.rows()));
-    basis.add(m_functions);
-    return basis;
+    return internal::closing_basis(
+        m_on == Curvature_potential::On::vertices ? vertex_areas(m_mesh) : face_areas(m_mesh),
+        m_equation.is_self_adjoint(), m_functions);
   }
 
   /// three for each loop; |V| or |F| rows
@@ -88,10 +110,7 @@ class Closing_constraints {
   double defect(const Eigen::MatrixX3d& edges) const
   {
     if (m_generators.cols() == 0) return 0;
-    const Eigen::VectorXd w = cotan_weights(m_mesh);
-    // |w|, for w itself is negative opposite large angles and then defines no norm.
-    const double total = w.cwiseAbs().dot(edges.rowwise().squaredNorm());
-    return m_basis.coefficients(w, edges).norm() / std::sqrt(total);
+    return internal::period_defect(cotan_weights(m_mesh), m_basis, edges);
   }
 
  private:

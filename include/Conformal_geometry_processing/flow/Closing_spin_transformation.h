@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/flow/Moving_delaunay_view.h>
 #include <Conformal_geometry_processing/flow/Moving_mesh.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/spin/rotated_normals.h>
+#include <Conformal_geometry_processing/spin/certify.h>
 
 #include <Eigen/Core>
 
@@ -73,7 +73,7 @@ class Closing_spin_transformation {
                               const Boundary_condition& condition, double mollification,
                               const std::string& function)
       : m_options(options),
-        m_transformation(mesh, condition, mollification, function),
+        m_transformation(mesh, condition, mollification, function, options.exactness.has_value()),
         m_initial(mesh)
   {}
 
@@ -92,7 +92,7 @@ class Closing_spin_transformation {
     if (!m_options.exactness || !has_loops())
       return std::move(m_transformation).transform(rho, options, go_further);
     Surface surface(m_transformation, m_initial, *m_options.exactness, rho.on);
-    const Mesh_view measured = Surface::measured(m_transformation, m_initial);
+    const Mesh_view& measured = Surface::measured(m_transformation, m_initial);
     m_missing = rho;
     m_left_out = Eigen::VectorXd::Zero(rho.values.size());
     const double wanted = norm(rho.values, surface.areas());
@@ -165,6 +165,7 @@ class Closing_spin_transformation {
       if (is_good && can_go_on_from(next.positions)) return next;
       if (step <= m_options.min_step) {
         if (all.steps == 0) all.boundary_fault = next.report.boundary_fault;
+        if (all.steps == 0) all.mollification = next.report.mollification;
         return std::nullopt;
       }
       const double better = next.report.converged && !is_good ? best_step(step, defect) : 0;
@@ -222,10 +223,7 @@ class Closing_spin_transformation {
   static void measure(const Mesh_view& before, const Surface& after, Spin_result& all)
   {
     all.positions = after.positions();
-    all.report.conformality =
-        conformality(before, all.positions, rotated_normals(before, all.lambda));
-    const auto size = components(all.lambda).colwise().norm();
-    all.report.min_spin_ratio = size.minCoeff() / size.maxCoeff();
+    internal::certify(before, all.positions, all.lambda, all.report);
   }
 
   Closing_options m_options;

@@ -44,8 +44,7 @@ namespace Conformal_geometry_processing {
 ///
 /// A step is accepted if its equation is solved, it is conformal enough, its edges close up, and
 /// the energy falls, but for steps that turn a boundary to prescribed directions; otherwise it is
-/// tried again with half of tau. So the surface in this object is always that of the last complete
-/// step.
+/// tried again with half of tau: the surface in this object is that of the last complete step.
 ///
 /// The order of elimination and the symbolic factorization are found once, in the constructor. A
 /// trial costs one numeric factorization of the Dirac matrix and some ten solves with it.
@@ -97,6 +96,7 @@ class Conformal_willmore_flow {
   ///
   /// The surface is as it was if the step is not accepted, or something is thrown.
   /// \throw Precondition_error if the direction is not one finite number per vertex
+  /// \throw Solver_error if a solver runs out of memory; what else it fails at is reported
   template <class Visitor = Flow_visitor>
   Flow_step_report step(Visitor&& visitor = Visitor())
   {
@@ -116,6 +116,7 @@ class Conformal_willmore_flow {
           return visitor.go_further();
         });
     } catch (const Solver_error& error) {
+      if (is_out_of_memory(error)) throw;  // a smaller step needs as much
       report.message = error.what();
       report.stop = Flow_stop::step_failed;
     }
@@ -194,6 +195,7 @@ class Conformal_willmore_flow {
         report.period_defect = m_direction.period_defect(transformed_edges(m_mesh, result.lambda));
       return result.report.cancelled ? Verdict::cancelled : judge(std::move(result), report);
     } catch (const Solver_error& error) {
+      if (is_out_of_memory(error)) throw;
       report.message = error.what();
       return Verdict::bad;
     }

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_MOVING_DELAUNAY_VIEW_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_MOVING_DELAUNAY_VIEW_H
 
-#include <Conformal_geometry_processing/flow/Constraint_basis.h>
+#include <Conformal_geometry_processing/flow/Closing_constraints.h>
 #include <Conformal_geometry_processing/forms/Dirac_energy_inverse.h>
 #include <Conformal_geometry_processing/forms/delaunay_exactness.h>
 #include <Conformal_geometry_processing/spin/Robust_spin_transformation.h>
@@ -18,14 +18,15 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
 /// \brief what `Moving_mesh` is, of surfaces whose faces may have area zero: every step has a
-/// triangulation of its own, to which the loops around handles are taken along.
+/// triangulation of its own, to which the loops around handles are taken along. Its functions are
+/// those of `Moving_mesh`.
 template <class SolverTraits, class EigensolverTraits>
 class Moving_delaunay_view {
  public:
   using Transformation = Robust_spin_transformation<SolverTraits, EigensolverTraits>;
 
   /// \brief takes the adjoint's constraints, whatever exactness is asked for.
-  /// \param transformation of the mesh; must outlive the object
+  /// \param transformation of the mesh, which carries generators; must outlive the object
   /// \param on where the values of rho are
   Moving_delaunay_view(Transformation& transformation, const Mesh_view& mesh, Exactness,
                        Curvature_potential::On on)
@@ -34,11 +35,16 @@ class Moving_delaunay_view {
     move_to(mesh.positions());
   }
 
+  Moving_delaunay_view(const Moving_delaunay_view&) = delete;
+  Moving_delaunay_view& operator=(const Moving_delaunay_view&) = delete;
+
+  /// the faces in whose place the triangles are
   static Mesh_view measured(const Transformation& transformation, const Mesh_view&)
   {
     return transformation.chords();
   }
 
+  /// 2k solves with the Laplacian, a factorization for rho = 0, and 3k solves with that, of k loops
   void update()
   {
     const Delaunay_view& mesh = m_transformation.view();
@@ -60,20 +66,15 @@ class Moving_delaunay_view {
 
   Constraint_basis basis() const
   {
-    Constraint_basis basis(curvature_areas(m_transformation.view(), m_on));
-    if (m_transformation.dirac_equation().is_self_adjoint())
-      basis.add(Eigen::VectorXd::Ones(m_functions.rows()));
-    basis.add(m_functions);
-    return basis;
+    return internal::closing_basis(curvature_areas(m_transformation.view(), m_on),
+                                   m_transformation.dirac_equation().is_self_adjoint(),
+                                   m_functions);
   }
 
   double defect(const Quaternion_vector<double>& lambda) const
   {
     const Delaunay_view& mesh = m_transformation.view();
-    const Eigen::VectorXd& w = mesh.cotan_weights();
-    const Eigen::MatrixX3d edges = transformed_edges(mesh, lambda);
-    const double total = w.cwiseAbs().dot(edges.rowwise().squaredNorm());
-    return m_basis.coefficients(w, edges).norm() / std::sqrt(total);
+    return internal::period_defect(mesh.cotan_weights(), m_basis, transformed_edges(mesh, lambda));
   }
 
   void move_to(const Points& positions)

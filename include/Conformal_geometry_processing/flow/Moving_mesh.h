@@ -15,7 +15,7 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
 /// \brief the surface that `Closing_spin_transformation` takes from step to step, and what keeps
-/// it closed around its handles: here the mesh.
+/// it closed around its handles: here the mesh; also the concept of its parameter `Moving`.
 template <class SolverTraits, class EigensolverTraits>
 class Moving_mesh {
  public:
@@ -36,9 +36,11 @@ class Moving_mesh {
   /// on which maps are measured
   static const Mesh_view& measured(const Transformation&, const Mesh_view& mesh) { return mesh; }
 
-  /// finds the constraints of the present surface
+  /// \brief finds the constraints of the present surface, see `Closing_constraints::update()`.
+  /// \throw Solver_error if a factorization fails
   void update() { m_closing.update(m_transformation.reconstruction().solver()); }
 
+  /// what rho must be orthogonal to
   Constraint_basis basis() const { return m_closing.basis(); }
 
   /// of the surface with spins lambda, see `Closing_constraints::defect()`
@@ -47,12 +49,13 @@ class Moving_mesh {
     return m_closing.defect(transformed_edges(m_mesh, lambda));
   }
 
-  /// follows the transformation, which has moved there
+  /// follows the transformation
+  /// \pre it has moved to these positions
   void move_to(const Points& positions) { m_mesh.set_positions(positions); }
 
   const Points& positions() const { return m_mesh.positions(); }
 
-  /// that belong to the values of rho
+  /// that belong to the values of rho; of the surface of the last `move_to()`
   Eigen::VectorXd areas() const
   {
     return m_on == Curvature_potential::On::vertices ? vertex_areas(m_mesh) : face_areas(m_mesh);

@@ -6,10 +6,12 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/tangent_field.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/divergence.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -47,6 +49,20 @@ struct Harmonic_basis {
 
 namespace internal {
 
+/// \brief Takes d0 u with L u = d0^T w omega off 1-forms omega: what is left is co-closed.
+/// \tparam Surface `Mesh_view` or `Delaunay_view`
+/// \param laplacian solves with L of the surface
+template <class Surface, class Laplacian>
+void remove_exact_parts(const Surface& mesh, const Eigen::VectorXd& w, const Laplacian& laplacian,
+                        Eigen::MatrixXd& forms)
+{
+  constexpr Eigen::Index at_once = 16;  // columns: what bounds the memory for solutions
+  for (Eigen::Index first = 0; first < forms.cols(); first += at_once) {
+    auto some = forms.middleCols(first, std::min(at_once, forms.cols() - first));
+    some -= differential(mesh, laplacian.solve(codifferential(mesh, w, some)));
+  }
+}
+
 /// The fields of closed forms, each vector times the root of its face's area, one form per column:
 /// ordinary inner products of the columns are those of the forms.
 inline Eigen::MatrixXd weighted_fields(const Mesh_view& mesh, const Eigen::MatrixXd& forms)
@@ -60,11 +76,19 @@ inline Eigen::MatrixXd weighted_fields(const Mesh_view& mesh, const Eigen::Matri
   return columns;
 }
 
+/// \throw Precondition_error if what was left of one form beside the others is nothing, or no
+/// number
+inline void require_independent(const Eigen::VectorXd& pivots)
+{
+  const double least_pivot = 1e-7;  // relative: half the digits
+  if (!pivots.allFinite() || !(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
+    throw Precondition_error("orthonormalize", "the 1-forms are not linearly independent");
+}
+
 /// Replaces closed forms by orthonormal ones that span the same. By fields, whose inner products
 /// are positive definite also to rounding, which sums with negative cotan weights are not.
 inline void orthonormalize(const Mesh_view& mesh, Eigen::MatrixXd& forms)
 {
-  const double least_pivot = 1e-7;  // relative: half the digits
   if (forms.cols() == 0) return;
   for (int pass = 0; pass < 2; ++pass) {  // the second takes out the rounding of the first
     Eigen::MatrixXd V = weighted_fields(mesh, forms);
@@ -79,8 +103,7 @@ inline void orthonormalize(const Mesh_view& mesh, Eigen::MatrixXd& forms)
       V.col(j) /= pivots[j];
       forms.col(j) /= pivots[j];
     }
-    if (!pivots.allFinite() || !(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
-      throw Precondition_error("orthonormalize", "the 1-forms are not linearly independent");
+    require_independent(pivots);
   }
 }
 

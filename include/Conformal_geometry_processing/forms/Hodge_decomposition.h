@@ -13,7 +13,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -80,7 +79,7 @@ class Hodge_decomposition {
   {
     Hodge_parts parts;
     parts.potential = potential(omega);
-    parts.exact = derivative(parts.potential);
+    parts.exact = differential(m_mesh, parts.potential);
     const Eigen::MatrixXd rest = omega - parts.exact;
     parts.harmonic = m_basis.one_forms * m_basis.coefficients(m_weights, rest);
     parts.coexact = rest - parts.harmonic;
@@ -89,7 +88,6 @@ class Hodge_decomposition {
 
  private:
   using Laplacian = std::shared_ptr<const Grounded_solver<SolverTraits>>;
-  static constexpr Eigen::Index at_once = 16;  // columns: what bounds the memory for solutions
 
   // A mesh that has passed the checks, which must come before all else.
   struct Checked_mesh {
@@ -108,9 +106,10 @@ class Hodge_decomposition {
       : m_mesh(mesh), m_weights(cotan_weights(mesh)), m_laplacian(std::move(laplacian))
   {
     Eigen::MatrixXd& forms = m_basis.one_forms = std::move(generators);
-    remove_exact_part(forms);
+    internal::remove_exact_parts(mesh, m_weights, *m_laplacian, forms);
     internal::orthonormalize(mesh, forms);
-    remove_exact_part(forms);  // what the solver has left of the large part of generators
+    // What the solver has left of the large part of generators.
+    internal::remove_exact_parts(mesh, m_weights, *m_laplacian, forms);
     for (Eigen::Index i = 0; i < forms.cols(); ++i)
       m_basis.fields.push_back(tangent_field(mesh, forms.col(i)));
   }
@@ -128,27 +127,10 @@ class Hodge_decomposition {
     return {std::shared_ptr<const void>(), &laplacian};
   }
 
-  void remove_exact_part(Eigen::MatrixXd& forms) const
-  {
-    for (Eigen::Index first = 0; first < forms.cols(); first += at_once) {
-      auto some = forms.middleCols(first, std::min(at_once, forms.cols() - first));
-      some -= derivative(potential(some));
-    }
-  }
-
   /// u with L u = d0^T w omega
   Eigen::MatrixXd potential(const Eigen::MatrixXd& omega) const
   {
     return m_laplacian->solve(codifferential(m_mesh, m_weights, omega));
-  }
-
-  /// d0 u
-  Eigen::MatrixXd derivative(const Eigen::MatrixXd& u) const
-  {
-    Eigen::MatrixXd du(m_mesh.size_of_edges(), u.cols());
-    for (int k = 0; k < m_mesh.size_of_edges(); ++k)
-      du.row(k) = u.row(m_mesh.ends(k)[1]) - u.row(m_mesh.ends(k)[0]);
-    return du;
   }
 
   const Mesh_view& m_mesh;

@@ -21,34 +21,48 @@
 /// \brief `Hodge_decomposition.h` and `Exactness_constraints.h` on a `Delaunay_view`.
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
+/// Replaces forms by orthonormal ones that span the same.
+inline void orthonormalize(const Eigen::VectorXd& w, Eigen::MatrixXd& forms)
+{
+  Eigen::VectorXd pivots(forms.cols());
+  if (forms.cols() == 0) return;
+  for (int pass = 0; pass < 2; ++pass) {  // the second takes out the rounding of the first
+    for (Eigen::Index j = 0; j < forms.cols(); ++j) {
+      for (Eigen::Index i = 0; i < j; ++i)
+        forms.col(j) -= w.cwiseProduct(forms.col(i)).dot(forms.col(j)) * forms.col(i);
+      pivots[j] = std::sqrt(w.dot(forms.col(j).cwiseAbs2()));
+      forms.col(j) /= pivots[j];
+    }
+    require_independent(pivots);
+  }
+}
+
+}  // namespace internal
+
 /// \ingroup PkgForms
 /// \brief the harmonic forms in the classes of `mesh.forms()`, orthonormal; without fields.
+///
+/// Two solves for each of the k forms, and O(k^2 |E|). Weights are negative at the boundary only,
+/// so that sums with them keep their digits, other than on a mesh that is not Delaunay.
 /// \param laplacian solves with `cotan_laplacian(mesh)`
+/// \throw Precondition_error if the forms are not independent
+/// \throw Solver_error if the solver fails
 template <class Laplacian>
 Harmonic_basis harmonic_basis(const Delaunay_view& mesh, const Laplacian& laplacian)
 {
   const Eigen::VectorXd& w = mesh.cotan_weights();
   Eigen::MatrixXd forms = mesh.forms();
-  const auto remove_exact_part = [&] {
-    const Eigen::MatrixXd u = laplacian.solve(codifferential(mesh, w, forms));
-    for (int k = 0; k < mesh.size_of_edges(); ++k)
-      forms.row(k) -= u.row(mesh.ends(k)[1]) - u.row(mesh.ends(k)[0]);
-  };
-  remove_exact_part();
-  for (int pass = 0; pass < 2; ++pass)  // the second takes out the rounding of the first
-    for (Eigen::Index j = 0; j < forms.cols(); ++j) {
-      for (Eigen::Index i = 0; i < j; ++i) {
-        const double part = w.cwiseProduct(forms.col(i)).dot(forms.col(j));
-        forms.col(j) -= part * forms.col(i);
-      }
-      forms.col(j) /= std::sqrt(w.dot(forms.col(j).cwiseAbs2()));
-    }
-  remove_exact_part();
+  internal::remove_exact_parts(mesh, w, laplacian, forms);
+  internal::orthonormalize(w, forms);
+  internal::remove_exact_parts(mesh, w, laplacian, forms);
   return {std::move(forms), {}};
 }
 
 /// \ingroup PkgForms
-/// the areas that belong to the values of rho: of vertices, or of the faces of the mesh; never zero
+/// the areas that belong to the values of rho: of vertices, or of the faces of the mesh, |V| or
+/// |F|; of a face at least a millionth of the mean
 inline Eigen::VectorXd curvature_areas(const Delaunay_view& mesh, Curvature_potential::On on)
 {
   if (on == Curvature_potential::On::vertices) return vertex_areas(mesh);
@@ -85,7 +99,8 @@ inline Eigen::MatrixX4d dirac_adjoint(const Delaunay_view& mesh, const Quaternio
 }  // namespace internal
 
 /// \ingroup PkgForms
-/// \brief see `exactness_constraints()` of a mesh, `Exactness::adjoint`.
+/// \brief see `exactness_constraints()` of a mesh, `Exactness::adjoint`: three functions for each
+/// form, |V| or |F| x 3k, and a solve for each form.
 /// \param inverse solves with `dirac_energy()` for rho = 0
 template <class Inverse>
 Eigen::MatrixXd exactness_constraints(const Delaunay_view& mesh, const Harmonic_basis& basis,
@@ -99,7 +114,7 @@ Eigen::MatrixXd exactness_constraints(const Delaunay_view& mesh, const Harmonic_
 }
 
 /// \ingroup PkgForms
-/// see `bounded_exactness_constraints()` of a mesh
+/// see `bounded_exactness_constraints()` of a mesh: |V| or |F| x 3k, and 3k solves
 template <class Inverse>
 Eigen::MatrixXd bounded_exactness_constraints(const Delaunay_view& mesh,
                                               const Harmonic_basis& basis, const Inverse& inverse,

@@ -13,13 +13,6 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// whether a solver had no memory left, which its status says in these words (`Solver_status`)
-inline bool is_out_of_memory(const Solver_error& error)
-{
-  return error.message().find("out of memory") != std::string::npos;
-}
-
-/// \ingroup PkgMesh
 /// \brief what went wrong with the components of a mesh. All of them are tried, so that the user
 /// hears of all that are in the way at once.
 class Component_failures {

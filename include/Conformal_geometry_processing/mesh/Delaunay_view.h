@@ -11,6 +11,8 @@
 #include <Conformal_geometry_processing/mesh/intrinsic_delaunay.h>
 #include <Conformal_geometry_processing/mesh/mollified_lengths.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -49,19 +51,21 @@ class Delaunay_view {
 
   /// \param mesh an oriented manifold with finite coordinates and more than one point
   /// \param mollification see `mollified_lengths()`
-  /// \param forms closed 1-forms of the mesh, |E| x k, to be taken along
+  /// \param forms closed 1-forms of the mesh, |E| x k, to be taken along: three times their memory
+  /// for a while, and O(k) for every flip; empty: none
   explicit Delaunay_view(const Mesh_view& mesh, double mollification = 1e-6,
                          const Eigen::MatrixXd& forms = {})
       : m_positions(mesh.positions()),
         m_size_of_faces(mesh.size_of_faces()),
         m_loops(Conformal_geometry_processing::boundary_loops(mesh))
   {
+    CGAL_assertion(forms.cols() == 0 || forms.rows() == mesh.size_of_edges());
     const Mollified_lengths mollified = mollified_lengths(mesh, mollification);
     m_thin_faces = mollified.thin_faces;
     m_added_length = mollified.added;
     Intrinsic_triangulation triangles(mesh, mollified.lengths);
     Common_subdivision subdivision(mesh, triangles);
-    Transported_forms transported(mesh, forms.cols() > 0 ? forms : no_forms(mesh));
+    Transported_forms transported(mesh, forms);
     m_flips = flip_to_delaunay(triangles, [&](int h) {
       subdivision.before_flip(triangles, h);
       transported.before_flip(triangles, h);
@@ -87,9 +91,14 @@ class Delaunay_view {
   /// what was added to the length of every edge therefore
   double added_length() const { return m_added_length; }
 
-  /// the vertices of triangle t, counter-clockwise; the same one may come twice
+  /// the vertices of triangle t, counter-clockwise; the same one may come twice, in the halves of a
+  /// cap and where an edge leads around a spike back to where it began
   const std::array<int, 3>& corners(int t) const { return m_corners[index(t)]; }
   double area(int t) const { return m_areas[index(t)]; }
+
+  /// whether triangles t and t + 1 are the halves of a cap, with corners (i, k, k) and (k, j, k) of
+  /// the whole one (i, j, k)
+  bool is_left_half(int t) const { return std::binary_search(m_caps.begin(), m_caps.end(), t); }
 
   /// of the angle of triangle t at corner c
   double cotangent(int t, int c) const { return m_cotangents[index(3 * t + c)]; }
@@ -103,7 +112,9 @@ class Delaunay_view {
   /// another edge
   const std::array<int, 2>& ends(int k) const { return m_ends[index(k)]; }
 
-  /// half the sum of the cotangents opposite each edge, not negative inside
+  /// \brief half the sum of the cotangents opposite each edge, |E|; of the sides of a cap, those of
+  /// its halves. At least half the cotangent of 150 degrees, and not negative inside, but for the
+  /// sides of caps.
   const Eigen::VectorXd& cotan_weights() const { return m_weights; }
 
   /// the forms along the edges, `size_of_edges()` x k
@@ -114,8 +125,6 @@ class Delaunay_view {
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-  static Eigen::MatrixXd no_forms(const Mesh_view& mesh) { return {mesh.size_of_edges(), 0}; }
 
   /// \param cap the halfedge opposite the angle of a cap, or -1
   void add_face(const Intrinsic_triangulation& triangles, int t, int cap,
@@ -139,6 +148,7 @@ class Delaunay_view {
     Eigen::Matrix<double, 2, 3> left, right;
     left << p.col(a), foot, p.col(c);
     right << foot, p.col(b), p.col(c);
+    m_caps.push_back(size_of_triangles());
     add_triangle({v[index(a)], v[index(c)], v[index(c)]}, left, x * y / 2, {x / y, 0, y / x},
                  pieces);
     add_triangle({v[index(c)], v[index(b)], v[index(c)]}, right, rest * y / 2,
@@ -183,7 +193,7 @@ class Delaunay_view {
     }
     const auto size = static_cast<Eigen::Index>(halfedges.size());
     m_weights.resize(size);
-    m_forms.resize(size, forms.along(0).size());
+    m_forms.resize(size, forms.size());
     for (Eigen::Index k = 0; k < size; ++k) {
       const int h = halfedges[static_cast<std::size_t>(k)], t = triangles.twin(h);
       const int i = triangles.from(h), j = triangles.to(h);
@@ -199,6 +209,7 @@ class Delaunay_view {
   std::vector<std::vector<int>> m_loops;
   std::vector<std::array<int, 3>> m_corners;
   std::vector<double> m_areas, m_cotangents;
+  std::vector<int> m_caps;  // their left halves, ascending
   std::vector<Sheet> m_sheets;
   std::vector<std::array<int, 2>> m_ends;
   Eigen::VectorXd m_weights;

@@ -13,27 +13,31 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgMesh
 /// \brief closed 1-forms that follow the flips of an intrinsic triangulation: what they add up to
 /// along a path stays, for around every triangle they add up to zero.
+///
+/// Takes 2 k |E| numbers, and O(k) for every flip; nothing where there are no forms.
 class Transported_forms {
  public:
-  /// \param forms |E| x k, along each edge i -> j of the mesh, i < j; closed
+  /// \param forms |E| x k, along each edge i -> j of the mesh, i < j; closed. Empty: none.
   Transported_forms(const Mesh_view& mesh, const Eigen::MatrixXd& forms)
-      : m_values(mesh.size_of_halfedges(), forms.cols())
+      : m_values(mesh.size_of_halfedges(), forms.cols()), m_sides(4, forms.cols())
   {
-    for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+    for (int h = 0; forms.cols() > 0 && h < mesh.size_of_halfedges(); ++h)
       m_values.row(h) = (mesh.from(h) < mesh.to(h) ? 1 : -1) * forms.row(mesh.edge(h));
   }
 
   /// along halfedge h, from its first vertex to its second; k numbers
-  Eigen::RowVectorXd along(int h) const { return m_values.row(h); }
+  auto along(int h) const { return m_values.row(h); }
+
+  Eigen::Index size() const { return m_values.cols(); }
 
   /// \pre the edge of h will be flipped, and has not been yet
   void before_flip(const Intrinsic_triangulation& triangles, int h)
   {
+    if (size() == 0) return;
     const int t = triangles.twin(h), a = 3 * (h / 3), b = 3 * (t / 3);
-    const Eigen::RowVectorXd jk = along(Mesh_view::next_in_face(h)),
-                             ki = along(Mesh_view::previous_in_face(h)),
-                             il = along(Mesh_view::next_in_face(t)),
-                             lj = along(Mesh_view::previous_in_face(t));
+    m_sides << along(Mesh_view::next_in_face(h)), along(Mesh_view::previous_in_face(h)),
+        along(Mesh_view::next_in_face(t)), along(Mesh_view::previous_in_face(t));
+    const auto jk = m_sides.row(0), ki = m_sides.row(1), il = m_sides.row(2), lj = m_sides.row(3);
     // the new faces (k, i, l) and (l, j, k)
     m_values.row(a) = il;
     m_values.row(a + 1) = -(ki + il);
@@ -44,7 +48,10 @@ class Transported_forms {
   }
 
  private:
-  Eigen::MatrixXd m_values;  // a row for each halfedge
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  Rows m_values;  // one for each halfedge
+  Rows m_sides;   // of the two triangles that a flip changes
 };
 
 }  // namespace Conformal_geometry_processing

@@ -18,8 +18,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
-/// the pattern of every Hermitian matrix on the vertices: the diagonal, and each pair of different
-/// vertices that an edge of the triangulation joins
+/// the pattern of every Hermitian matrix on the vertices, |V| x |V|: the diagonal,
+/// and each pair of different vertices that an edge of the triangulation joins; |E| log |E|
 inline std::shared_ptr<const Sparse_pattern> vertex_graph(const Delaunay_view& mesh)
 {
   std::vector<std::pair<int, int>> entries;  // column, row
@@ -40,7 +40,8 @@ inline std::shared_ptr<const Sparse_pattern> vertex_graph(const Delaunay_view& m
 }
 
 /// \ingroup PkgOperators
-/// half the sum of the cotangents opposite each edge of the triangulation
+/// half the sum of the cotangents opposite each edge of the triangulation, |E|, see
+/// `Delaunay_view::cotan_weights()`
 inline const Eigen::VectorXd& cotan_weights(const Delaunay_view& mesh)
 {
   return mesh.cotan_weights();
@@ -63,7 +64,8 @@ inline void assemble_cotan_laplacian(const Delaunay_view& mesh, const Eigen::Vec
 
 /// \ingroup PkgOperators
 /// \brief L, the intrinsic Delaunay Laplacian [Bobenko and Springborn 2007]: |V| x |V|, real,
-/// positive semidefinite, with no positive entry off the diagonal but at the boundary.
+/// positive semidefinite, with no positive entry off the diagonal but at the boundary and at caps
+/// there; the kernel of a connected surface are the constants.
 inline Hermitian_sparse_matrix<double> cotan_laplacian(
     const Delaunay_view& mesh, std::shared_ptr<const Sparse_pattern> pattern)
 {

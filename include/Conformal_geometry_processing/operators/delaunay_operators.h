@@ -36,7 +36,7 @@ inline Eigen::VectorXd vertex_areas(const Delaunay_view& mesh)
 }
 
 /// \ingroup PkgOperators
-/// the areas of the triangles
+/// the areas of the triangles of the view, as many as there are of them (not of faces of the mesh)
 inline Eigen::VectorXd face_areas(const Delaunay_view& mesh)
 {
   Eigen::VectorXd areas(mesh.size_of_triangles());

@@ -8,6 +8,19 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
+/// \brief d0 u, |E| x k, of k functions given as columns: u_j - u_i along each edge i -> j.
+/// \param u |V| x k
+/// \tparam Surface `Mesh_view` or `Delaunay_view`
+template <class Surface>
+Eigen::MatrixXd differential(const Surface& mesh, const Eigen::MatrixXd& u)
+{
+  Eigen::MatrixXd du(mesh.size_of_edges(), u.cols());
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
+    du.row(k) = u.row(mesh.ends(k)[1]) - u.row(mesh.ends(k)[0]);
+  return du;
+}
+
+/// \ingroup PkgOperators
 /// \brief d0^T diag(w) omega, |V| x k, of k 1-forms given as one row of `omega` per edge i -> j.
 ///
 /// Row i is the sum of w_ij omega over the edges *into* i minus the edges out of it: what

@@ -9,11 +9,13 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/delaunay_operators.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/certify.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -45,17 +47,20 @@ class Robust_spin_transformation {
   /// \param function named in exceptions
   /// \throw Precondition_error if the mesh is not a connected, oriented manifold with finite
   /// coordinates, if all of its faces have area zero, or mollification is not in (0, 1)
-  /// \throw Solver_error if the analysis fails or the Laplacian cannot be factored
+  /// \throw Solver_error if the analysis fails
   explicit Robust_spin_transformation(const Mesh_view& mesh, double mollification = 1e-6,
                                       const std::string& function = "Robust_spin_transformation")
       : Robust_spin_transformation(mesh, Boundary_condition(), mollification, function)
   {}
 
   /// \brief the same with a condition for the boundary; the default is a free one.
+  /// \param carries_generators whether `view()` has forms, which are `closed_generators()` of the
+  /// mesh: as many numbers per edge as there are loops around handles and holes
   /// \throw Precondition_error too if the condition does not fit the mesh, see
   /// `require_condition()`
   Robust_spin_transformation(const Mesh_view& mesh, Boundary_condition condition,
-                             double mollification, const std::string& function)
+                             double mollification, const std::string& function,
+                             bool carries_generators = false)
       : m_function(function), m_mollification(mollification), m_condition(std::move(condition))
   {
     require_manifold(mesh, function);
@@ -63,7 +68,7 @@ class Robust_spin_transformation {
     if (!(mollification > 0 && mollification < 1))
       throw Precondition_error(function, "a mollification of " + std::to_string(mollification) +
                                              "; a number between 0 and 1 is needed");
-    m_generators = closed_generators(mesh);
+    if (carries_generators) m_generators = closed_generators(mesh);
     m_state = std::make_unique<State>(mesh, *this);
   }
 
@@ -71,9 +76,14 @@ class Robust_spin_transformation {
   Robust_spin_transformation& operator=(const Robust_spin_transformation&) = delete;
 
   /// \brief the mesh has moved: `transform()` starts from there, on a triangulation of its own.
+  ///
+  /// Costs what the constructor does, for another triangulation has another pattern; while the new
+  /// one is made, the old one and its factors are still there.
   /// \param positions 3 x |V|
   /// \throw Precondition_error if their number is another, one is not finite, all faces have area
-  /// zero, or the boundary has prescribed positions; everything is as before then
+  /// zero or are folded, the boundary folds back where directions are prescribed, or has prescribed
+  /// positions; everything is as before then
+  /// \throw Solver_error if the analysis fails; everything is as before then
   void set_positions(const Points& positions)
   {
     if (positions.cols() != m_state->mesh.size_of_vertices())
@@ -86,7 +96,8 @@ class Robust_spin_transformation {
     m_state = std::make_unique<State>(moved, *this);
   }
 
-  /// the triangulation, in the frame of the computation; its forms are `closed_generators()`
+  /// the triangulation, in the frame of the computation; its forms, if it carries any, are
+  /// `closed_generators()`
   const Delaunay_view& view() const { return m_state->view; }
 
   /// the unit of the frame
@@ -102,10 +113,14 @@ class Robust_spin_transformation {
   const Dirac_equation_& dirac_equation() const { return m_state->dirac; }
   Dirac_equation_& dirac_equation() { return m_state->dirac; }
 
-  /// finds positions from edge vectors of the triangulation, in the frame of the computation
-  const Poisson_reconstruction<SolverTraits, Delaunay_view>& reconstruction() const
+  /// \brief finds positions from edge vectors of the triangulation, in the frame of the
+  /// computation. \throw Solver_error if the Laplacian cannot be factored
+  const Poisson_reconstruction<SolverTraits, Delaunay_view>& reconstruction()
   {
-    return m_state->poisson;
+    const auto& problem = dirac_equation().problem();
+    if (!m_state->poisson)
+      m_state->poisson.emplace(view(), problem.matrix().shared_pattern(), problem.solver());
+    return *m_state->poisson;
   }
 
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
@@ -120,16 +135,21 @@ class Robust_spin_transformation {
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
   template <class GoFurther = Always_go_further>
-  Spin_result transform(const Curvature_potential& rho, Dirac_options options = {},
-                        GoFurther go_further = {})
+  Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
+                        GoFurther go_further = {}) &
   {
-    require_potential(rho);
-    options.kernel_tolerance *= unit();
-    Dirac_solution s = dirac_equation().solve({rho.on, rho.values * unit()}, options, go_further);
-    Spin_result result;
-    result.report = report_of(s, unit());
-    result.report.mollification = mollification();
-    result.lambda = std::move(s.lambda);
+    Spin_result result = solve(rho, options, go_further);
+    if (!result.report.cancelled) reconstruct(result);
+    return result;
+  }
+
+  /// the same for the last time: needs less memory, for the two factors are not there together
+  template <class GoFurther = Always_go_further>
+  Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
+                        GoFurther go_further = {}) &&
+  {
+    Spin_result result = solve(rho, options, go_further);
+    dirac_equation().release();
     if (!result.report.cancelled) reconstruct(result);
     return result;
   }
@@ -143,19 +163,21 @@ class Robust_spin_transformation {
           view(mesh, of.m_mollification, of.m_generators),
           chords(of.unfolded_triangles(view, measured_area)),
           dirac(view, checked(of.in_frame(frame), view, of.m_function), of.m_function),
-          poisson(view, dirac.problem().matrix().shared_pattern(), dirac.problem().solver())
+          seconds(watch.lap())
     {}
 
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
+    Stopwatch watch;
     Normalized_frame frame;
     Mesh_view mesh;  // in the frame
     Delaunay_view view;
     double measured_area = 0;  // the share of the chords
     Mesh_view chords;          // its triangles, straight
     Dirac_equation_ dirac;
-    Poisson_reconstruction<SolverTraits, Delaunay_view> poisson;
+    std::optional<Poisson_reconstruction<SolverTraits, Delaunay_view>> poisson;
+    double seconds;  // that all of this took
   };
 
   static Boundary_condition checked(Boundary_condition condition, const Delaunay_view& view,
@@ -184,7 +206,7 @@ class Robust_spin_transformation {
     for (int t = 0; t < view.size_of_triangles(); ++t) {
       auto v = view.corners(t);
       double area = view.area(t);
-      if (v[1] == v[2]) v[1] = view.corners(++t)[1], area += view.area(t);
+      if (view.is_left_half(t)) v[1] = view.corners(++t)[1], area += view.area(t);
       const Eigen::Vector3d p = view.position(v[0]);
       const double twice = (view.position(v[1]) - p).cross(view.position(v[2]) - p).norm();
       all += area;
@@ -209,35 +231,38 @@ class Robust_spin_transformation {
             m_state->measured_area};
   }
 
+  /// lambda, with the part of the report that tells of it and of the triangulation
+  template <class GoFurther>
+  Spin_result solve(const Curvature_potential& rho, Dirac_options options, GoFurther go_further)
+  {
+    require_potential(rho);
+    options.kernel_tolerance *= unit();
+    Dirac_solution s = dirac_equation().solve({rho.on, rho.values * unit()}, options, go_further);
+    Spin_result result;
+    result.report = report_of(s, unit());
+    result.report.seconds.setup = m_state->seconds;
+    result.report.mollification = mollification();
+    result.lambda = std::move(s.lambda);
+    return result;
+  }
+
   void reconstruct(Spin_result& result)
   {
+    Stopwatch watch;
     State& now = *m_state;
     Spin_report& r = result.report;
     const Eigen::MatrixX3d edges = transformed_edges(now.view, result.lambda);
     Points f = now.dirac.positions() ? now.dirac.positions()->positions(edges)
-                                     : now.poisson.positions(edges);
-    r.closure_residual = now.poisson.residual(f, edges);
-    // by the chords, for faces of no area may have got wrinkled
+                                     : reconstruction().positions(edges);
+    r.closure_residual = reconstruction().residual(f, edges);
+    r.seconds.reconstruction = watch.lap();
+    // By the chords, for faces of no area may have got wrinkled.
     if (!now.dirac.positions()) restore_area(now.chords, f, result.lambda);
-    r.conformality = conformality(now.chords, f, rotated_normals(now.chords, result.lambda));
-    const auto size = components(result.lambda).colwise().norm();
-    r.min_spin_ratio = size.minCoeff() / size.maxCoeff();
-    r.converged = r.converged && f.allFinite();
-    if (!now.dirac.is_closed() && r.converged) judge_boundary(f, r);
+    internal::certify(now.chords, f, result.lambda, r);
+    const auto moved = [&] { return Delaunay_view({f, now.mesh.corners()}, m_mollification); };
+    internal::judge_boundary(now.view, moved, f.allFinite(), now.dirac, unit(), r);
     result.positions = now.frame.from_frame(std::move(f));
-  }
-
-  /// as `Spin_transformation` does
-  void judge_boundary(const Points& f, Spin_report& r) const
-  {
-    const Dirac_equation_& dirac = dirac_equation();
-    if (dirac.directions()) {
-      const Delaunay_view moved({f, m_state->mesh.corners()}, m_mollification);
-      const Eigen::VectorXd errors = dirac.directions()->errors(moved);
-      r.direction_error = {errors.mean(), errors.maxCoeff()};
-    }
-    const bool is_misfit = dirac.directions() && !dirac.is_self_adjoint();
-    r.boundary_fault = boundary_fault(view(), is_misfit ? r.eigenvalue * unit() : 0, r);
+    r.seconds.certificate = watch.lap();
   }
 
   std::string m_function;

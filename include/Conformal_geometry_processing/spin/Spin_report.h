@@ -64,7 +64,8 @@ struct [[nodiscard]] Spin_report {
   } direction_error;
   Boundary_fault boundary_fault = Boundary_fault::none;
 
-  /// what the triangulation was made of on which robust operators worked; of several steps the most
+  /// what the triangulation was made of on which robust operators worked; of several steps the
+  /// most, and what was measured in the first
   struct Mollification {
     double share = 0;            ///< that was asked for; 0: none
     int thin_faces = 0;          ///< whose edges lacked length

@@ -11,11 +11,10 @@
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/Surface_dirac_equation.h>
-#include <Conformal_geometry_processing/spin/boundary_fault.h>
+#include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/report_of_solution.h>
 #include <Conformal_geometry_processing/spin/require_potential.h>
 #include <Conformal_geometry_processing/spin/restore_area.h>
-#include <Conformal_geometry_processing/spin/rotated_normals.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
@@ -229,24 +228,11 @@ class Spin_transformation {
     r.closure_residual = reconstruction().residual(f, edges);
     r.seconds.reconstruction = watch.lap();
     if (!m_dirac.positions()) restore_area(m_mesh, f, result.lambda);
-    r.conformality = conformality(m_mesh, f, rotated_normals(m_mesh, result.lambda));
-    const auto size = components(result.lambda).colwise().norm();
-    r.min_spin_ratio = size.minCoeff() / size.maxCoeff();
-    r.converged = r.converged && f.allFinite();
-    if (!m_dirac.is_closed()) judge_boundary(f, r);
+    internal::certify(m_mesh, f, result.lambda, r);
+    const auto moved = [&] { return Mesh_view(f, m_mesh.corners()); };
+    internal::judge_boundary(m_mesh, moved, f.allFinite(), m_dirac, m_frame.unit(), r);
     result.positions = m_frame.from_frame(std::move(f));
     r.seconds.certificate = watch.lap();
-  }
-
-  /// what came of the condition at the boundary
-  void judge_boundary(const Points& f, Spin_report& r) const
-  {
-    if (m_dirac.directions()) {
-      const Eigen::VectorXd errors = m_dirac.directions()->errors({f, m_mesh.corners()});
-      r.direction_error = {errors.mean(), errors.maxCoeff()};
-    }
-    const bool is_misfit = m_dirac.directions() && !m_dirac.is_self_adjoint();
-    r.boundary_fault = boundary_fault(m_mesh, is_misfit ? r.eigenvalue * m_frame.unit() : 0, r);
   }
 
   Stopwatch m_watch;  // started before everything else is constructed
