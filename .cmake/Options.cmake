@@ -54,6 +54,7 @@ if(PROJECT_IS_TOP_LEVEL)
   endif()
   if(sanitizers)
     add_compile_options(${sanitizers} -fno-omit-frame-pointer -g1)
+    add_compile_definitions(_GLIBCXX_ASSERTIONS) # what is read behind a vector's end may be its own
     add_link_options(${sanitizers})
   endif()
 endif()

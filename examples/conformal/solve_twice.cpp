@@ -32,6 +32,8 @@ Attempt attempt(const CGP::Mesh_view& mesh, const Spin_problem& problem,
     result.fault = objection(result.solution.report, result.solution.positions,
                              mesh.size_of_faces(), options.limits, "");
   } catch (const CGP::Error& error) {  // the matrices of thin faces may not be definite
+    const auto* of_solver = dynamic_cast<const CGP::Solver_error*>(&error);
+    if (of_solver != nullptr && CGP::is_out_of_memory(*of_solver)) throw;
     result.error = std::current_exception();
     result.fault = error.message();
   }
