@@ -140,7 +140,7 @@ TEST_F(Components_that_fail, with_mollification_are_named_with_the_reason)
   Points strip(3, 4);
   strip << 0, 1, 1, 0, 0, 0, 1e-9, 1e-9, 0, 0, 0, 0;
   for (const auto& [height, reason] :
-       {std::pair(1., "folds all faces"), std::pair(0., "all faces have area zero")}) {
+       {std::pair(1., "all faces are thin"), std::pair(0., "all faces have area zero")}) {
     const Points points = Eigen::Vector3d(1, height, 1).asDiagonal() * strip;
     const Joined_meshes two = interleaved({icosahedron(), {points, {{0, 1, 2}, {0, 2, 3}}}});
     Surface surface = to_cgal_mesh<Surface>(two.mesh);

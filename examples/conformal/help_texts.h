@@ -31,7 +31,7 @@ inline constexpr const char* about_spin =
     "--filter keeps the large features of rho, the small ones, or lifts these out.\n"
     "--mollify takes faces as thin as they may be, also of area zero, which are refused "
     "otherwise;\n"
-    "of thin faces it is tried, and told, where a result does not verify without.\n"
+    "it is tried, and told, where a result does not verify without.\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply\n"
     "Example: conformal spin bear.obj --paint fur.png --filter unsharp --amplitude 8 -o bear.ply";

@@ -27,12 +27,12 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
 }
 
 /// With less of the surface its certificate would tell little.
-constexpr double least_measured_area = 0.5;
+constexpr double least_measured_area = 0.9;
 
 /// of how many triangles the conformality is
 int measured_faces(const CGP::Spin_report& report, int faces)
 {
-  return report.mollification.share > 0 ? report.mollification.measured_triangles : faces;
+  return report.mollification.share > 0 ? report.mollification.measured_faces : faces;
 }
 
 std::string exceeds(const std::string& what, double value, double limit)
@@ -50,7 +50,7 @@ void report_mollification(const CGP::Spin_report::Mollification& made, Report& r
   report.set("result/mollification/longer_edges", made.longer_edges);
   report.set("result/mollification/added_length", made.added_length);
   report.set("result/mollification/flipped_edges", made.flipped_edges);
-  report.set("result/mollification/measured_triangles", made.measured_triangles);
+  report.set("result/mollification/measured_faces", made.measured_faces);
   report.set("result/mollification/measured_area", made.measured_area);
 }
 
@@ -62,9 +62,8 @@ void add_mollification(const CGP::Spin_report::Mollification& made, Table& table
             std::to_string(made.longer_edges) +
                 (made.longer_edges > 0 ? ", each by " + text_of(made.added_length, 3) : ""));
   table.add("edges flipped", std::to_string(made.flipped_edges));
-  table.add("measured",
-            text_of(100 * made.measured_area, 4) + " % of the area, " +
-                count_of(static_cast<std::size_t>(made.measured_triangles), "triangle"));
+  table.add("measured", text_of(100 * made.measured_area, 4) + " % of the area, " +
+                            count_of(static_cast<std::size_t>(made.measured_faces), "face"));
 }
 
 }  // namespace
@@ -90,7 +89,9 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
            ": the surface does not close up; try: " + easier + ", or --max-closure";
   if (report.mollification.share > 0 && !(report.mollification.measured_area > least_measured_area))
     return "only " + text_of(100 * report.mollification.measured_area, 3) +
-           " % of the area is not folded by --mollify, and could be measured; try: a smaller share";
+           " % of the area is in faces that are not thin, and could be measured; try: a finer "
+           "mesh, or one "
+           "with better faces";
   return objection(report.conformality, measured_faces(report, faces), limits, easier);
 }
 

@@ -51,7 +51,7 @@ TEST(Spin_report, of_two_mollified_steps_tells_what_was_measured_in_the_first)
   CGP::append(all, next);
   next.mollification = {1e-6, 2, 1, .25, 4, 30, .5};
   CGP::append(all, next);
-  EXPECT_EQ(all.mollification.measured_triangles, 40);
+  EXPECT_EQ(all.mollification.measured_faces, 40);
   EXPECT_EQ(all.mollification.measured_area, .75);
   EXPECT_EQ(all.mollification.thin_faces, 2);
   EXPECT_EQ(all.mollification.flipped_edges, 4);

@@ -92,7 +92,6 @@ class Closing_spin_transformation {
     if (!m_options.exactness || !has_loops())
       return std::move(m_transformation).transform(rho, options, go_further);
     Surface surface(m_transformation, m_initial, *m_options.exactness, rho.on);
-    const Mesh_view& measured = Surface::measured(m_transformation, m_initial);
     m_missing = rho;
     m_left_out = Eigen::VectorXd::Zero(rho.values.size());
     const double wanted = norm(rho.values, surface.areas());
@@ -101,7 +100,7 @@ class Closing_spin_transformation {
     result.report.steps = 0;
     result.report.reached = 0;
     go_all_the_way(surface, options, go_further, result);
-    if (result.report.steps > 0) measure(measured, surface, result);
+    if (result.report.steps > 0) measure(Surface::measured(m_initial), surface, result);
     if (wanted > 0)
       result.report.missing_share = norm(m_left_out + m_missing.values, surface.areas()) / wanted;
     return result;
@@ -223,6 +222,7 @@ class Closing_spin_transformation {
   static void measure(const Mesh_view& before, const Surface& after, Spin_result& all)
   {
     all.positions = after.positions();
+    restore_area(before, all.positions, all.lambda);  // which every step keeps, of its own faces
     internal::certify(before, all.positions, all.lambda, all.report);
   }
 

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/flow/Closing_constraints.h>
 #include <Conformal_geometry_processing/forms/Dirac_energy_inverse.h>
 #include <Conformal_geometry_processing/forms/delaunay_exactness.h>
+#include <Conformal_geometry_processing/mesh/sound_faces.h>
 #include <Conformal_geometry_processing/spin/Robust_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
@@ -38,11 +39,7 @@ class Moving_delaunay_view {
   Moving_delaunay_view(const Moving_delaunay_view&) = delete;
   Moving_delaunay_view& operator=(const Moving_delaunay_view&) = delete;
 
-  /// the faces in whose place the triangles are
-  static Mesh_view measured(const Transformation& transformation, const Mesh_view&)
-  {
-    return transformation.chords();
-  }
+  static Mesh_view measured(const Mesh_view& mesh) { return sound_faces(mesh).mesh; }
 
   /// 2k solves with the Laplacian, a factorization for rho = 0, and 3k solves with that, of k loops
   void update()

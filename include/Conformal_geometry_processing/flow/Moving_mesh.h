@@ -34,7 +34,7 @@ class Moving_mesh {
   Moving_mesh& operator=(const Moving_mesh&) = delete;
 
   /// on which maps are measured
-  static const Mesh_view& measured(const Transformation&, const Mesh_view& mesh) { return mesh; }
+  static const Mesh_view& measured(const Mesh_view& mesh) { return mesh; }
 
   /// \brief finds the constraints of the present surface, see `Closing_constraints::update()`.
   /// \throw Solver_error if a factorization fails

@@ -96,10 +96,6 @@ class Delaunay_view {
   const std::array<int, 3>& corners(int t) const { return m_corners[index(t)]; }
   double area(int t) const { return m_areas[index(t)]; }
 
-  /// whether triangles t and t + 1 are the halves of a cap, with corners (i, k, k) and (k, j, k) of
-  /// the whole one (i, j, k)
-  bool is_left_half(int t) const { return std::binary_search(m_caps.begin(), m_caps.end(), t); }
-
   /// of the angle of triangle t at corner c
   double cotangent(int t, int c) const { return m_cotangents[index(3 * t + c)]; }
 
@@ -148,7 +144,6 @@ class Delaunay_view {
     Eigen::Matrix<double, 2, 3> left, right;
     left << p.col(a), foot, p.col(c);
     right << foot, p.col(b), p.col(c);
-    m_caps.push_back(size_of_triangles());
     add_triangle({v[index(a)], v[index(c)], v[index(c)]}, left, x * y / 2, {x / y, 0, y / x},
                  pieces);
     add_triangle({v[index(c)], v[index(b)], v[index(c)]}, right, rest * y / 2,
@@ -209,7 +204,6 @@ class Delaunay_view {
   std::vector<std::vector<int>> m_loops;
   std::vector<std::array<int, 3>> m_corners;
   std::vector<double> m_areas, m_cotangents;
-  std::vector<int> m_caps;  // their left halves, ascending
   std::vector<Sheet> m_sheets;
   std::vector<std::array<int, 2>> m_ends;
   Eigen::VectorXd m_weights;

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/mesh/delaunay_boundary.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/mesh/sound_faces.h>
 #include <Conformal_geometry_processing/operators/delaunay_operators.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/certify.h>
@@ -30,9 +31,8 @@ namespace Conformal_geometry_processing {
 /// intrinsically Delaunay it finds the same surface. The vertices of a degenerate face end up where
 /// the surface of its neighbours has them. `Closing_spin_transformation` keeps handles closed.
 ///
-/// Area, centroid and certificate are measured on the triangles of the triangulation, in the place
-/// of faces; those that are folded, so that the chords of their edges enclose less than half of
-/// their area, are left out.
+/// Area, centroid and certificate are those of the faces of the mesh that are not thin
+/// (`sound_faces()`); the report tells which share of the area they are.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
@@ -46,7 +46,7 @@ class Robust_spin_transformation {
   /// \param mollification see `mollified_lengths()`
   /// \param function named in exceptions
   /// \throw Precondition_error if the mesh is not a connected, oriented manifold with finite
-  /// coordinates, if all of its faces have area zero, or mollification is not in (0, 1)
+  /// coordinates, if all of its faces are thin (`sound_faces()`), or mollification is not in (0, 1)
   /// \throw Solver_error if the analysis fails
   explicit Robust_spin_transformation(const Mesh_view& mesh, double mollification = 1e-6,
                                       const std::string& function = "Robust_spin_transformation")
@@ -81,7 +81,7 @@ class Robust_spin_transformation {
   /// one is made, the old one and its factors are still there.
   /// \param positions 3 x |V|
   /// \throw Precondition_error if their number is another, one is not finite, all faces have area
-  /// zero or are folded, the boundary folds back where directions are prescribed, or has prescribed
+  /// zero or are thin, the boundary folds back where directions are prescribed, or has prescribed
   /// positions; everything is as before then
   /// \throw Solver_error if the analysis fails; everything is as before then
   void set_positions(const Points& positions)
@@ -102,12 +102,6 @@ class Robust_spin_transformation {
 
   /// the unit of the frame
   double unit() const { return m_state->frame.unit(); }
-
-  /// the triangles of the triangulation that are not folded, straight, where the mesh is
-  Mesh_view chords() const
-  {
-    return {m_state->frame.from_frame(m_state->chords.positions()), m_state->chords.corners()};
-  }
 
   /// the Dirac equation of the triangulation
   const Dirac_equation_& dirac_equation() const { return m_state->dirac; }
@@ -161,7 +155,7 @@ class Robust_spin_transformation {
         : frame(mesh_.positions()),
           mesh(frame.to_frame(mesh_.positions()), mesh_.corners()),
           view(mesh, of.m_mollification, of.m_generators),
-          chords(of.unfolded_triangles(view, measured_area)),
+          measured(of.sound_part(mesh)),
           dirac(view, checked(of.in_frame(frame), view, of.m_function), of.m_function),
           seconds(watch.lap())
     {}
@@ -173,8 +167,7 @@ class Robust_spin_transformation {
     Normalized_frame frame;
     Mesh_view mesh;  // in the frame
     Delaunay_view view;
-    double measured_area = 0;  // the share of the chords
-    Mesh_view chords;          // its triangles, straight
+    Sound_faces measured;
     Dirac_equation_ dirac;
     std::optional<Poisson_reconstruction<SolverTraits, Delaunay_view>> poisson;
     double seconds;  // that all of this took
@@ -196,27 +189,14 @@ class Robust_spin_transformation {
     return condition;
   }
 
-  /// Those of which more than half the area is left where their corners are joined straight; a cap
-  /// at the boundary, which is two triangles of the view, is one.
-  /// \param share of the area that they have
-  Mesh_view unfolded_triangles(const Delaunay_view& view, double& share) const
+  Sound_faces sound_part(const Mesh_view& mesh) const
   {
-    Mesh_view::Corners corners;
-    double all = 0, measured = 0;
-    for (int t = 0; t < view.size_of_triangles(); ++t) {
-      auto v = view.corners(t);
-      double area = view.area(t);
-      if (view.is_left_half(t)) v[1] = view.corners(++t)[1], area += view.area(t);
-      const Eigen::Vector3d p = view.position(v[0]);
-      const double twice = (view.position(v[1]) - p).cross(view.position(v[2]) - p).norm();
-      all += area;
-      if (twice > area) corners.push_back(v), measured += area;
-    }
-    share = measured / all;
-    if (corners.empty())
-      throw Precondition_error(m_function, "a mollification of " + std::to_string(m_mollification) +
-                                               " folds all faces; a smaller one is needed");
-    return {view.positions(), std::move(corners)};
+    Sound_faces sound = sound_faces(mesh);
+    if (sound.mesh.size_of_faces() == 0)
+      throw Precondition_error(m_function,
+                               "all faces are thin; some must be higher than 5 % of "
+                               "their longest edge, for the map to be measured on them");
+    return sound;
   }
 
   Spin_report::Mollification mollification() const
@@ -227,8 +207,8 @@ class Robust_spin_transformation {
             is_longer ? m_state->mesh.size_of_edges() : 0,
             view().added_length() * unit(),
             view().size_of_flips(),
-            m_state->chords.size_of_faces(),
-            m_state->measured_area};
+            m_state->measured.mesh.size_of_faces(),
+            m_state->measured.share};
   }
 
   /// lambda, with the part of the report that tells of it and of the triangulation
@@ -256,12 +236,13 @@ class Robust_spin_transformation {
                                      : reconstruction().positions(edges);
     r.closure_residual = reconstruction().residual(f, edges);
     r.seconds.reconstruction = watch.lap();
-    // By the chords, for faces of no area may have got wrinkled.
-    if (!now.dirac.positions()) restore_area(now.chords, f, result.lambda);
-    internal::certify(now.chords, f, result.lambda, r);
+    // Not by the other faces: those of no area may have got wrinkled.
+    if (!now.dirac.positions()) restore_area(now.measured.mesh, f, result.lambda);
+    result.positions = now.frame.from_frame(f);
+    f = now.frame.to_frame(result.positions);  // as they are rounded
+    internal::certify(now.measured.mesh, f, result.lambda, r);
     const auto moved = [&] { return Delaunay_view({f, now.mesh.corners()}, m_mollification); };
     internal::judge_boundary(now.view, moved, f.allFinite(), now.dirac, unit(), r);
-    result.positions = now.frame.from_frame(std::move(f));
     r.seconds.certificate = watch.lap();
   }
 

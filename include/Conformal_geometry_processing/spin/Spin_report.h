@@ -67,13 +67,13 @@ struct [[nodiscard]] Spin_report {
   /// what the triangulation was made of on which robust operators worked; of several steps the
   /// most, and what was measured in the first
   struct Mollification {
-    double share = 0;            ///< that was asked for; 0: none
-    int thin_faces = 0;          ///< whose edges lacked length
-    int longer_edges = 0;        ///< that were made longer: all or none
-    double added_length = 0;     ///< to each of them, in the unit of the mesh
-    int flipped_edges = 0;       ///< until all were Delaunay
-    int measured_triangles = 0;  ///< on which `conformality` is measured: those that are not folded
-    double measured_area = 0;    ///< of them, as a share of all
+    double share = 0;          ///< that was asked for; 0: none
+    int thin_faces = 0;        ///< whose edges lacked length
+    int longer_edges = 0;      ///< that were made longer: all or none
+    double added_length = 0;   ///< to each of them, in the unit of the mesh
+    int flipped_edges = 0;     ///< until all were Delaunay
+    int measured_faces = 0;    ///< on which `conformality` is measured: the `sound_faces()`
+    double measured_area = 0;  ///< of those that are not thin, as a share of all
   } mollification;
 
   double closure_residual = 0;  ///< how far the new edges are from closing up, relative
@@ -101,7 +101,7 @@ namespace internal {
 inline void append(Spin_report::Mollification& all, const Spin_report::Mollification& next)
 {
   const bool is_first = all.share == 0;  // where the conformality of the whole way is measured
-  if (is_first) all.measured_triangles = next.measured_triangles;
+  if (is_first) all.measured_faces = next.measured_faces;
   if (is_first) all.measured_area = next.measured_area;
   all.share = next.share;
   all.thin_faces = std::max(all.thin_faces, next.thin_faces);

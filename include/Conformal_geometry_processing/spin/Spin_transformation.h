@@ -228,10 +228,11 @@ class Spin_transformation {
     r.closure_residual = reconstruction().residual(f, edges);
     r.seconds.reconstruction = watch.lap();
     if (!m_dirac.positions()) restore_area(m_mesh, f, result.lambda);
+    result.positions = m_frame.from_frame(f);
+    f = m_frame.to_frame(result.positions);  // as they are rounded
     internal::certify(m_mesh, f, result.lambda, r);
     const auto moved = [&] { return Mesh_view(f, m_mesh.corners()); };
     internal::judge_boundary(m_mesh, moved, f.allFinite(), m_dirac, m_frame.unit(), r);
-    result.positions = m_frame.from_frame(std::move(f));
     r.seconds.certificate = watch.lap();
   }
 

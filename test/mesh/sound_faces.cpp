@@ -1,0 +1,48 @@
+// Tests include/Conformal_geometry_processing/mesh/sound_faces.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/mesh/sound_faces.h>
+
+#include <gtest/gtest.h>
+
+namespace CGP = Conformal_geometry_processing;
+
+namespace {
+
+/// triangles over the edge from (0, 0) to (1, 0), with an apex each
+CGP::Mesh_view fan(const Eigen::Matrix2Xd& apexes)
+{
+  CGP::Points p = CGP::Points::Zero(3, 2 + apexes.cols());
+  p(0, 1) = 1;
+  p.bottomRightCorner(3, apexes.cols()).topRows(2) = apexes;
+  CGP::Mesh_view::Corners corners;
+  for (int k = 0; k < apexes.cols(); ++k) corners.push_back({0, 1, 2 + k});
+  return {p, corners};
+}
+
+}  // namespace
+
+TEST(Sound_faces, are_higher_than_a_twentieth_of_their_longest_edge)
+{
+  Eigen::Matrix2Xd apexes(2, 5);
+  apexes << .5, .5, .5, .01, 0,  //
+      1, .051, .049, .049, 0;
+  const CGP::Mesh_view mesh = fan(apexes);
+  for (const double unit : {1., 1e-30, 1e30}) {
+    const CGP::Sound_faces sound = CGP::sound_faces({unit * mesh.positions(), mesh.corners()});
+    ASSERT_EQ(sound.mesh.size_of_faces(), 2);
+    EXPECT_EQ(sound.mesh.corners(0), mesh.corners(0));
+    EXPECT_EQ(sound.mesh.corners(1), mesh.corners(1));
+    EXPECT_EQ(sound.mesh.size_of_vertices(), mesh.size_of_vertices());
+    EXPECT_NEAR(sound.share, 1.051 / (1.051 + 2 * .049), 1e-12);
+  }
+}
+
+TEST(Sound_faces, may_be_none)
+{
+  Eigen::Matrix2Xd apexes(2, 2);
+  apexes << .5, 2, 0, 0;
+  const CGP::Sound_faces sound = CGP::sound_faces(fan(apexes));
+  EXPECT_EQ(sound.mesh.size_of_faces(), 0);
+  EXPECT_EQ(sound.share, 0);
+}
