@@ -233,7 +233,8 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 ///     \cgalParamDescription{lets faces be as thin as they like, or of area zero: the equation is
 ///                           solved on the intrinsic Delaunay triangulation, and to all edges the
 ///                           length is added that triangles lack, at most this share of the mean
-///                           one; of `exactness` that of the adjoint}
+///                           one; of `exactness` that of the adjoint. The certificate and the
+///                           area that stays are those of the `sound_faces()`, which there must be}
 ///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good one}
 ///     \cgalParamDefault{none: faces of area zero are refused}
 ///   \cgalParamNEnd
@@ -272,8 +273,9 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 /// \returns the report, which converts to `true` if the equation was solved. Otherwise (no
 /// convergence, cancelled) nothing has been written.
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
-/// finite coordinates and positive areas, if rho is not finite, or if what is prescribed at the
-/// boundary does not fit it; the message names the element
+/// finite coordinates and, without `mollification`, positive areas; if rho is not finite; if what
+/// is prescribed at the boundary does not fit it; or if `mollification` is not above 0 and below 1;
+/// the message names the element
 /// \throw Solver_error if a factorization fails
 template <class TriangleMesh, class CurvaturePotentialMap,
           class NamedParameters = parameters::Default_named_parameters>
