@@ -61,7 +61,7 @@ class Parser {
   CLI::App* add_command(const char* name, const char* description)
   {
     CLI::App* command = m_app.add_subcommand(name, description);
-    command->add_option("--json", m_common.json, "write the report to this file");
+    command->add_option("--json", m_common.json, "write the report to this file")->check(file_name);
     command->add_option("--threads", m_common.threads, "threads of the linear algebra")
         ->check(above_zero)
         ->capture_default_str();
@@ -82,14 +82,14 @@ class Parser {
     add_input(*command, m_info.input);
   }
 
-  void add_output(CLI::App& command)
+  CLI::Option* add_output(CLI::App& command, const char* what = "where the result goes")
   {
-    command.add_option("-o,--output", m_common.output, "where the result goes")->required();
+    return command.add_option("-o,--output", m_common.output, what)->check(file_name);
   }
 
   void add_output_and_page(CLI::App& command)
   {
-    add_output(command);
+    add_output(command)->required();
     add_html(command, m_common.html);
   }
 
@@ -171,14 +171,14 @@ class Parser {
   {
     CLI::App& command = *add_command("curve", about_curve);
     add_curve_options(command, m_curve);
-    add_output(command);
+    add_output(command)->required();
   }
 
   void add_harmonic()
   {
     CLI::App* command = add_command_that_repairs("harmonic", about_harmonic);
     add_input(*command, m_harmonic.input);
-    command->add_option("-o,--output", m_common.output, "the mesh with the fields");
+    add_output(*command, "the mesh with the fields");
     command->add_option("--form", m_harmonic.form, "write only this one, counted from 0")
         ->check(CLI::NonNegativeNumber);
   }
@@ -186,7 +186,7 @@ class Parser {
   void add_spectrum()
   {
     CLI::App& command = *add_command_that_repairs("spectrum", about_spectrum);
-    command.add_option("-o,--output", m_common.output, "the surface of an eigenfunction");
+    add_output(command, "the surface of an eigenfunction");
     add_spectrum_options(command, m_spectrum);
     add_eigenvector(command, m_common);
   }
@@ -195,7 +195,7 @@ class Parser {
   {
     CLI::App& command = *add_command("sphere", about_sphere);
     add_sphere_options(command, m_sphere);
-    add_output(command);
+    add_output(command)->required();
   }
 
   void add_compare()
@@ -203,7 +203,7 @@ class Parser {
     CLI::App* command = add_command("compare", about_compare);
     command->add_option("before", m_compare.before, "mesh file")->required();
     command->add_option("after", m_compare.after, "mesh file with the same faces")->required();
-    command->add_option("-o,--output", m_common.output, "the second mesh, with quality");
+    add_output(*command, "the second mesh, with quality");
     add_html(*command, m_common.html);
   }
 

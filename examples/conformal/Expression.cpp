@@ -3,6 +3,7 @@
 #include "Expression.h"
 
 #include "Failure.h"
+#include "io/numbers.h"
 
 #include <muParser.h>
 
@@ -44,7 +45,11 @@ struct Expression::Parser {
     parser.DefineConst("e", std::exp(1.));
     parser.DefineFun("gauss", gauss);
     parser.DefineFun("bump", bump);
-    parser.SetExpr(text);
+    try {
+      parser.SetExpr(text);  // finds no other fault than this
+    } catch (const mu::Parser::exception_type&) {
+      throw bad("is too long with its " + std::to_string(text.size()) + " characters");
+    }
   }
 
   double value()
@@ -64,8 +69,8 @@ struct Expression::Parser {
 
   Failure bad(const std::string& message) const
   {
-    return {Exit_code::usage, option + " '" + text + "': " + message + "; try: a formula in " +
-                                  listed(names) + " such as sin(5*y)"};
+    return {Exit_code::usage, option + " " + in_quotes(text) + ": " + message +
+                                  "; try: a formula in " + listed(names) + " such as sin(5*y)"};
   }
 
   std::string text, option;

@@ -7,27 +7,9 @@
 #include "io/io_errors.h"
 
 #include <filesystem>
-#include <system_error>
 
 namespace conformal {
 namespace {
-
-bool is_same_file(const std::string& a, const std::string& b)
-{
-  std::error_code ignored;
-  const auto place = [&](const std::string& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
-  };
-  return !a.empty() && !b.empty() && place(a) == place(b);
-}
-
-void require_different(const std::string& option, const std::string& path,
-                       const std::string& other_option, const std::string& other)
-{
-  if (is_same_file(path, other))
-    throw Failure(Exit_code::usage,
-                  option + " and " + other_option + " name the same file, " + path);
-}
 
 // An extension of its own keeps a page from being written over a mesh.
 void require_html(const std::string& path)
@@ -45,9 +27,6 @@ void require_html(const std::string& path)
 
 void Report_files::open(const Common_options& options)
 {
-  require_different("--json", options.json, "--output", options.output);
-  require_different("--html", options.html, "--output", options.output);
-  require_different("--html", options.html, "--json", options.json);
   if (!options.html.empty()) require_html(options.html);
   if (!options.json.empty()) m_json.emplace(options.json);
   if (!options.html.empty()) m_html.emplace(options.html);

@@ -15,7 +15,7 @@ namespace conformal {
 /// opened before the work, so that a folder that cannot be written to is known by then.
 class Report_files {
  public:
-  /// \throws Failure if outputs have the same name, or HTML reports were not built in; Write_error
+  /// \throws Failure if HTML reports were not built in; Write_error
   void open(const Common_options& options);
 
   /// HTML only if there is something to show.

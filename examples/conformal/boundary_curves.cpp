@@ -62,7 +62,7 @@ std::vector<Closed_curve> read_curves(const std::string& path)
   std::vector<Closed_curve> curves;
   Points_of_curve points;
   std::size_t line = 0;
-  for (const Number_row& row : number_rows(read_bytes(path), path)) {
+  for (const Number_row& row : number_rows(read_bytes(path, "a file with points"), path)) {
     line = row.line;
     if (!row.numbers.empty())
       points.push_back(point_of(row, path));

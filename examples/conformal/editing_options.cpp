@@ -20,6 +20,7 @@ void add_fit_options(CLI::App& command, Fit_options& fit)
                   "multiplies the scales |mu|^2 of the target that are blended in (a conformal "
                   "surface has its own) by a formula above 0 in x y z (normalised frame) and nx ny "
                   "nz (outward normal)")
+      ->check(formula)
       ->needs("--blend");
   const auto choose = [&fit](const std::string& word) {
     fit.boundary = word == "tangents" ? Boundary_choice::tangents : Boundary_choice::binormals;
@@ -43,8 +44,10 @@ void add_blend_options(CLI::App& command, Blend_options& blend)
                   "-1 for as far the other way")
       ->check(finite)
       ->capture_default_str();
-  command.add_option("--onto", blend.onto,
-                     "the mesh to which the difference is added, with the same faces (default: A)");
+  command
+      .add_option("--onto", blend.onto,
+                  "the mesh to which the difference is added, with the same faces (default: A)")
+      ->check(not_empty);
   command
       .add_option("--frames", blend.frames,
                   "write so many surfaces on the way, OUTPUT with the number of the frame: "

@@ -28,6 +28,23 @@ std::string below_one(const std::string& text)
   return *end == 0 && value >= 0 && value < 1 ? "" : "wanted a number between 0 and 1";
 }
 
+std::string file_name(const std::string& text)
+{
+  const bool is_name = !text.empty() && text != "-";
+  return is_name ? "" : "wanted the name of a file; try: /dev/stdout to pipe it";
+}
+
+std::string formula(const std::string& text)
+{
+  const bool is_blank = text.find_first_not_of(" \t\r\n") == std::string::npos;
+  return is_blank ? "an empty formula; try: one such as sin(5*y)" : "";
+}
+
+std::string not_empty(const std::string& text)
+{
+  return text.empty() ? "wanted a name" : "";
+}
+
 void add_input(CLI::App& command, std::string& input)
 {
   command.add_option("input", input, "mesh file, - for standard input")->required();
@@ -35,9 +52,11 @@ void add_input(CLI::App& command, std::string& input)
 
 void add_html(CLI::App& command, std::string& html)
 {
-  command.add_option("--html", html,
-                     "write a page that shows both shapes, the error of each face and the report; "
-                     "it opens in a browser without a network");
+  command
+      .add_option("--html", html,
+                  "write a page that shows both shapes, the error of each face and the report; "
+                  "it opens in a browser without a network")
+      ->check(file_name);
 }
 
 CLI::App* add_repair(CLI::App* command, bool& repair)
@@ -59,14 +78,21 @@ CLI::App& add_each_component(CLI::App& command, Common_options& options)
 CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho)
 {
   auto* source = command.add_option_group("rho", "the change of mean curvature, one of");
-  source->add_option("--rho-expression", rho.expression,
-                     "formula in x y z (normalised frame), nx ny nz (outward normal), pi, e; "
-                     "sin exp abs min ... gauss(d,s) bump(d,r)");
-  source->add_option("--rho-property", rho.property, "vertex or face property of the mesh");
-  source->add_option("--rho-file", rho.file,
-                     "text file, a number per vertex or face; # begins a comment");
-  source->add_option("--paint,--rho-image", rho.image,
-                     "picture (PNG, JPEG, PGM, PPM): rho = gray - 0.5, gray from 0 to 1");
+  source
+      ->add_option("--rho-expression", rho.expression,
+                   "formula in x y z (normalised frame), nx ny nz (outward normal), pi, e; "
+                   "sin exp abs min ... gauss(d,s) bump(d,r)")
+      ->check(formula);
+  source->add_option("--rho-property", rho.property, "vertex or face property of the mesh")
+      ->check(not_empty);
+  source
+      ->add_option("--rho-file", rho.file,
+                   "text file, a number per vertex or face; # begins a comment")
+      ->check(not_empty);
+  source
+      ->add_option("--paint,--rho-image", rho.image,
+                   "picture (PNG, JPEG, PGM, PPM): rho = gray - 0.5, gray from 0 to 1")
+      ->check(not_empty);
   add_choice(command, "--projection", rho.projection, {"uv", "x", "y", "z", "sphere"},
              "of the picture: uv, along an axis (x, y, z), or sphere around the z axis");
   command.add_option("--amplitude", rho.amplitude, "multiplies rho")
@@ -149,22 +175,28 @@ void add_prescription(CLI::App& command, Prescription_options& prescription)
 {
   auto* what = command.add_option_group("boundary", "what the boundary becomes, one of");
   what->add_option("--tangents-from", prescription.tangents_from,
-                   "has the tangents of this mesh, which has the same faces");
+                   "has the tangents of this mesh, which has the same faces")
+      ->check(not_empty);
   what->add_option("--binormals-from", prescription.binormals_from,
-                   "has the binormals of this mesh (tangent x normal, out of the surface)");
+                   "has the binormals of this mesh (tangent x normal, out of the surface)")
+      ->check(not_empty);
   what->add_option("--positions-from", prescription.positions_from,
-                   "lies where that of this mesh does, with its normals");
+                   "lies where that of this mesh does, with its normals")
+      ->check(not_empty);
   what->add_option("--curve", prescription.curve,
                    "has the tangents of a closed curve: a text file with a point per line, an "
                    "empty line between curves, one for each loop, in the order of conformal info; "
                    "with as many points as the loop has vertices they belong together, else equal "
-                   "shares of the lengths do");
+                   "shares of the lengths do")
+      ->check(not_empty);
   what->add_option("--tangent-rotation", prescription.tangent_rotation,
                    "has its tangents turned about the normals, counterclockwise seen from outside, "
                    "by so many degrees: a formula in x y z nx ny nz (normalised frame), s in [0,1) "
-                   "along the loop, and loop, the number of it");
+                   "along the loop, and loop, the number of it")
+      ->check(formula);
   what->add_option("--binormal-tilt", prescription.binormal_tilt,
-                   "has its binormals turned towards the normals, by a formula likewise");
+                   "has its binormals turned towards the normals, by a formula likewise")
+      ->check(formula);
   what->require_option(1);
 }
 

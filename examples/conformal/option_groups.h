@@ -18,6 +18,11 @@ std::string above_zero(const std::string& text);
 std::string below_one(const std::string& text);  // and above zero
 std::string finite(const std::string& text);
 
+/// checks of text
+std::string file_name(const std::string& text);  // of an output: standard output has none
+std::string formula(const std::string& text);
+std::string not_empty(const std::string& text);
+
 /// an option whose value is one of the words, which are in the order of the enumeration
 template <class Choice>
 CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& choice,

@@ -30,7 +30,7 @@ namespace conformal {
 
 CGP::Gray_image read_gray_image(const std::string& path)
 {
-  const std::string bytes = read_bytes(path);
+  const std::string bytes = read_bytes(path, "a picture");
   if (bytes.size() > INT_MAX) throw Read_error(path, 0, "is too large for a picture");
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_us, decltype(&std::free)> pixels(

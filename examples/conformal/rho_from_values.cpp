@@ -41,7 +41,7 @@ const Property* find_number(const Element& element, const std::string& name)
 std::vector<double> read_numbers(const std::string& path)
 {
   std::vector<double> numbers;
-  for (const Number_row& row : number_rows(read_bytes(path), path))
+  for (const Number_row& row : number_rows(read_bytes(path, "a file with numbers"), path))
     numbers.insert(numbers.end(), row.numbers.begin(), row.numbers.end());
   return numbers;
 }

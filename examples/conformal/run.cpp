@@ -18,6 +18,7 @@
 #include "interruption.h"
 #include "io/Temporary_file.h"
 #include "io/io_errors.h"
+#include "output_names.h"
 #include "spectrum.h"
 #include "sphere.h"
 #include "spin.h"
@@ -92,6 +93,21 @@ void dispatch(const Command_line& line, Session& session)
   if (const auto* options = std::get_if<Compare_options>(&line.options)) compare(*options, session);
 }
 
+// Errors of the library do not know the file that is at fault.
+void dispatch_with_name(const Command_line& line, Session& session)
+{
+  try {
+    dispatch(line, session);
+  } catch (const CGP::Precondition_error& error) {
+    if (session.input().empty()) throw;
+    throw unsuitable(session.input(), error.message());
+  } catch (const CGP::Solver_error& error) {
+    if (session.input().empty()) throw;
+    const Outcome outcome = outcome_of(error);
+    throw Failure(outcome.code, session.input() + ": " + outcome.error);
+  }
+}
+
 void flush_output()
 {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
@@ -103,13 +119,9 @@ Outcome run_command(const Command_line& line)
   Session session(line.common, line.command);
   Report_files files;
   Outcome outcome = carry_out([&] {
+    require_separate_outputs(line);
     files.open(line.common);
-    try {
-      dispatch(line, session);
-    } catch (const CGP::Precondition_error& error) {
-      if (session.input().empty()) throw;
-      throw unsuitable(session.input(), error.message());
-    }
+    dispatch_with_name(line, session);
     flush_output();
   });
   const bool is_interrupted = outcome.code >= Exit_code::interrupted;

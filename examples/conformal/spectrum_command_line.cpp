@@ -14,7 +14,7 @@ void add_spectrum_options(CLI::App& command, Spectrum_options& options)
       ->capture_default_str();
   command.add_option("--shift", options.shift, "those nearest to it, in 1/length")
       ->capture_default_str();
-  command.add_option("--csv", options.csv, "write the eigenvalues to this file");
+  command.add_option("--csv", options.csv, "write the eigenvalues to this file")->check(file_name);
   command
       .add_option("--resolution", options.resolution,
                   "eigenvalues nearer than this share of the largest are shown as one")

@@ -5,6 +5,8 @@
 #include "program/support.h"
 #include "support/spheres.h"
 
+#include <vector>
+
 namespace {
 
 using namespace program_test;
@@ -74,6 +76,36 @@ TEST_F(Command_line, outputs_that_cannot_be_written_are_refused_and_leave_nothin
   EXPECT_TRUE(fails(run(spin + "full.ply -q"), 5, "full.ply"));
   EXPECT_EQ(temporary_files(), 0u);
   EXPECT_EQ(shell(std::string(CGP_CONFORMAL_PROGRAM) + " info a.off >/dev/full").code, 5);
+}
+
+// A sphere with vertices so near to edges that its Laplacian cannot be factorized.
+std::string with_slivers()
+{
+  const auto mesh = cgp_test::icosphere(3);
+  auto points = mesh.positions();
+  auto corners = mesh.corners();
+  std::vector<char> is_used(static_cast<std::size_t>(mesh.size_of_vertices()));
+  for (std::size_t f = 0; f < mesh.corners().size(); ++f) {
+    const auto all = corners[f];
+    const auto used = [&](int v) -> char& { return is_used[static_cast<std::size_t>(v)]; };
+    if (used(all[0]) || used(all[1]) || used(all[2])) continue;
+    for (const int i : all) used(i) = 1;
+    const int v = static_cast<int>(points.cols());
+    const auto [a, b, c] = all;
+    points.conservativeResize(3, v + 1);
+    points.col(v) = (points.col(a) + points.col(b)) * (0.5 - 5e-12) + 1e-11 * points.col(c);
+    corners[f] = {a, b, v};
+    corners.push_back({b, c, v});
+    corners.push_back({c, a, v});
+  }
+  return off({points, corners});
+}
+
+TEST_F(Command_line, errors_of_the_solver_name_the_file)
+{
+  write("a.off", with_slivers());
+  EXPECT_TRUE(fails(run("spin a.off --rho-expression '0.7*sin(4*y)' --mollify=0 -o b.ply"), 1,
+                    "error: a.off: factorization"));
 }
 
 TEST_F(Command_line, standard_input_and_odd_names_are_read)

@@ -6,6 +6,7 @@
 #include "conformal/rho.h"
 
 #include "program/support.h"
+#include "support/meshes.h"
 #include "support/spheres.h"
 
 #include "conformal/Expression.h"
@@ -53,6 +54,25 @@ TEST(Expression, that_is_no_formula_names_the_place)
   }
 }
 
+TEST_F(Rho, of_a_formula_that_is_too_long_or_empty_is_a_usage_error)
+{
+  std::string sum = "x";
+  while (sum.size() <= 20000) sum += "+x";
+  write("a.off", off(cgp_test::disk(3)));
+  const std::string out = " a.off -o b.ply ";
+  EXPECT_TRUE(fails(run("spin" + out + "--rho-expression " + sum), 2, "is too long"));
+  EXPECT_TRUE(fails(run("boundary" + out + "--binormal-tilt " + sum), 2, "is too long"));
+  for (const std::string nothing : {"''", "' '"}) {
+    EXPECT_TRUE(fails(run("spin" + out + "--rho-expression " + nothing), 2, "an empty formula"));
+    EXPECT_TRUE(fails(run("boundary" + out + "--binormal-tilt " + nothing), 2, "an empty formula"));
+    EXPECT_TRUE(fails(run("boundary" + out + "--tangent-rotation " + nothing), 2, "empty formula"));
+    EXPECT_TRUE(fails(run("fit a.off" + out + "--blend 1 --scale-expression " + nothing), 2,
+                      "an empty formula"));
+  }
+  for (const std::string option : {"--rho-file", "--rho-property", "--paint"})
+    EXPECT_TRUE(fails(run("spin" + out + option + " ''"), 2, option + ": wanted a name"));
+}
+
 TEST_F(Rho, of_an_expression_lives_in_the_frame_of_diagonal_2)
 {
   const auto mesh = cgp_test::scaled(cgp_test::icosahedron(), 40);
@@ -88,6 +108,8 @@ TEST_F(Rho, of_a_file_has_a_number_per_vertex_or_face)
   write("rho.txt", twelve + "one\n");
   EXPECT_TRUE(fails(run(spin + "rho.txt"), 3, "rho.txt:14: 'one' is not a number"));
   EXPECT_TRUE(fails(run(spin + "absent.txt"), 3, "absent.txt"));
+  EXPECT_TRUE(fails(run(spin + "."), 3, "is a directory, wanted a file with numbers"));
+  EXPECT_TRUE(fails(run("spin a.off -o b.ply --paint ."), 3, "is a directory, wanted a picture"));
 }
 
 TEST_F(Rho, of_a_property_comes_back_and_others_come_through)

@@ -59,17 +59,17 @@ class Input {
 
 }  // namespace
 
-std::string read_bytes(const std::string& path)
+std::string read_bytes(const std::string& path, const std::string& wanted)
 {
   const Input input(path);
   const struct stat status = input.status();
-  if (S_ISDIR(status.st_mode)) throw Read_error(path, 0, "is a directory, wanted a mesh file");
+  if (S_ISDIR(status.st_mode)) throw Read_error(path, 0, "is a directory, wanted " + wanted);
   // One byte more than a regular file has, so that its end is seen in the first round.
   std::size_t room = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) + 1 : 65536;
   std::string bytes;
   for (std::size_t size = 0;; room = 2 * size) {
     if (room > maximum_file_size)
-      throw Read_error(path, 0, "is larger than 16 GiB, the limit for mesh files");
+      throw Read_error(path, 0, "is larger than 16 GiB, the limit for files");
     bytes.resize(room);
     size += input.read(bytes.data() + size, room - size);
     if (size < room) {
@@ -77,7 +77,7 @@ std::string read_bytes(const std::string& path)
       break;
     }
   }
-  if (bytes.empty()) throw Read_error(path, 0, "is empty, wanted a mesh file");
+  if (bytes.empty()) throw Read_error(path, 0, "is empty, wanted " + wanted);
   return bytes;
 }
 

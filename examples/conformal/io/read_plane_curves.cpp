@@ -17,7 +17,7 @@ namespace {
 std::vector<Plane_curve> parse(Curve_format format, const std::string& path,
                                const Curve_reading& reading, std::vector<std::string>& notes)
 {
-  const std::string bytes = read_bytes(path);
+  const std::string bytes = read_bytes(path, "a file with curves");
   switch (format) {
     case Curve_format::svg:
       return parse_svg(bytes, path, reading, notes);

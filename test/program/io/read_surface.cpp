@@ -111,7 +111,7 @@ TEST(Read_surface, refuses_more_than_its_limit_before_reading)
   put_file(path, "OFF\n");
   ASSERT_EQ(::truncate(path.c_str(), (off_t{1} << 34) + 1), 0);  // takes no space on the disk
   EXPECT_EQ(message_of([&] { read_surface(path); }),
-            path + ": is larger than 16 GiB, the limit for mesh files");
+            path + ": is larger than 16 GiB, the limit for files");
 }
 
 TEST(Read_surface, tells_the_line_of_an_error)
