@@ -72,7 +72,8 @@ void tell(const CGP::Mesh_view& mesh, const CGP::Points& after, Session& session
 {
   Table table;
   const CGP::Mesh_view a = in_frame(mesh, mesh.positions()), b = in_frame(mesh, after);
-  CGP::Conformality map = CGP::conformality(a, b.positions(), CGP::neighbourhood_normals(b));
+  CGP::Conformality map =
+      CGP::conformality(a, b.positions(), CGP::neighbourhood_normals(a, b.positions()));
   const double unit =
       CGP::Normalized_frame(after).unit() / CGP::Normalized_frame(mesh.positions()).unit();
   map.scale.min_scale *= unit;

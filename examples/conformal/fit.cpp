@@ -58,8 +58,8 @@ void tell_target(const Surface_input& input, const CGP::Mesh_view& target,
 {
   Report& report = session.report();
   Table table;
-  const CGP::Conformality map =
-      CGP::conformality(input.mesh, target.positions(), CGP::neighbourhood_normals(target));
+  const CGP::Conformality map = CGP::conformality(
+      input.mesh, target.positions(), CGP::neighbourhood_normals(input.mesh, target.positions()));
   report.set("result/target/quasi_conformal/mean", map.quasi_conformal.mean);
   report.set("result/target/quasi_conformal/p99", map.quasi_conformal.p99);
   report.set("result/target/quasi_conformal/max", map.quasi_conformal.max);

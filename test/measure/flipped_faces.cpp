@@ -33,6 +33,32 @@ TEST(Neighbourhood_normals, look_through_a_fold)
   EXPECT_EQ(CGP::flipped_faces(mesh, p, CGP::neighbourhood_normals(mesh)), 2);
 }
 
+TEST(Neighbourhood_normals, of_a_deformation_expect_every_fold_to_stay)
+{
+  Mesh_view folded = disk(3);
+  Points p = folded.positions();
+  const Points flat = p;
+  p.col(0) << .4, 0, 0;
+  folded.set_positions(p);
+  const auto flips = [&](const Mesh_view& before, const Points& after) {
+    return CGP::flipped_faces(before, after, CGP::neighbourhood_normals(before, after));
+  };
+  const Eigen::Matrix3d R = Random(6).rotation();
+  EXPECT_EQ(flips(folded, p), 0);
+  EXPECT_EQ(flips(folded, 2 * R * p), 0);
+  EXPECT_EQ(flips(folded, flat), 2);
+  EXPECT_EQ(flips(disk(3), p), 2);
+  EXPECT_EQ(flips(disk(3), flat), 0);
+}
+
+TEST(Neighbourhood_normals, of_a_deformation_expect_nothing_where_faces_cancel_out)
+{
+  const Mesh_view pillow(unit_square().positions().leftCols(3), {{0, 1, 2}, {0, 2, 1}});
+  EXPECT_EQ(CGP::neighbourhood_normals(pillow).norm(), 0);
+  const Points normals = CGP::neighbourhood_normals(pillow, pillow.positions());
+  EXPECT_EQ(CGP::flipped_faces(pillow, pillow.positions(), normals), 0);
+}
+
 TEST(Flipped_faces, are_none_under_the_identity_and_all_under_a_reflection)
 {
   const Mesh_view mesh = disk(3);

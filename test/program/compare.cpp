@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
+#include "support/meshes.h"
 #include "support/spheres.h"
 
 #include "conformal/io/read_surface.h"
@@ -43,6 +44,22 @@ TEST_F(Compare, a_stretch_by_two_has_error_two_at_most)
   const auto q = conformal::read_surface(path("q.ply"));
   EXPECT_NE(find_property(q.vertices, "quality"), nullptr);
   EXPECT_EQ(q.points[7][2], points(2, 7));
+}
+
+TEST_F(Compare, the_identity_flips_nothing_though_the_mesh_has_folds)
+{
+  const auto disk = cgp_test::disk(3);
+  auto points = disk.positions();
+  points.col(0) << .4, 0, 0;  // pulled over an edge: two faces are turned over
+  write("flat.off", off(disk));
+  write("folded.off", off({points, disk.corners()}));
+  const auto flips = [&](const std::string& before, const std::string& after) -> int {
+    EXPECT_EQ(run("compare " + before + ' ' + after + " --json c.json").code, 0);
+    return nlohmann::json::parse(content(path("c.json")))["result"]["flipped_faces"];
+  };
+  EXPECT_EQ(flips("folded.off", "folded.off"), 0);
+  EXPECT_EQ(flips("flat.off", "folded.off"), 2);
+  EXPECT_EQ(flips("folded.off", "flat.off"), 2);
 }
 
 TEST_F(Compare, other_faces_are_refused_with_the_first_difference)

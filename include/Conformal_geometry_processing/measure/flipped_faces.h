@@ -25,6 +25,28 @@ inline Points neighbourhood_normals(const Mesh_view& mesh)
 }
 
 /// \ingroup PkgMeasure
+/// \brief what the normals of the faces should be if a deformation folds nothing and unfolds
+/// nothing: the neighbourhood normals of the new surface, reversed where a face was against its
+/// neighbourhood before; 3 x |F|, not of unit length.
+///
+/// Where a face stood upright on its neighbourhood, or had none (area zero, faces that cancel out),
+/// nothing can be told: there it is the new normal itself.
+/// \param positions the new ones, 3 x |V|
+inline Points neighbourhood_normals(const Mesh_view& before, const Points& positions)
+{
+  Mesh_view after = before;
+  after.set_positions(positions);
+  const Points old_normals = neighbourhood_normals(before);
+  Points normals = neighbourhood_normals(after);
+  for (int f = 0; f < before.size_of_faces(); ++f) {
+    const double side = before.double_area_vector(f).dot(old_normals.col(f));
+    if (side < 0) normals.col(f) *= -1;
+    if (side == 0) normals.col(f) = after.double_area_vector(f);
+  }
+  return normals;
+}
+
+/// \ingroup PkgMeasure
 /// the number of faces whose new normal makes an obtuse angle with the one expected, or that have
 /// area zero
 /// \param positions the new ones, 3 x |V|
