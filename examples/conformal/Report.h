@@ -18,7 +18,7 @@ namespace conformal {
 class Report {
  public:
   using Value = std::variant<std::nullptr_t, bool, std::int64_t, double, std::string,
-                             std::vector<double>, std::vector<std::string>>;
+                             std::vector<int>, std::vector<double>, std::vector<std::string>>;
 
   /// Sets the value of a place, which stays where it was if it is known.
   void set(const std::string& place, Value value);

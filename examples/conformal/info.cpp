@@ -115,11 +115,9 @@ std::vector<std::string> problems_of(const Defects& defects)
 
 void report_repair(const Repair& repair, Report& report, const std::string& place)
 {
-  const auto numbers = [](const std::vector<int>& v) {
-    return std::vector<double>(v.begin(), v.end());
-  };
   report.set(place + "/merged_points", repair.merged_points);
   report.set(place + "/removed_faces", repair.removed_faces);
+  report.set(place + "/shortened_faces", repair.shortened_faces);
   report.set(place + "/turned_faces", repair.turned_faces);
   report.set(place + "/cut_edges", repair.cut_edges);
   report.set(place + "/added_vertices", repair.added_vertices);
@@ -130,10 +128,10 @@ void report_repair(const Repair& repair, Report& report, const std::string& plac
   report.set(place + "/removed_flat_faces", repair.removed_flat_faces);
   report.set(place + "/cut_polygons", repair.cut_polygons);
   if (!repair.has_changed_anything()) return;
-  report.set(place + "/new_vertex", numbers(repair.new_vertex));
-  report.set(place + "/new_face", numbers(repair.new_face));
-  report.set(place + "/vertex_in_file", numbers(repair.vertex_in_file));
-  report.set(place + "/face_in_file", numbers(repair.face_in_file));
+  report.set(place + "/new_vertex", repair.new_vertex);
+  report.set(place + "/new_face", repair.new_face);
+  report.set(place + "/vertex_in_file", repair.vertex_in_file);
+  report.set(place + "/face_in_file", repair.face_in_file);
 }
 
 }  // namespace

@@ -109,6 +109,9 @@ void remove_bad_faces(Surface_file& file, Repair& done)
   Selected_faces kept = keep_faces(file);
   done.face_in_file = kept.face_in_file;
   done.removed_faces = static_cast<int>(faces - kept.face_in_file.size());
+  for (std::size_t i = 0; i < kept.face_in_file.size(); ++i)
+    done.shortened_faces +=
+        kept.polygons.degree(i) < file.polygons.degree(at(kept.face_in_file[i]));
   select_faces(file, std::move(kept));
 }
 

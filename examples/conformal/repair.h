@@ -14,11 +14,12 @@ namespace conformal {
 /// \brief What was done to make the faces of a file an oriented manifold of faces with areas, and
 /// which vertex and face became which.
 struct Repair {
-  int merged_points = 0;   ///< vertices that lay exactly upon another
-  int removed_faces = 0;   ///< fewer than three different corners were left, or it was there twice
-  int turned_faces = 0;    ///< to agree with their neighbours
-  int cut_edges = 0;       ///< where more than two faces meet, or neighbours cannot agree
-  int added_vertices = 0;  ///< copies, for fans of faces that only touch
+  int merged_points = 0;    ///< vertices that lay exactly upon another
+  int removed_faces = 0;    ///< fewer than three different corners were left, or it was there twice
+  int shortened_faces = 0;  ///< polygons that had a corner twice in a row, and three others
+  int turned_faces = 0;     ///< to agree with their neighbours
+  int cut_edges = 0;        ///< where more than two faces meet, or neighbours cannot agree
+  int added_vertices = 0;   ///< copies, for fans of faces that only touch
   int removed_vertices = 0;  ///< without a face
 
   /// done to triangles of area zero whose corners are different points, see `mend_flat_faces()`
@@ -47,6 +48,7 @@ struct Repair {
 /// come last, and parts of a face have its place. No point moves. A face of area zero that cannot
 /// be mended stays. Elements that are neither vertices nor faces are left out, with a note, if
 /// vertices have changed their numbers.
+/// \param file may have been read with `Bad_faces::kept`
 /// \throws Failure if no face would be left
 Repair repair(Surface_file& file);
 

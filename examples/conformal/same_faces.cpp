@@ -67,7 +67,7 @@ Surface_file read_file_like(const Surface_input& first, const std::string& path)
     require_same_faces(first.file, file);
     return file;
   }
-  Surface_file file = read_surface(path == "-" ? "/dev/stdin" : path);
+  Surface_file file = read_surface(path == "-" ? "/dev/stdin" : path, Bad_faces::kept);
   require_same_faces(first.repair->before, file);
   repair_alike(file, *first.repair);
   return prepare(std::move(file)).file;

@@ -6,11 +6,15 @@
 
 #include "conformal/Defects.h"
 #include "conformal/Failure.h"
+#include "conformal/info.h"
+#include "conformal/io/io_errors.h"
 #include "program/repair_support.h"
 #include "program/support.h"
 #include "support/spheres.h"
 
 #include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <nlohmann/json.hpp>
 
 #include <set>
 
@@ -74,6 +78,53 @@ TEST(Repair, keeps_the_polygon_that_is_left_of_a_larger_one)
   const Repaired r = repaired(off_of(points, {{0, 1, 2, 3, 4}}));
   ASSERT_EQ(r.input.file.polygons.size(), 1u);
   EXPECT_EQ(r.input.file.polygons.degree(0), 4u);
+}
+
+TEST(Repair, removes_faces_that_have_less_than_three_corners_in_the_file)
+{
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+  const std::string facet = "facet normal 0 0 1\nouter loop\n";
+  const std::string end = "endloop\nendfacet\n", o = "vertex 0 0 0\n", x = "vertex 1 0 0\n";
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+      "float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::string faces = "3 0 0 1\n3 0 1 2\n2 0 1\n4 0 1 0 2\n";
+  const std::pair<const char*, std::string> files[] = {
+      {"a.off", "OFF\n3 4 0\n" + points + faces},
+      {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 1 2\nf 1 2 3\nf 1 2\nf 1 2 1 3\n"},
+      {"a.ply", header + points + faces},
+      {"a.stl", "solid\n" + facet + o + o + x + end + facet + o + x + "vertex 0 1 0\n" + end +
+                    facet + o + x + x + end + facet + x + o + x + end + "endsolid\n"}};
+  for (const auto& [name, text] : files) {
+    EXPECT_THROW(parse_surface(text, name), Read_error) << name;
+    const Repaired r = repaired(text, name);
+    EXPECT_EQ(r.done.removed_faces, 3) << name;
+    EXPECT_EQ(r.done.new_face, (std::vector<int>{-1, 0, -1, -1})) << name;
+    EXPECT_EQ(faces_of(r.input.file), (Faces{{0, 1, 2}})) << name;
+  }
+}
+
+TEST(Repair, shortens_a_polygon_that_has_a_corner_twice_in_a_row)
+{
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+  const Repaired r = repaired(off_of(points, {{0, 1, 1, 2, 0}}));
+  EXPECT_EQ(r.done.shortened_faces, 1);
+  EXPECT_EQ(r.done.removed_faces, 0);
+  EXPECT_EQ(r.done.notes().size(), 1u);
+  EXPECT_EQ(faces_of(r.input.file), (Faces{{0, 1, 2}}));
+}
+
+TEST(Repair, is_reported_with_numbers_that_are_integers)
+{
+  Repaired r = repaired(off_of(corners_of_a_fan, {{0, 3, 1}, {0, 3, 2}, {3, 0, 4}}));
+  r.input.repair = r.done;
+  Report report;
+  report_input(r.input, report);
+  const auto json = nlohmann::json::parse(to_json(report))["input"]["repair"];
+  for (const char* name : {"new_vertex", "new_face", "vertex_in_file", "face_in_file"}) {
+    EXPECT_GT(json[name].size(), 0u) << name;
+    for (const auto& number : json[name]) EXPECT_TRUE(number.is_number_integer()) << name;
+  }
 }
 
 TEST(Repair, cuts_where_three_faces_meet)

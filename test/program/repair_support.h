@@ -52,7 +52,7 @@ struct Repaired {
 
 inline Repaired repaired(const std::string& text, const char* name = "a.off")
 {
-  conformal::Surface_file file = conformal::parse_surface(text, name);
+  conformal::Surface_file file = conformal::parse_surface(text, name, conformal::Bad_faces::kept);
   conformal::Repair done = conformal::repair(file);
   return {std::move(done), conformal::prepare(std::move(file))};
 }

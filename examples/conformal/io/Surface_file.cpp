@@ -7,6 +7,8 @@
 namespace conformal {
 namespace {
 
+const char* const try_repair = "; try: --repair";
+
 // The first index that occurs twice, or the end. Sorting a copy costs memory only for large faces.
 const std::int64_t* find_repeated(const std::int64_t* begin, const std::int64_t* end)
 {
@@ -55,19 +57,20 @@ void remove_normals(Surface_file& file)
 }
 
 std::string fault_of_face(const std::int64_t* begin, const std::int64_t* end, std::size_t n,
-                          int base)
+                          int base, Bad_faces bad_faces)
 {
-  if (end - begin < 3)
-    return "a face of " + std::to_string(end - begin) + " corners, wanted at least 3";
+  const bool is_strict = bad_faces == Bad_faces::refused;
+  if (is_strict && end - begin < 3)
+    return "a face of " + std::to_string(end - begin) + " corners, wanted at least 3" + try_repair;
   for (const std::int64_t* i = begin; i != end; ++i)
     if (*i < 0 || *i >= static_cast<std::int64_t>(n))
       return "a face has the vertex index " + std::to_string(*i + base) + ", wanted " +
              std::to_string(base) + " to " +
              std::to_string(static_cast<std::int64_t>(n) - 1 + base);
-  const std::int64_t* repeated = find_repeated(begin, end);
+  const std::int64_t* repeated = is_strict ? find_repeated(begin, end) : end;
   if (repeated != end)
     return "a face has the vertex " + std::to_string(*repeated + base) +
-           " twice, wanted different corners";
+           " twice, wanted different corners" + try_repair;
   return {};
 }
 

@@ -47,7 +47,8 @@ struct Group_line {
 /// there, corners of exactly equal coordinates are one vertex, numbered by first appearance.)
 ///
 /// The readers guarantee: coordinates are finite, indices are in range, a face has at least three
-/// corners, all different. They promise nothing about areas, manifoldness or orientation.
+/// corners, all different (unless `Bad_faces::kept` was asked for). They promise nothing about
+/// areas, manifoldness or orientation.
 ///
 /// Colours are the properties `red green blue [alpha]` of vertices or faces, 0..255 where their
 /// type is an integer, 0..1 where it is not; vertex normals are `nx ny nz`; these are the names of
@@ -85,13 +86,17 @@ void set_properties(Element& element, const std::vector<std::string>& names, Val
 /// Removes normals of vertices and corners, which are wrong once the points have moved.
 void remove_normals(Surface_file& file);
 
-/// What is wrong with a face, or nothing (an empty string): fewer than three corners, an index out
-/// of [0, n), a corner twice.
+/// What readers do with faces that have fewer than three corners, or a corner twice: `kept` is for
+/// those who remove them.
+enum class Bad_faces { refused, kept };
+
+/// What is wrong with a face, or nothing (an empty string): an index out of [0, n) or, unless they
+/// are kept, fewer than three corners or a corner twice.
 /// \param base what the format adds to indices when it writes them (OBJ: 1)
 std::string fault_of_face(const std::int64_t* begin, const std::int64_t* end, std::size_t n,
-                          int base);
+                          int base, Bad_faces bad_faces);
 
-/// Appends a face without a fault.
+/// Appends a face whose indices are in range.
 void append_face(Polygons& polygons, const std::int64_t* begin, const std::int64_t* end);
 
 }  // namespace conformal

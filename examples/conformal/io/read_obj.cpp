@@ -34,8 +34,10 @@ bool is_one_of(std::string_view word, const Words& words)
 
 class Obj_reader {
  public:
-  Obj_reader(std::string_view bytes, const std::string& path)
-      : m_scanner(bytes, path, Text_scanner::hash_comments | Text_scanner::backslash_continues_line)
+  Obj_reader(std::string_view bytes, const std::string& path, Bad_faces bad_faces)
+      : m_scanner(bytes, path,
+                  Text_scanner::hash_comments | Text_scanner::backslash_continues_line),
+        m_bad_faces(bad_faces)
   {
     m_file.path = path;
     m_file.format = File_format::obj;
@@ -182,7 +184,7 @@ class Obj_reader {
       const auto& corners = m_file.polygons.corners;
       m_corners.assign(corners.begin() + begin, corners.begin() + end);
       const std::string fault = fault_of_face(m_corners.data(), m_corners.data() + m_corners.size(),
-                                              m_file.points.size(), 1);
+                                              m_file.points.size(), 1, m_bad_faces);
       if (!fault.empty()) m_scanner.fail_at(m_lines[f], fault);
       check_indices(f, m_texture, m_file.texture.values.size(), "texture");
       check_indices(f, m_normals, m_file.normals.values.size(), "normal");
@@ -216,6 +218,7 @@ class Obj_reader {
 
   Surface_file m_file;
   Text_scanner m_scanner;
+  Bad_faces m_bad_faces;
   std::vector<double> m_colors;
   std::size_t m_colors_per_vertex = 0;
   std::vector<std::int64_t> m_corners;    // of one face
@@ -225,9 +228,9 @@ class Obj_reader {
 
 }  // namespace
 
-Surface_file parse_obj(std::string_view bytes, const std::string& path)
+Surface_file parse_obj(std::string_view bytes, const std::string& path, Bad_faces bad_faces)
 {
-  return Obj_reader(checked_bytes(bytes, path), path).take();
+  return Obj_reader(checked_bytes(bytes, path), path, bad_faces).take();
 }
 
 Surface_file read_obj(const std::string& path)

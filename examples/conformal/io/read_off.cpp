@@ -44,7 +44,8 @@ struct Extra_numbers {
 
 class Off_reader {
  public:
-  Off_reader(std::string_view bytes, const std::string& path) : m_scanner(bytes, path, comments)
+  Off_reader(std::string_view bytes, const std::string& path, Bad_faces bad_faces)
+      : m_scanner(bytes, path, comments), m_bad_faces(bad_faces)
   {
     m_file.path = path;
     m_file.format = File_format::off;
@@ -183,7 +184,8 @@ class Off_reader {
       while (corners.size() < static_cast<std::size_t>(degree))
         corners.push_back(m_scanner.integer("a vertex index"));
       const auto* data = corners.data();
-      const std::string fault = fault_of_face(data, data + degree, m_file.points.size(), 0);
+      const std::string fault =
+          fault_of_face(data, data + degree, m_file.points.size(), 0, m_bad_faces);
       if (!fault.empty()) m_scanner.fail_at(line, fault);
       append_face(m_file.polygons, data, data + degree);
       read_extra(extra);
@@ -215,14 +217,15 @@ class Off_reader {
 
   Surface_file m_file;
   Text_scanner m_scanner;
+  Bad_faces m_bad_faces;
   bool m_has_texture = false, m_has_normals = false, m_has_colors = false;
 };
 
 }  // namespace
 
-Surface_file parse_off(std::string_view bytes, const std::string& path)
+Surface_file parse_off(std::string_view bytes, const std::string& path, Bad_faces bad_faces)
 {
-  return Off_reader(checked_bytes(bytes, path), path).take();
+  return Off_reader(checked_bytes(bytes, path), path, bad_faces).take();
 }
 
 Surface_file read_off(const std::string& path)

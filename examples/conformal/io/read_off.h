@@ -19,7 +19,8 @@ namespace conformal {
 Surface_file read_off(const std::string& path);
 
 /// the same from memory; `path` is for messages
-Surface_file parse_off(std::string_view bytes, const std::string& path);
+Surface_file parse_off(std::string_view bytes, const std::string& path,
+                       Bad_faces bad_faces = Bad_faces::refused);
 
 }  // namespace conformal
 

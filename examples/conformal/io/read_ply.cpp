@@ -15,7 +15,8 @@ namespace {
 
 class Ply_reader {
  public:
-  Ply_reader(std::string_view bytes, const std::string& path) : m_path(path)
+  Ply_reader(std::string_view bytes, const std::string& path, Bad_faces bad_faces)
+      : m_path(path), m_bad_faces(bad_faces)
   {
     Ply_header header = parse_ply_header(bytes, path);
     check_elements(header);
@@ -122,7 +123,8 @@ class Ply_reader {
       for (std::size_t i = 0; i < indices.count(f); ++i)
         corners.push_back(indices.integer(indices.first(f) + i));
       const auto* data = corners.data();
-      const std::string fault = fault_of_face(data, data + corners.size(), m_file.points.size(), 0);
+      const std::string fault =
+          fault_of_face(data, data + corners.size(), m_file.points.size(), 0, m_bad_faces);
       if (!fault.empty()) fail_at(faces, f, fault);
       append_face(m_file.polygons, data, data + corners.size());
     }
@@ -163,15 +165,16 @@ class Ply_reader {
   }
 
   const std::string& m_path;
+  Bad_faces m_bad_faces;
   Surface_file m_file;
   std::vector<Ply_element> m_elements;
 };
 
 }  // namespace
 
-Surface_file parse_ply(std::string_view bytes, const std::string& path)
+Surface_file parse_ply(std::string_view bytes, const std::string& path, Bad_faces bad_faces)
 {
-  return Ply_reader(checked_bytes(bytes, path), path).take();
+  return Ply_reader(checked_bytes(bytes, path), path, bad_faces).take();
 }
 
 Surface_file read_ply(const std::string& path)

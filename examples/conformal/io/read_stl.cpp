@@ -53,11 +53,12 @@ Surface_file stl_file(const std::string& path)
   return file;
 }
 
-std::string fault_of_facet(const std::array<std::int64_t, 3>& corners)
+std::string fault_of_facet(const std::array<std::int64_t, 3>& corners, Bad_faces bad_faces)
 {
   const bool degenerate =
       corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
-  return degenerate ? "a facet has two equal corners, wanted three different ones" : "";
+  if (!degenerate || bad_faces == Bad_faces::kept) return "";
+  return "a facet has two equal corners, wanted three different ones; try: --repair";
 }
 
 bool are_equal(std::string_view word, std::string_view lower_case)
@@ -70,8 +71,11 @@ bool are_equal(std::string_view word, std::string_view lower_case)
 
 class Ascii_stl_reader {
  public:
-  Ascii_stl_reader(std::string_view bytes, const std::string& path)
-      : m_file(stl_file(path)), m_scanner(bytes, path, Text_scanner::plain), m_merger(m_file.points)
+  Ascii_stl_reader(std::string_view bytes, const std::string& path, Bad_faces bad_faces)
+      : m_file(stl_file(path)),
+        m_scanner(bytes, path, Text_scanner::plain),
+        m_bad_faces(bad_faces),
+        m_merger(m_file.points)
   {
     while (!m_scanner.at_end()) read_solid();
     if (m_file.polygons.size() == 0) m_scanner.fail("no facets, wanted a surface");
@@ -118,13 +122,14 @@ class Ascii_stl_reader {
     }
     expect("endloop");
     expect("endfacet");
-    const std::string fault = fault_of_facet(corners);
+    const std::string fault = fault_of_facet(corners, m_bad_faces);
     if (!fault.empty()) m_scanner.fail_at(line, fault);
     append_face(m_file.polygons, corners.data(), corners.data() + 3);
   }
 
   Surface_file m_file;
   Text_scanner m_scanner;
+  Bad_faces m_bad_faces;
   Vertex_merger m_merger;
 };
 
@@ -146,7 +151,8 @@ Point facet_corner(const char* bytes, std::size_t facet, const std::string& path
   return point;
 }
 
-void read_facets(std::string_view bytes, const std::string& path, Surface_file& file)
+void read_facets(std::string_view bytes, const std::string& path, Bad_faces bad_faces,
+                 Surface_file& file)
 {
   Vertex_merger merger(file.points);
   Property attributes("attribute", Value_type::uint16);
@@ -156,7 +162,7 @@ void read_facets(std::string_view bytes, const std::string& path, Surface_file& 
     std::array<std::int64_t, 3> corners;
     for (std::size_t i = 0; i < 3; ++i)
       corners[i] = merger.vertex(facet_corner(facet + 12 + 12 * i, f, path));
-    const std::string fault = fault_of_facet(corners);
+    const std::string fault = fault_of_facet(corners, bad_faces);
     if (!fault.empty()) throw Read_error(path, 0, "facet " + std::to_string(f) + ": " + fault);
     append_face(file.polygons, corners.data(), corners.data() + 3);
     attributes.append(little_endian<std::uint16_t>(facet + 48));
@@ -166,7 +172,7 @@ void read_facets(std::string_view bytes, const std::string& path, Surface_file& 
   if (has_attributes) set_property(file.faces, std::move(attributes));
 }
 
-Surface_file parse_binary_stl(std::string_view bytes, const std::string& path)
+Surface_file parse_binary_stl(std::string_view bytes, const std::string& path, Bad_faces bad_faces)
 {
   if (bytes.size() < header_size)
     throw Read_error(path, 0,
@@ -184,8 +190,17 @@ Surface_file parse_binary_stl(std::string_view bytes, const std::string& path)
     throw Read_error(path, 0, "more than 715827882 facets, the limit for STL");
   Surface_file file = stl_file(path);
   file.faces.size = facets;
-  read_facets(bytes, path, file);
+  read_facets(bytes, path, bad_faces, file);
   return file;
+}
+
+// Binary files may begin with solid too; what gives them away, if they are cut off, is a zero byte,
+// of the number of facets or later.
+bool is_ascii_stl(std::string_view bytes)
+{
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos || !are_equal(bytes.substr(begin, 5), "solid")) return false;
+  return bytes.size() < header_size || bytes.find('\0', header_size - 4) == std::string_view::npos;
 }
 
 }  // namespace
@@ -196,14 +211,12 @@ bool is_binary_stl(std::string_view bytes)
          bytes.size() == header_size + facet_size * std::size_t{announced_facets(bytes)};
 }
 
-Surface_file parse_stl(std::string_view bytes, const std::string& path)
+Surface_file parse_stl(std::string_view bytes, const std::string& path, Bad_faces bad_faces)
 {
   bytes = checked_bytes(bytes, path);
-  if (is_binary_stl(bytes)) return parse_binary_stl(bytes, path);
-  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
-  const bool is_ascii =
-      begin != std::string_view::npos && are_equal(bytes.substr(begin, 5), "solid");
-  return is_ascii ? Ascii_stl_reader(bytes, path).take() : parse_binary_stl(bytes, path);
+  if (is_binary_stl(bytes)) return parse_binary_stl(bytes, path, bad_faces);
+  return is_ascii_stl(bytes) ? Ascii_stl_reader(bytes, path, bad_faces).take()
+                             : parse_binary_stl(bytes, path, bad_faces);
 }
 
 Surface_file read_stl(const std::string& path)

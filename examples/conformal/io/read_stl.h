@@ -17,7 +17,8 @@ namespace conformal {
 Surface_file read_stl(const std::string& path);
 
 /// the same from memory; `path` is for messages
-Surface_file parse_stl(std::string_view bytes, const std::string& path);
+Surface_file parse_stl(std::string_view bytes, const std::string& path,
+                       Bad_faces bad_faces = Bad_faces::refused);
 
 /// Whether the size is the one that the count of a binary STL file announces.
 bool is_binary_stl(std::string_view bytes);

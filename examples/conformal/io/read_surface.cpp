@@ -11,23 +11,23 @@
 
 namespace conformal {
 
-Surface_file parse_surface(std::string_view bytes, const std::string& path)
+Surface_file parse_surface(std::string_view bytes, const std::string& path, Bad_faces bad_faces)
 {
   switch (detect_format(bytes, path)) {
     case File_format::off:
-      return parse_off(bytes, path);
+      return parse_off(bytes, path, bad_faces);
     case File_format::obj:
-      return parse_obj(bytes, path);
+      return parse_obj(bytes, path, bad_faces);
     case File_format::ply:
-      return parse_ply(bytes, path);
+      return parse_ply(bytes, path, bad_faces);
     default:
-      return parse_stl(bytes, path);  // GLB is refused by name
+      return parse_stl(bytes, path, bad_faces);  // GLB is refused by name
   }
 }
 
-Surface_file read_surface(const std::string& path)
+Surface_file read_surface(const std::string& path, Bad_faces bad_faces)
 {
-  return parse_surface(read_bytes(path), path);
+  return parse_surface(read_bytes(path), path, bad_faces);
 }
 
 }  // namespace conformal

@@ -124,14 +124,15 @@ TEST(Read_obj, refuses_bad_faces_with_their_line)
   const auto with = [](const std::string& face) {
     return points + "vt 0 0\n" + face + "\nf 1 2 3\n";
   };
-  EXPECT_EQ(refusal(with("f 1// 2//")), "a.obj:6: a face of 2 corners, wanted at least 3");
-  EXPECT_EQ(refusal(with("f")), "a.obj:6: a face of 0 corners, wanted at least 3");
+  EXPECT_EQ(refusal(with("f 1// 2//")),
+            "a.obj:6: a face of 2 corners, wanted at least 3; try: --repair");
+  EXPECT_EQ(refusal(with("f")), "a.obj:6: a face of 0 corners, wanted at least 3; try: --repair");
   EXPECT_EQ(refusal(with("f 1 2 5")), "a.obj:6: a face has the vertex index 5, wanted 1 to 4");
   EXPECT_EQ(refusal(with("f 1 2 0")), "a.obj:6: the index 0, wanted 1 or more, or a negative one");
   EXPECT_EQ(refusal(with("f 1 2 -5")),
             "a.obj:6: the relative index -5, but only 4 stand before it");
   EXPECT_EQ(refusal(with("f 1 2 2")),
-            "a.obj:6: a face has the vertex 2 twice, wanted different corners");
+            "a.obj:6: a face has the vertex 2 twice, wanted different corners; try: --repair");
   EXPECT_EQ(refusal(with("f 1/1 2/1 3/2")),
             "a.obj:6: a face has the texture index 2, wanted 1 to 1");
   EXPECT_EQ(refusal(with("f 1//1 2 3")), "a.obj:6: a face has the normal index 1, wanted 1 to 0");

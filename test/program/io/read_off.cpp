@@ -126,11 +126,12 @@ TEST(Read_off, refuses_bad_faces_with_their_line)
   const auto with = [](const std::string& face) {
     return "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + face + "\n# end\n";
   };
-  EXPECT_EQ(refusal(with("2 0 1")), "a.off:6: a face of 2 corners, wanted at least 3");
+  EXPECT_EQ(refusal(with("2 0 1")),
+            "a.off:6: a face of 2 corners, wanted at least 3; try: --repair");
   EXPECT_EQ(refusal(with("3 0 1 3")), "a.off:6: a face has the vertex index 3, wanted 0 to 2");
   EXPECT_EQ(refusal(with("3 0 -1 2")), "a.off:6: a face has the vertex index -1, wanted 0 to 2");
   EXPECT_EQ(refusal(with("3 0 1 1")),
-            "a.off:6: a face has the vertex 1 twice, wanted different corners");
+            "a.off:6: a face has the vertex 1 twice, wanted different corners; try: --repair");
   EXPECT_EQ(refusal(with("3 0 1 2.0")), "a.off:6: '2.0' is not an integer, wanted a vertex index");
   EXPECT_EQ(refusal(with("3 0 1 2 red")), "a.off:6: 'red' is not a number, wanted a colour");
   EXPECT_EQ(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1  \n"),
@@ -152,7 +153,7 @@ TEST(Read_off, refuses_a_large_face_with_a_repeated_corner)
   for (int v = 0; v < 20; ++v) text += std::to_string(v) + " 0 0\n";
   for (int v = 0; v < 20; ++v) face += ' ' + std::to_string(v == 19 ? 4 : v);
   EXPECT_EQ(refusal(text + face + '\n'),
-            "a.off:23: a face has the vertex 4 twice, wanted different corners");
+            "a.off:23: a face has the vertex 4 twice, wanted different corners; try: --repair");
 }
 
 TEST(Read_off, refuses_vertices_with_too_few_or_different_numbers)

@@ -180,11 +180,11 @@ TEST(Read_ply, refuses_bad_values_with_their_line)
   EXPECT_EQ(refusal(replaced(triangle, "1 0 0", "1 1,5 0")),
             "a.ply:11: '1,5' is not a number, wanted a number");
   EXPECT_EQ(refusal(replaced(triangle, "3 0 1 2", "2 0 1")),
-            "a.ply:13: a face of 2 corners, wanted at least 3");
+            "a.ply:13: a face of 2 corners, wanted at least 3; try: --repair");
   EXPECT_EQ(refusal(replaced(triangle, "3 0 1 2", "3 0 1 3")),
             "a.ply:13: a face has the vertex index 3, wanted 0 to 2");
   EXPECT_EQ(refusal(replaced(triangle, "3 0 1 2", "3 0 1 1")),
-            "a.ply:13: a face has the vertex 1 twice, wanted different corners");
+            "a.ply:13: a face has the vertex 1 twice, wanted different corners; try: --repair");
   EXPECT_EQ(refusal(replaced(triangle, "3 0 1 2", "3 0 1 2147483648")),
             "a.ply:13: 2147483648 is out of the range of the type int");
   EXPECT_EQ(refusal(replaced(triangle, "3 0 1 2", "300 0 1 2")),
@@ -210,8 +210,9 @@ TEST(Read_ply, refuses_bad_binary_values_with_their_element)
   const std::size_t faces = 82;
   EXPECT_EQ(refusal(with(faces - 1, std::string("\4\0\0\0", 4))),
             "a.ply: face 0: a face has the vertex index 4, wanted 0 to 3");
-  EXPECT_EQ(refusal(with(faces - 1, std::string("\1\0\0\0", 4))),
-            "a.ply: face 0: a face has the vertex 1 twice, wanted different corners");
+  EXPECT_EQ(
+      refusal(with(faces - 1, std::string("\1\0\0\0", 4))),
+      "a.ply: face 0: a face has the vertex 1 twice, wanted different corners; try: --repair");
   EXPECT_EQ(refusal(with(faces + 4 * 19 - 2, std::string("\x80\x7f", 2))),
             "a.ply: vertex 0: the coordinate x is not finite");
   EXPECT_EQ(refusal(with(faces - 38, "\xff")),

@@ -73,7 +73,7 @@ TEST(Read_stl, refuses_bad_text_with_its_line)
   EXPECT_EQ(refusal("solid\n" + facet("0 0 0", "1 0 0", "nan 1 0")),
             "a.stl:6: 'nan' is not finite, wanted a coordinate");
   EXPECT_EQ(refusal("solid\n" + facet("0 0 0", "1 0 0", "1 0 0")),
-            "a.stl:2: a facet has two equal corners, wanted three different ones");
+            "a.stl:2: a facet has two equal corners, wanted three different ones; try: --repair");
   EXPECT_EQ(refusal("solid\n" + facet("0 0 0", "1 0 0", "0 1 0\nvertex 1 1 1")),
             "a.stl:7: 'vertex', wanted endloop");
   EXPECT_EQ(refusal("solid\nfacet normal 0 0 x\n"),
@@ -87,6 +87,8 @@ TEST(Read_stl, refuses_bad_bytes)
   const std::string good = fuzz::binary_stl();
   EXPECT_EQ(refusal(good.substr(0, good.size() - 1)),
             "a.stl: is not a whole STL file: 4 facets need 284 bytes, but it has 283");
+  EXPECT_EQ(refusal("solid " + good.substr(6, good.size() - 7)),
+            "a.stl: is not a whole STL file: 4 facets need 284 bytes, but it has 283");
   EXPECT_EQ(refusal("x"),
             "a.stl: is not an STL file: it has 1 bytes and does not begin with solid");
   EXPECT_EQ(refusal(std::string(84, '\0')), "a.stl: no facets, wanted a surface");
@@ -96,8 +98,9 @@ TEST(Read_stl, refuses_bad_bytes)
             "a.stl: facet 1 has a coordinate that is not finite, wanted a coordinate");
   text = good;
   text.replace(84 + 50 + 12, 12, text, 84 + 50 + 24, 12);
-  EXPECT_EQ(refusal(text),
-            "a.stl: facet 1: a facet has two equal corners, wanted three different ones");
+  EXPECT_EQ(
+      refusal(text),
+      "a.stl: facet 1: a facet has two equal corners, wanted three different ones; try: --repair");
   text = good;
   text.replace(80, 4, "\xff\xff\xff\xff");
   EXPECT_EQ(refusal(text),
