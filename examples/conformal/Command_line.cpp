@@ -61,7 +61,7 @@ class Parser {
   CLI::App* add_command(const char* name, const char* description)
   {
     CLI::App* command = m_app.add_subcommand(name, description);
-    command->add_option("--json", m_common.json, "write the report to this file")->check(file_name);
+    add_json(*command, m_common.json);
     command->add_option("--threads", m_common.threads, "threads of the linear algebra")
         ->check(above_zero)
         ->capture_default_str();

@@ -31,13 +31,13 @@ std::string below_one(const std::string& text)
 std::string file_name(const std::string& text)
 {
   const bool is_name = !text.empty() && text != "-";
-  return is_name ? "" : "wanted the name of a file; try: /dev/stdout to pipe it";
+  return is_name ? "" : "wanted the name of a file (/dev/stdout for a pipe)";
 }
 
 std::string formula(const std::string& text)
 {
   const bool is_blank = text.find_first_not_of(" \t\r\n") == std::string::npos;
-  return is_blank ? "an empty formula; try: one such as sin(5*y)" : "";
+  return is_blank ? "an empty formula, wanted one such as sin(5*y)" : "";
 }
 
 std::string not_empty(const std::string& text)
@@ -48,6 +48,12 @@ std::string not_empty(const std::string& text)
 void add_input(CLI::App& command, std::string& input)
 {
   command.add_option("input", input, "mesh file, - for standard input")->required();
+}
+
+void add_json(CLI::App& command, std::string& json)
+{
+  command.add_option("--json", json, "write the report to this file, or to /dev/stdout for a pipe")
+      ->check(file_name);
 }
 
 void add_html(CLI::App& command, std::string& html)

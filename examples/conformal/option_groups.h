@@ -39,6 +39,7 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& choi
 // What several commands take.
 
 void add_input(CLI::App& command, std::string& input);
+void add_json(CLI::App& command, std::string& json);
 void add_html(CLI::App& command, std::string& html);
 CLI::App* add_repair(CLI::App* command, bool& repair);
 CLI::App& add_each_component(CLI::App& command, Common_options& options);

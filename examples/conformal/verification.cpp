@@ -26,10 +26,7 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
   return {};
 }
 
-/// With less of the surface its certificate would tell little.
-constexpr double least_measured_area = 0.9;
-
-/// of how many triangles the conformality is
+/// of how many faces the conformality is
 int measured_faces(const CGP::Spin_report& report, int faces)
 {
   return report.mollification.share > 0 ? report.mollification.measured_faces : faces;
@@ -87,11 +84,6 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
   if (!(report.closure_residual <= limits.closure))
     return exceeds("the closure residual", report.closure_residual, limits.closure) +
            ": the surface does not close up; try: " + easier + ", or --max-closure";
-  if (report.mollification.share > 0 && !(report.mollification.measured_area > least_measured_area))
-    return "only " + text_of(100 * report.mollification.measured_area, 3) +
-           " % of the area is in faces that are not thin, and could be measured; try: a finer "
-           "mesh, or one "
-           "with better faces";
   return objection(report.conformality, measured_faces(report, faces), limits, easier);
 }
 

@@ -234,7 +234,7 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 ///                           solved on the intrinsic Delaunay triangulation, and to all edges the
 ///                           length is added that triangles lack, at most this share of the mean
 ///                           one; of `exactness` that of the adjoint. The certificate and the
-///                           area that stays are those of the `sound_faces()`, which there must be}
+///                           area that stays are those of the `sound_faces()`}
 ///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good one}
 ///     \cgalParamDefault{none: faces of area zero are refused}
 ///   \cgalParamNEnd

@@ -36,7 +36,7 @@ namespace Conformal_geometry_processing {
 /// \throw Precondition_error if the mesh is not an oriented manifold triangle mesh with finite
 /// coordinates and, without `mollification`, positive areas; if rho is not finite; or if a
 /// component is refused: because what is prescribed at the boundary does not fit it, because
-/// `mollification` is not above 0 and below 1, or all its faces are thin (`sound_faces()`) with it
+/// `mollification` is not above 0 and below 1, or all its faces have area zero with it
 /// \throw Solver_error if a factorization fails
 ///
 /// A component that is refused, or fails, does not keep the others from being tried, unless there

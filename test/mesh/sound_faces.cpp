@@ -22,27 +22,28 @@ CGP::Mesh_view fan(const Eigen::Matrix2Xd& apexes)
 
 }  // namespace
 
-TEST(Sound_faces, are_higher_than_a_twentieth_of_their_longest_edge)
+TEST(Sound_faces, leave_out_the_thinnest_of_at_most_a_twentieth_of_the_area)
 {
-  Eigen::Matrix2Xd apexes(2, 5);
-  apexes << .5, .5, .5, .01, 0,  //
-      1, .051, .049, .049, 0;
+  Eigen::Matrix2Xd apexes(2, 6);
+  apexes << .5, .5, .5, .01, 0, .3,  //
+      1, .051, .03, .02, 0, .049;
   const CGP::Mesh_view mesh = fan(apexes);
   for (const double unit : {1., 1e-30, 1e30}) {
     const CGP::Sound_faces sound = CGP::sound_faces({unit * mesh.positions(), mesh.corners()});
-    ASSERT_EQ(sound.mesh.size_of_faces(), 2);
+    ASSERT_EQ(sound.mesh.size_of_faces(), 3);
     EXPECT_EQ(sound.mesh.corners(0), mesh.corners(0));
     EXPECT_EQ(sound.mesh.corners(1), mesh.corners(1));
+    EXPECT_EQ(sound.mesh.corners(2), mesh.corners(5));
     EXPECT_EQ(sound.mesh.size_of_vertices(), mesh.size_of_vertices());
-    EXPECT_NEAR(sound.share, 1.051 / (1.051 + 2 * .049), 1e-12);
+    EXPECT_NEAR(sound.share, 1.1 / 1.15, 1e-12);
   }
 }
 
-TEST(Sound_faces, may_be_none)
+TEST(Sound_faces, are_all_but_those_without_area_where_all_are_thin)
 {
-  Eigen::Matrix2Xd apexes(2, 2);
-  apexes << .5, 2, 0, 0;
+  Eigen::Matrix2Xd apexes(2, 3);
+  apexes << .5, 2, .5, .01, 0, .01;
   const CGP::Sound_faces sound = CGP::sound_faces(fan(apexes));
-  EXPECT_EQ(sound.mesh.size_of_faces(), 0);
-  EXPECT_EQ(sound.share, 0);
+  EXPECT_EQ(sound.mesh.size_of_faces(), 2);
+  EXPECT_EQ(sound.share, 1);
 }

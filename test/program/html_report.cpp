@@ -100,7 +100,7 @@ TEST_F(Html_report, has_a_name_of_its_own)
   EXPECT_TRUE(fails(run("spin a.off --rho-expression x -o b.ply --html b.ply"), 2, "same file"));
   EXPECT_TRUE(fails(run("spin a.off" + spin + "--json ./b.ply"), 2, "the same file"));
   if (is_built_in()) {
-    EXPECT_TRUE(fails(run("spin a.off" + spin + "--html a.off"), 5, "wanted .html"));
+    EXPECT_TRUE(fails(run("spin a.off" + spin + "--html b.off"), 5, "wanted .html"));
   }
   EXPECT_FALSE(has("b.ply"));
 }

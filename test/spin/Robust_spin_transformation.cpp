@@ -240,14 +240,6 @@ TEST(Robust_spin_transformation, measures_its_time_and_carries_generators_if_ask
   EXPECT_GT(seconds.certificate, 0);
 }
 
-TEST(Robust_spin_transformation, refuses_what_has_thin_faces_only)
-{
-  Points p(3, 4);
-  p << 0, 1, 1, 0, 0, 0, 1e-9, 1e-9, 0, 0, 0, 0;
-  const Mesh_view strip(p, {{0, 1, 2}, {0, 2, 3}});
-  EXPECT_TRUE(contains(message_of([&] { Robust{strip}; }), "all faces are thin"));
-}
-
 TEST(Robust_spin_transformation, refuses_what_is_no_surface_and_wrong_numbers)
 {
   EXPECT_TRUE(contains(message_of([] { Robust{Mesh_view()}; }), "no faces"));

@@ -31,8 +31,8 @@ namespace Conformal_geometry_processing {
 /// intrinsically Delaunay it finds the same surface. The vertices of a degenerate face end up where
 /// the surface of its neighbours has them. `Closing_spin_transformation` keeps handles closed.
 ///
-/// Area, centroid and certificate are those of the faces of the mesh that are not thin
-/// (`sound_faces()`); the report tells which share of the area they are.
+/// Area, centroid and certificate are those of the `sound_faces()` of the mesh, which leave out the
+/// thinnest, at most 5 % of the area.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
@@ -46,7 +46,7 @@ class Robust_spin_transformation {
   /// \param mollification see `mollified_lengths()`
   /// \param function named in exceptions
   /// \throw Precondition_error if the mesh is not a connected, oriented manifold with finite
-  /// coordinates, if all of its faces are thin (`sound_faces()`), or mollification is not in (0, 1)
+  /// coordinates, if all of its faces have area zero, or mollification is not in (0, 1)
   /// \throw Solver_error if the analysis fails
   explicit Robust_spin_transformation(const Mesh_view& mesh, double mollification = 1e-6,
                                       const std::string& function = "Robust_spin_transformation")
@@ -81,7 +81,7 @@ class Robust_spin_transformation {
   /// one is made, the old one and its factors are still there.
   /// \param positions 3 x |V|
   /// \throw Precondition_error if their number is another, one is not finite, all faces have area
-  /// zero or are thin, the boundary folds back where directions are prescribed, or has prescribed
+  /// zero, the boundary folds back where directions are prescribed, or has prescribed
   /// positions; everything is as before then
   /// \throw Solver_error if the analysis fails; everything is as before then
   void set_positions(const Points& positions)
@@ -155,7 +155,7 @@ class Robust_spin_transformation {
         : frame(mesh_.positions()),
           mesh(frame.to_frame(mesh_.positions()), mesh_.corners()),
           view(mesh, of.m_mollification, of.m_generators),
-          measured(of.sound_part(mesh)),
+          measured(sound_faces(mesh)),
           dirac(view, checked(of.in_frame(frame), view, of.m_function), of.m_function),
           seconds(watch.lap())
     {}
@@ -187,16 +187,6 @@ class Robust_spin_transformation {
     if (condition.kind == Boundary_condition::Kind::positions)
       condition.targets = frame.to_frame(std::move(condition.targets));
     return condition;
-  }
-
-  Sound_faces sound_part(const Mesh_view& mesh) const
-  {
-    Sound_faces sound = sound_faces(mesh);
-    if (sound.mesh.size_of_faces() == 0)
-      throw Precondition_error(m_function,
-                               "all faces are thin; some must be higher than 5 % of "
-                               "their longest edge, for the map to be measured on them");
-    return sound;
   }
 
   Spin_report::Mollification mollification() const

@@ -73,7 +73,7 @@ struct [[nodiscard]] Spin_report {
     double added_length = 0;   ///< to each of them, in the unit of the mesh
     int flipped_edges = 0;     ///< until all were Delaunay
     int measured_faces = 0;    ///< on which `conformality` is measured: the `sound_faces()`
-    double measured_area = 0;  ///< of those that are not thin, as a share of all
+    double measured_area = 0;  ///< of those, as a share of all; at least 95 %
   } mollification;
 
   double closure_residual = 0;  ///< how far the new edges are from closing up, relative

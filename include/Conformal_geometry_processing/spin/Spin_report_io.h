@@ -27,7 +27,7 @@ inline std::ostream& operator<<(std::ostream& out, const Spin_report& r)
     out << "mollification          " << r.mollification.thin_faces << " thin faces, "
         << r.mollification.longer_edges << " edges longer by " << r.mollification.added_length
         << ", " << r.mollification.flipped_edges << " flips, "
-        << 100 * r.mollification.measured_area << " % of the area not thin, and measured\n";
+        << 100 * r.mollification.measured_area << " % of the area measured\n";
   out << "quasi-conformal error  " << c.quasi_conformal.mean << " mean, " << c.quasi_conformal.p99
       << " for 99 %, " << c.quasi_conformal.max << " at most (1 is conformal)\n"
       << "length cross-ratios    changed by " << c.length_cross_ratio.rms << " rms, "
