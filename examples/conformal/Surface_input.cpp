@@ -131,7 +131,8 @@ Surface_input prepare(Surface_file file)
 
 Surface_input read_surface_input(const std::string& path, bool is_repaired)
 {
-  Surface_file file = read_surface(path == "-" ? "/dev/stdin" : path);
+  const Bad_faces bad_faces = is_repaired ? Bad_faces::kept : Bad_faces::refused;
+  Surface_file file = read_surface(path == "-" ? "/dev/stdin" : path, bad_faces);
   std::optional<Repair> repaired;
   std::vector<std::string> notes;
   if (is_repaired) {

@@ -108,6 +108,17 @@ TEST_F(Command_line, errors_of_the_solver_name_the_file)
                     "error: a.off: factorization"));
 }
 
+TEST_F(Command_line, repair_takes_faces_that_have_a_corner_twice)
+{
+  std::string text = off(cgp_test::icosahedron()) + "3 0 0 1\n";
+  text.replace(text.find("20 0"), 4, "21 0");
+  write("a.off", text);
+  EXPECT_TRUE(fails(run("info a.off"), 3, "twice, wanted different corners; try: --repair"));
+  const Program_run r = run("info a.off --repair");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.err.find("1 face removed"), std::string::npos) << r.err;
+}
+
 TEST_F(Command_line, standard_input_and_odd_names_are_read)
 {
   write("a b \xc3\xa9.off", off(cgp_test::icosahedron()));

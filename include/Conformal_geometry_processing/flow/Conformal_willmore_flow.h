@@ -141,8 +141,8 @@ class Conformal_willmore_flow {
         visitor.on_step_end(report.steps.back(), m_mesh);
     }
     report.energy = m_energy;
-    report.conformality =
-        conformality(m_initial, m_mesh.positions(), neighbourhood_normals(m_mesh));
+    const Points normals = neighbourhood_normals(m_initial, m_mesh.positions());
+    report.conformality = conformality(m_initial, m_mesh.positions(), normals);
     report.seconds = watch.lap();
     return report;
   }
