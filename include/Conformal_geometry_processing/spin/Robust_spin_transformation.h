@@ -108,7 +108,10 @@ class Robust_spin_transformation {
   Dirac_equation_& dirac_equation() { return m_state->dirac; }
 
   /// \brief finds positions from edge vectors of the triangulation, in the frame of the
-  /// computation. \throw Solver_error if the Laplacian cannot be factored
+  /// computation.
+  ///
+  /// Factors the Laplacian the first time.
+  /// \throw Solver_error if it cannot be factored
   const Poisson_reconstruction<SolverTraits, Delaunay_view>& reconstruction()
   {
     const auto& problem = dirac_equation().problem();
