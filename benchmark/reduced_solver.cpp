@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/linear_algebra/Real_reduced_solver.h>
-#include <Conformal_geometry_processing/linear_algebra/Schur_reduced_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/Schur_reduced_solver.h>
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
-#include <Conformal_geometry_processing/linear_algebra/Cholmod_hermitian_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
 #endif
 
 #include <benchmark/benchmark.h>

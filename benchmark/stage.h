@@ -3,7 +3,7 @@
 #ifndef BENCHMARK_STAGE_H
 #define BENCHMARK_STAGE_H
 
-#include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 
 #include <benchmark/benchmark.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin_transform.h
 // Tests spin/dirac_parameters.h
-#include <Conformal_geometry_processing/linear_algebra/inverse_power_method.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -4,7 +4,7 @@
 #define BENCHMARK_FAIRING_REAL_CHOLESKY_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/Supernodal_cholesky.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 namespace cgp_benchmark {

@@ -3,7 +3,7 @@
 #ifndef BENCHMARK_PARAMETERIZATION_NATIVE_LINEAR_ALGEBRA_H
 #define BENCHMARK_PARAMETERIZATION_NATIVE_LINEAR_ALGEBRA_H
 
-#include <Conformal_geometry_processing/linear_algebra/Supernodal_cholesky.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 
 #include <CGAL/Eigen_matrix.h>
 #include <CGAL/Eigen_vector.h>

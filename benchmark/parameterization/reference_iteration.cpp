@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/linear_algebra/Supernodal_cholesky.h>
-#include <Conformal_geometry_processing/linear_algebra/amd_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
 #include <Conformal_geometry_processing/mesh/Graph_view.h>
 #include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/named_parameters.h>

@@ -3,8 +3,8 @@
 #ifndef BENCHMARK_SOLVERS_FACTORS_H
 #define BENCHMARK_SOLVERS_FACTORS_H
 
-#include <Conformal_geometry_processing/linear_algebra/Ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>

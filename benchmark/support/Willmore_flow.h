@@ -3,7 +3,7 @@
 #ifndef BENCHMARK_SUPPORT_WILLMORE_FLOW_H
 #define BENCHMARK_SUPPORT_WILLMORE_FLOW_H
 
-#include <Conformal_geometry_processing/linear_algebra/Lagged_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 

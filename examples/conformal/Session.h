@@ -7,7 +7,7 @@
 #include "Options.h"
 #include "Report.h"
 
-#include <Conformal_geometry_processing/linear_algebra/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 
 #include <optional>
 #include <string>

@@ -6,10 +6,10 @@
 
 #include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
-#include <Conformal_geometry_processing/linear_algebra/Cholmod_hermitian_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
 #endif
-#include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
-#include <Conformal_geometry_processing/linear_algebra/Eigen_hermitian_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 
 namespace conformal {
 namespace {

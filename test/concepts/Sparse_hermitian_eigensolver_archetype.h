@@ -4,8 +4,8 @@
 #define TEST_CONCEPTS_SPARSE_HERMITIAN_EIGENSOLVER_ARCHETYPE_H
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/linear_algebra/Eigen_result.h>
-#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
 
 #include <cmath>
 

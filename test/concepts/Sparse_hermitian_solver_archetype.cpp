@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "concepts/Sparse_hermitian_solver_archetype.h"
 
-#include <Conformal_geometry_processing/linear_algebra/Grounded_solver.h>
-#include <Conformal_geometry_processing/linear_algebra/Lobpcg.h>
-#include <Conformal_geometry_processing/linear_algebra/inverse_power_method.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
 
 #include <gtest/gtest.h>
 

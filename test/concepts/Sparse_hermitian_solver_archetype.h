@@ -4,8 +4,8 @@
 #define TEST_CONCEPTS_SPARSE_HERMITIAN_SOLVER_ARCHETYPE_H
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/linear_algebra/Ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
 #include <Eigen/Dense>
 

@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/forms/Dirac_energy_solver.h>
 #include <Conformal_geometry_processing/forms/Exactness_constraints.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
-#include <Conformal_geometry_processing/linear_algebra/weighted_orthonormalization.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/weighted_orthonormalization.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Dirac_equation.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>

@@ -3,7 +3,7 @@
 #ifndef TEST_LINEAR_ALGEBRA_DENSE_FRONTS_H
 #define TEST_LINEAR_ALGEBRA_DENSE_FRONTS_H
 
-#include <Conformal_geometry_processing/linear_algebra/Front_kernels.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Front_kernels.h>
 
 #include <Eigen/Dense>
 

@@ -3,7 +3,7 @@
 #ifndef TEST_LINEAR_ALGEBRA_LOBPCG_RUNS_H
 #define TEST_LINEAR_ALGEBRA_LOBPCG_RUNS_H
 
-#include <Conformal_geometry_processing/linear_algebra/Lobpcg.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 
 #include "linear_algebra/spectral_problem.h"
 

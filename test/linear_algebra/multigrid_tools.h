@@ -3,8 +3,8 @@
 #ifndef TEST_LINEAR_ALGEBRA_MULTIGRID_TOOLS_H
 #define TEST_LINEAR_ALGEBRA_MULTIGRID_TOOLS_H
 
-#include <Conformal_geometry_processing/linear_algebra/Prolongation.h>
-#include <Conformal_geometry_processing/linear_algebra/Rounding_remainder.h>
+#include <Conformal_geometry_processing/linear_algebra/multigrid/Prolongation.h>
+#include <Conformal_geometry_processing/linear_algebra/multigrid/Rounding_remainder.h>
 
 #include <vector>
 

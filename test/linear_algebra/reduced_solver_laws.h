@@ -3,8 +3,8 @@
 #ifndef TEST_LINEAR_ALGEBRA_REDUCED_SOLVER_LAWS_H
 #define TEST_LINEAR_ALGEBRA_REDUCED_SOLVER_LAWS_H
 
-#include <Conformal_geometry_processing/linear_algebra/Ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
 #include <gtest/gtest.h>
 

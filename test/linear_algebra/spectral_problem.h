@@ -3,8 +3,8 @@
 #ifndef TEST_LINEAR_ALGEBRA_SPECTRAL_PROBLEM_H
 #define TEST_LINEAR_ALGEBRA_SPECTRAL_PROBLEM_H
 
-#include <Conformal_geometry_processing/linear_algebra/block_products.h>
-#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 #ifndef TEST_LINEAR_ALGEBRA_SYMBOLIC_ELIMINATION_H
 #define TEST_LINEAR_ALGEBRA_SYMBOLIC_ELIMINATION_H
 
-#include <Conformal_geometry_processing/linear_algebra/Ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
 #include <set>
 #include <string>

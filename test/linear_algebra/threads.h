@@ -3,7 +3,7 @@
 #ifndef TEST_LINEAR_ALGEBRA_THREADS_H
 #define TEST_LINEAR_ALGEBRA_THREADS_H
 
-#include <Conformal_geometry_processing/linear_algebra/number_of_threads.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
 
 namespace cgp_test {
 

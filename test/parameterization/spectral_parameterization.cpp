@@ -3,7 +3,7 @@
 // Tests parameterization/spectral_parameterization.h, parameterization/Least_energy_map.h,
 // Tests parameterization/Parameterization_report.h
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/Eigen_hermitian_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
 

@@ -1,7 +1,7 @@
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/linear_algebra/Lagged_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 

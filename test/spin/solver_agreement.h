@@ -3,7 +3,7 @@
 #ifndef TEST_SPIN_SOLVER_AGREEMENT_H
 #define TEST_SPIN_SOLVER_AGREEMENT_H
 
-#include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>

@@ -17,7 +17,7 @@
 #include <Conformal_geometry_processing/curves/integrate_tangents.h>
 #include <Conformal_geometry_processing/curves/turning_angles.h>
 #include <Conformal_geometry_processing/curves/turning_number.h>
-#include <Conformal_geometry_processing/linear_algebra/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 
 #include <Eigen/Core>
 
@@ -135,7 +135,7 @@ class Isometric_curve_flow {
     const Eigen::Vector2d first_edge = m_points.col(1) - m_points.col(0);
     if (!integrate(std::atan2(first_edge.y(), first_edge.x()), report)) return false;
     report.gap = integrate_tangents(m_tangents, m_lengths, m_new_points).norm() / m_lengths.total();
-    if (report.newton_iterations == 0) report.first_gap = std::max(report.first_gap, report.gap);
+    if (report.newton_iterations == 0) report.first_gap = (std::max)(report.first_gap, report.gap);
     align(m_points, m_lengths.duals(), m_new_points);
     return has_same_turns() && bending_energy(m_new_curvatures, m_lengths) <=
                                    m_energy + energy_noise * m_initial_energy;
@@ -177,7 +177,7 @@ class Isometric_curve_flow {
     const double before = m_energy;
     m_energy = bending_energy(m_curvatures, m_lengths);
     report.length_distortion = length_distortion(m_points, m_lengths);
-    const double scale = std::max(m_energy, m_initial_energy / 100);
+    const double scale = (std::max)(m_energy, m_initial_energy / 100);
     const bool is_settled =
         std::abs(before - m_energy) <= m_options.energy_tolerance * report.time_step * scale;
     return is_settled ? Curve_flow_stop::energy_settled : Curve_flow_stop::none;

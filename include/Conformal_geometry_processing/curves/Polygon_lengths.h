@@ -63,7 +63,7 @@ inline double length_distortion(const Plane_points& points, const Polygon_length
   for (Eigen::Index i = 0; i < original.size_of_edges(); ++i) {
     const Eigen::Index next = i + 1 < points.cols() ? i + 1 : 0;
     const double length = (points.col(next) - points.col(i)).norm();
-    worst = std::max(worst, std::abs(length / original.edges()[i] - 1));
+    worst = (std::max)(worst, std::abs(length / original.edges()[i] - 1));
   }
   return worst;
 }

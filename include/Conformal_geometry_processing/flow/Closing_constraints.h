@@ -7,7 +7,7 @@
 #include <Conformal_geometry_processing/forms/Dirac_energy_solver.h>
 #include <Conformal_geometry_processing/forms/Exactness_constraints.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
-#include <Conformal_geometry_processing/linear_algebra/Grounded_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>

@@ -168,7 +168,7 @@ class Closing_spin_transformation {
         return std::nullopt;
       }
       const double better = next.report.converged && !is_good ? best_step(step, defect) : 0;
-      step = std::max(m_options.min_step, std::clamp(better, step / 8, step / 2));
+      step = (std::max)(m_options.min_step, std::clamp(better, step / 8, step / 2));
     }
   }
 
@@ -193,7 +193,7 @@ class Closing_spin_transformation {
   // At most twice the last one; what is left after it shall be no splinter.
   double next_step(double step, double defect, double rest) const
   {
-    const double better = std::min(best_step(step, defect), 2 * step);
+    const double better = (std::min)(best_step(step, defect), 2 * step);
     return rest - better < m_options.min_step ? (rest < m_options.min_step / 2 ? 0 : rest) : better;
   }
 

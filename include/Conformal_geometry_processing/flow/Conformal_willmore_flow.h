@@ -12,7 +12,7 @@
 #include <Conformal_geometry_processing/flow/Time_step.h>
 #include <Conformal_geometry_processing/flow/Willmore_direction.h>
 #include <Conformal_geometry_processing/flow/step_fault.h>
-#include <Conformal_geometry_processing/linear_algebra/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -77,7 +77,7 @@ class Conformal_willmore_flow {
             options, [&]() -> const auto& { return m_transformation.reconstruction().solver(); },
             m_function),
         m_energy(energy_of(mesh)),
-        m_time_step(options.time_step, std::min(options.min_time_step, options.time_step))
+        m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step))
   {}
 
   /// the surface after the last complete step
@@ -233,7 +233,7 @@ class Conformal_willmore_flow {
   double forbidden_rise() const
   {
     const bool may_rise = !m_options.backtracking || !internal::Has_energy<Direction>::value;
-    return may_rise ? HUGE_VAL : turning_angle() * std::max(m_energy, 4 * 3.14159265358979323846);
+    return may_rise ? HUGE_VAL : turning_angle() * (std::max)(m_energy, 4 * 3.14159265358979323846);
   }
 
   /// how far the boundary is from the directions prescribed, in radians
@@ -254,7 +254,7 @@ class Conformal_willmore_flow {
   bool is_small(double change, double time) const
   {
     // A minimal surface, of energy zero, is not approached faster than its mesh allows.
-    const double scale = std::max(m_energy, 0.01 * energy_of(m_initial));
+    const double scale = (std::max)(m_energy, 0.01 * energy_of(m_initial));
     return std::abs(change) < m_options.energy_tolerance * time * scale;
   }
 

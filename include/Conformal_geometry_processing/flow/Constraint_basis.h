@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINT_BASIS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINT_BASIS_H
 
-#include <Conformal_geometry_processing/linear_algebra/weighted_orthonormalization.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/weighted_orthonormalization.h>
 
 #include <Eigen/Core>
 

@@ -4,8 +4,8 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CURVATURE_FILTER_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
-#include <Conformal_geometry_processing/linear_algebra/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -131,7 +131,7 @@ class Curvature_filter {
     const double pi = 3.14159265358979323846, precision = 1e-10;
     const double pole = k == 1 ? HUGE_VAL : std::tan(pi / (2 * k));
     const double decay = std::log(pole + std::hypot(1, pole));
-    const int degree = std::max(1, static_cast<int>(std::ceil(-std::log(precision) / decay)));
+    const int degree = (std::max)(1, static_cast<int>(std::ceil(-std::log(precision) / decay)));
     const int n = degree + 1;
     Eigen::VectorXd series = Eigen::VectorXd::Zero(n);
     for (int m = 0; m < n; ++m) {

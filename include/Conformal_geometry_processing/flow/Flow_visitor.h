@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_VISITOR_H
 
 #include <Conformal_geometry_processing/flow/Flow_report.h>
-#include <Conformal_geometry_processing/linear_algebra/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 namespace Conformal_geometry_processing {

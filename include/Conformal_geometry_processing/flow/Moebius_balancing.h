@@ -77,7 +77,7 @@ class Moebius_balancing {
     const Eigen::Vector3d moment = f * areas.cwiseProduct(log_length_scale(areas));
     const Eigen::Vector3d a = inertia.ldlt().solve(moment) / 2;
     const double nearness_of_pole = a.norm() * f.colwise().norm().maxCoeff();
-    return a / std::max(1., 2 * nearness_of_pole);
+    return a / (std::max)(1., 2 * nearness_of_pole);
   }
 
   /// \brief -2<a, N>, |V| numbers in 1/length: what the inversion adds to the curvature potential

@@ -30,7 +30,7 @@ class Time_step {
   }
 
   /// after a step that succeeded
-  void grow() { m_value = std::min(1.5 * m_value, m_largest); }
+  void grow() { m_value = (std::min)(1.5 * m_value, m_largest); }
 
  private:
   double m_largest, m_smallest, m_value;

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FILTERED_ON_SURFACE_H
 
 #include <Conformal_geometry_processing/flow/Curvature_filter.h>
-#include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/painting/Curvature_band.h>

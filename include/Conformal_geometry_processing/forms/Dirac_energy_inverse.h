@@ -5,8 +5,8 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/block_operators.h>
-#include <Conformal_geometry_processing/linear_algebra/conjugate_gradients.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 
 #include <Eigen/Core>
 
@@ -43,7 +43,7 @@ class Dirac_energy_inverse {
   {
     Vectors Y(c.rows(), c.cols());
     for (Eigen::Index first = 0; first < c.cols(); first += at_once) {
-      const Eigen::Index count = std::min(at_once, c.cols() - first);
+      const Eigen::Index count = (std::min)(at_once, c.cols() - first);
       Y.middleCols(first, count) = solve(c.middleCols(first, count));
     }
     return Y;

@@ -58,7 +58,7 @@ void remove_exact_parts(const Surface& mesh, const Eigen::VectorXd& w, const Lap
 {
   constexpr Eigen::Index at_once = 16;  // columns: what bounds the memory for solutions
   for (Eigen::Index first = 0; first < forms.cols(); first += at_once) {
-    auto some = forms.middleCols(first, std::min(at_once, forms.cols() - first));
+    auto some = forms.middleCols(first, (std::min)(at_once, forms.cols() - first));
     some -= differential(mesh, laplacian.solve(codifferential(mesh, w, some)));
   }
 }

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_ALIGNMENT_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
-#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>

@@ -107,7 +107,7 @@ class Common_subdivision {
     double twice = 0;
     for (std::size_t s = 2; s < polygon.size(); ++s)
       twice += cross(polygon[s - 1] - polygon[0], polygon[s] - polygon[0]);
-    return std::max(twice / 2, 0.);
+    return (std::max)(twice / 2, 0.);
   }
 
   static std::vector<Eigen::Vector2d> left_of(const std::vector<Eigen::Vector2d>& polygon,

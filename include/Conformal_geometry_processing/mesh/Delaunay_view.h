@@ -192,7 +192,7 @@ class Delaunay_view {
     for (Eigen::Index k = 0; k < size; ++k) {
       const int h = halfedges[static_cast<std::size_t>(k)], t = triangles.twin(h);
       const int i = triangles.from(h), j = triangles.to(h);
-      m_ends.push_back({std::min(i, j), std::max(i, j)});
+      m_ends.push_back({(std::min)(i, j), (std::max)(i, j)});
       m_weights[k] = half_weight(triangles, h, caps[index(h / 3)]) +
                      (t < 0 ? 0 : half_weight(triangles, t, caps[index(t / 3)]));
       m_forms.row(k) = (i < j ? 1 : -1) * forms.along(h);

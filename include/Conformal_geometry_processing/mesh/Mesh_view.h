@@ -95,8 +95,8 @@ class Mesh_view {
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  int low(int h) const { return std::min(from(h), to(h)); }
-  int high(int h) const { return std::max(from(h), to(h)); }
+  int low(int h) const { return (std::min)(from(h), to(h)); }
+  int high(int h) const { return (std::max)(from(h), to(h)); }
 
   // Buckets the halfedges by their lower end, sorts each bucket by the higher one: no hash map,
   // and a numbering that depends on nothing but the faces.

@@ -49,7 +49,7 @@ inline Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share)
     for (int c = 0; c < 3; ++c) l[c] = result.lengths[mesh.edge(3 * f + c)];
     const double missing = slack + 2 * l.maxCoeff() - l.sum();
     result.thin_faces += missing > 0;
-    result.added = std::max(result.added, missing);
+    result.added = (std::max)(result.added, missing);
   }
   result.lengths.array() += result.added;
   return result;

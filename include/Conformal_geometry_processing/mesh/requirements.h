@@ -41,7 +41,7 @@ inline std::string name_of_edge(const Mesh_view& mesh, int k)
 /// "1 face of area zero", "3 faces of area zero" for what = "#face of area zero"
 inline std::string counted(int count, std::string what)
 {
-  const std::size_t mark = what.find('#'), end = std::min(what.find(' ', mark), what.size());
+  const std::size_t mark = what.find('#'), end = (std::min)(what.find(' ', mark), what.size());
   if (count != 1) {
     const bool ends_in_x = what[end - 1] == 'x';
     what.replace(ends_in_x ? end - 2 : end, ends_in_x ? 2 : 0, ends_in_x ? "ices" : "s");
@@ -192,7 +192,7 @@ inline void require_connected(const Mesh_view& mesh, const std::string& function
   int count = 0, second = -1;
   for (std::size_t v = 0; v < component.size(); ++v) {
     if (component[v] == 1 && second < 0) second = static_cast<int>(v);
-    count = std::max(count, component[v] + 1);
+    count = (std::max)(count, component[v] + 1);
   }
   if (count > 1)
     throw Precondition_error(function, "the mesh has " + std::to_string(count) +

@@ -37,7 +37,8 @@ inline Face_height face_height(const Mesh_view& mesh, int f)
 {
   const double twice_area = mesh.double_area_vector(f).norm();
   double longest = 0;  // squared
-  for (int h = 3 * f; h < 3 * f + 3; ++h) longest = std::max(longest, mesh.vector(h).squaredNorm());
+  for (int h = 3 * f; h < 3 * f + 3; ++h)
+    longest = (std::max)(longest, mesh.vector(h).squaredNorm());
   return {longest > 0 ? twice_area / longest : 0, twice_area, f};
 }
 

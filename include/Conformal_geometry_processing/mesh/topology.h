@@ -27,7 +27,7 @@ inline std::vector<int> connected_components(const Mesh_view& mesh)
   };
   for (int k = 0; k < mesh.size_of_edges(); ++k) {
     const int a = find(mesh.ends(k)[0]), b = find(mesh.ends(k)[1]);
-    root[at(std::max(a, b))] = std::min(a, b);  // the smallest vertex is the root
+    root[at(std::max(a, b))] = (std::min)(a, b);  // the smallest vertex is the root
   }
   std::vector<int> component(root.size());
   int count = 0;
@@ -61,7 +61,7 @@ inline Topology topology(const Mesh_view& mesh)
   t.vertices = mesh.size_of_vertices();
   t.edges = mesh.size_of_edges();
   t.faces = mesh.size_of_faces();
-  for (int c : connected_components(mesh)) t.components = std::max(t.components, c + 1);
+  for (int c : connected_components(mesh)) t.components = (std::max)(t.components, c + 1);
   t.boundary_loops = static_cast<int>(boundary_loops(mesh).size());
   t.genus = (2 * t.components - t.boundary_loops - t.euler_characteristic()) / 2;
   return t;

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DELAUNAY_OPERATORS_H
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/linear_algebra/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/delaunay_laplacian.h>

@@ -34,7 +34,7 @@ inline Eigen::ArrayXXd blurred_across(const Eigen::ArrayXXd& pixels, const Eigen
   Eigen::ArrayXXd blurred = Eigen::ArrayXXd::Zero(pixels.rows(), pixels.cols());
   for (Eigen::Index c = 0; c <= last; ++c) {
     double sum = 0;
-    for (Eigen::Index k = std::max<Eigen::Index>(0, c - reach); k <= std::min(last, c + reach);
+    for (Eigen::Index k = (std::max<Eigen::Index>)(0, c - reach); k <= (std::min)(last, c + reach);
          ++k) {
       const double weight = weights[k < c ? c - k : k - c];
       blurred.col(c) += weight * pixels.col(k);

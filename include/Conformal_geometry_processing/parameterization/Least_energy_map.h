@@ -4,10 +4,10 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_LEAST_ENERGY_MAP_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/Stopwatch.h>
-#include <Conformal_geometry_processing/linear_algebra/amd_ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/expanded_graph.h>
-#include <Conformal_geometry_processing/linear_algebra/subspace_iteration.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/expanded_graph.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/subspace_iteration.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/parameterization/Parameterization_report.h>
 #include <Conformal_geometry_processing/parameterization/normalized_boundary.h>
@@ -35,7 +35,7 @@ class Least_energy_map {
   Least_energy_map(const Mesh_view& mesh, const std::vector<Vertex_loop>& loops,
                    std::string function)
       : m_mesh(mesh),
-        m_start(circle_maps(mesh, loops, std::min(4, static_cast<int>(loops[0].size()) - 1))),
+        m_start(circle_maps(mesh, loops, (std::min)(4, static_cast<int>(loops[0].size()) - 1))),
         m_weights(Eigen::VectorXd::Zero(mesh.size_of_vertices())),
         m_function(std::move(function))
   {

@@ -5,10 +5,10 @@
 
 #include <Conformal_geometry_processing/algebra/random_quaternions.h>
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
-#include <Conformal_geometry_processing/linear_algebra/Lobpcg.h>
-#include <Conformal_geometry_processing/linear_algebra/Stopwatch.h>
-#include <Conformal_geometry_processing/linear_algebra/release_factor.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/release_factor.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>

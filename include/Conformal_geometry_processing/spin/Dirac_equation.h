@@ -196,7 +196,7 @@ class Dirac_equation {
     double dt = std::abs(slope_of(rho, s.lambda)) < same_problem ? 0.5 : 1;
     for (s.substeps = 1; s.substeps < options.max_substeps && !s.cancelled; ++s.substeps) {
       // By first-order perturbation theory, d gamma / dt = -<lambda, rho lambda> / |lambda|^2.
-      const double next = std::min(t + dt, 1.), slope = slope_of(rho, s.lambda);
+      const double next = (std::min)(t + dt, 1.), slope = slope_of(rho, s.lambda);
       const Step step{scaled(rho, next, 0), gamma + slope * (next - t), rough, next < 1};
       if (follow(step, options, s, go_further)) {
         if (next == 1 || is_continued_by(smallest, s))

@@ -5,8 +5,8 @@
 
 #include <Conformal_geometry_processing/algebra/random_quaternions.h>
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/Krylov_space.h>
-#include <Conformal_geometry_processing/linear_algebra/Reduced_hermitian_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Krylov_space.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>

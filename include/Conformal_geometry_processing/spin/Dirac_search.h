@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SEARCH_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SEARCH_H
 
-#include <Conformal_geometry_processing/linear_algebra/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Conformal_geometry_processing/spin/separate_signs.h>
@@ -90,7 +90,7 @@ class Dirac_search {
   /// nearer one to the tolerance.
   void two_columns(const Vectors& start)
   {
-    if (!iterate(start, 2, std::max(m_options.tolerance, rough), m_go_further)) return;
+    if (!iterate(start, 2, (std::max)(m_options.tolerance, rough), m_go_further)) return;
     m_is_cancelled = m_result.cancelled;
     if (is_cancelled()) return;
     m_is_mixed = separation_pays(dirac_forms(m_problem.mesh(), m_rho, m_result.vectors));

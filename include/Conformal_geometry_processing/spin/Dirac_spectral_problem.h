@@ -4,8 +4,8 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SPECTRAL_PROBLEM_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/Default_solver_traits.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov_schur.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
@@ -171,12 +171,12 @@ class Dirac_spectral_problem {
                                  const Dirac_spectrum_options& options) const
   {
     double nearest = std::numeric_limits<double>::infinity();
-    for (double theta : r.values) nearest = std::min(nearest, std::abs(1 / theta));
+    for (double theta : r.values) nearest = (std::min)(nearest, std::abs(1 / theta));
     Dirac_spectrum_options rough = options;
-    rough.tolerance = std::max(1e-3, options.tolerance);
+    rough.tolerance = (std::max)(1e-3, options.tolerance);
     const int most = static_cast<int>(r.values.size());
     int count = 0;
-    for (int wanted = std::min(2, most);; wanted = std::min(2 * wanted, most)) {
+    for (int wanted = (std::min)(2, most);; wanted = (std::min)(2 * wanted, most)) {
       count = count_below(0.8 * nearest, iterate(m_pencil.of_masses(), wanted, rough));
       if (count < wanted || wanted == most) break;
     }

@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
 #include <Conformal_geometry_processing/algebra/stable_norm.h>
-#include <Conformal_geometry_processing/linear_algebra/Dirichlet_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>

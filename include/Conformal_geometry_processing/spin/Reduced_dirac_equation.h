@@ -4,9 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_REDUCED_DIRAC_EQUATION_H
 
 #include <Conformal_geometry_processing/algebra/random_quaternions.h>
-#include <Conformal_geometry_processing/linear_algebra/Lobpcg.h>
-#include <Conformal_geometry_processing/linear_algebra/Reduced_hermitian_solver.h>
-#include <Conformal_geometry_processing/linear_algebra/reduced_operators.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/reduced_operators.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
 #include <Conformal_geometry_processing/spin/Prescribed_directions.h>
@@ -143,7 +143,7 @@ class Reduced_dirac_equation {
     Eigen_options o;
     o.wanted = wanted;
     o.tolerance = tolerance;
-    o.max_iterations = std::max(options.max_iterations - s.iterations, 1);
+    o.max_iterations = (std::max)(options.max_iterations - s.iterations, 1);
     o.scale = std::sqrt(m_problem.unit());
     o.coefficients = Coefficients::reals;
     Eigen_result r = lobpcg(reduced_operator(m_problem.matrix(), m_directions.basis()),
@@ -169,7 +169,7 @@ class Reduced_dirac_equation {
   /// how many of the eigenvectors have to be exact
   int wanted(const Eigen_result& r, const Dirac_options& options, double bound) const
   {
-    return std::max(column(r, options, bound), size_of_kernel(r, options) - 1) + 1;
+    return (std::max)(column(r, options, bound), size_of_kernel(r, options) - 1) + 1;
   }
 
   static double singular_value(const Eigen_result& r, int c)

@@ -104,10 +104,10 @@ inline void append(Spin_report::Mollification& all, const Spin_report::Mollifica
   if (is_first) all.measured_faces = next.measured_faces;
   if (is_first) all.measured_area = next.measured_area;
   all.share = next.share;
-  all.thin_faces = std::max(all.thin_faces, next.thin_faces);
-  all.longer_edges = std::max(all.longer_edges, next.longer_edges);
-  all.added_length = std::max(all.added_length, next.added_length);
-  all.flipped_edges = std::max(all.flipped_edges, next.flipped_edges);
+  all.thin_faces = (std::max)(all.thin_faces, next.thin_faces);
+  all.longer_edges = (std::max)(all.longer_edges, next.longer_edges);
+  all.added_length = (std::max)(all.added_length, next.added_length);
+  all.flipped_edges = (std::max)(all.flipped_edges, next.flipped_edges);
 }
 
 }  // namespace internal
@@ -121,11 +121,11 @@ inline void append(Spin_report& all, const Spin_report& next)
   all.converged = next.converged;
   all.cancelled = next.cancelled;
   all.eigenvalue = next.eigenvalue;
-  all.residual = std::max(all.residual, next.residual);
-  all.gap = all.steps == 0 ? next.gap : std::min(all.gap, next.gap);
-  all.overlap = all.steps == 0 ? next.overlap : std::min(all.overlap, next.overlap);
+  all.residual = (std::max)(all.residual, next.residual);
+  all.gap = all.steps == 0 ? next.gap : (std::min)(all.gap, next.gap);
+  all.overlap = all.steps == 0 ? next.overlap : (std::min)(all.overlap, next.overlap);
   all.iterations += next.iterations;
-  all.substeps = std::max(all.substeps, next.substeps);
+  all.substeps = (std::max)(all.substeps, next.substeps);
   all.spectral_shift = next.spectral_shift;
   all.is_generalized = next.is_generalized;
   all.generalized_eigenvalue = next.generalized_eigenvalue;
@@ -133,7 +133,7 @@ inline void append(Spin_report& all, const Spin_report& next)
   all.direction_error = next.direction_error;
   all.boundary_fault = next.boundary_fault;
   internal::append(all.mollification, next.mollification);
-  all.closure_residual = std::max(all.closure_residual, next.closure_residual);
+  all.closure_residual = (std::max)(all.closure_residual, next.closure_residual);
   all.period_defect += next.period_defect;
   all.seconds.setup = next.seconds.setup;
   all.seconds.assembly += next.seconds.assembly;

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_VISITOR_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_VISITOR_H
 
-#include <Conformal_geometry_processing/linear_algebra/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
 
 namespace Conformal_geometry_processing {
 

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BEST_TURN_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
@@ -33,7 +33,7 @@ inline Quaternion<double> best_turn(const Points& U, const Points& V)
   const auto vector = [&](int c) -> Eigen::Vector4d { return eigen.vectors.col(c); };
   // Where even the best turn does not fit, others that miss up to three times as much are as good:
   // binormals of a hemisphere, all nearly parallel, that shall tilt inward ask for no half turn.
-  const double as_good = std::max(0.02, 2 * eigen.values[0]), nothing = 1e-3;
+  const double as_good = (std::max)(0.02, 2 * eigen.values[0]), nothing = 1e-3;
   Eigen::Vector4d best = Eigen::Vector4d::Zero();
   for (int c = 0; c < 4; ++c)
     if (eigen.values[c] <= eigen.values[0] + as_good) best += vector(c)[0] * vector(c);

@@ -20,7 +20,7 @@ template <class Surface>
 double greatest_misfit(const Surface& mesh)
 {
   const double pi = std::acos(-1.), radius = std::sqrt(face_areas(mesh).sum() / pi);
-  return std::max(0.05, 3 * mean_edge_length(mesh) / radius) / radius;
+  return (std::max)(0.05, 3 * mean_edge_length(mesh) / radius) / radius;
 }
 
 /// \ingroup PkgSpin
@@ -43,7 +43,7 @@ Boundary_fault boundary_fault(const Surface& mesh, double sigma, const Spin_repo
   const double closing = report.closure_residual;
   if (sigma > greatest_misfit(mesh) && (closing > small_gap || sigma * radius > great_misfit))
     return Boundary_fault::not_realizable;
-  if (closing > std::max(0.02, 3 * h * h)) return Boundary_fault::does_not_close;
+  if (closing > (std::max)(0.02, 3 * h * h)) return Boundary_fault::does_not_close;
   if (report.min_spin_ratio < 0.02) return Boundary_fault::degenerate;
   return Boundary_fault::none;
 }

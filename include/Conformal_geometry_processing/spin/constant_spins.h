@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTANT_SPINS_H
 
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
-#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 
 #include <Eigen/Core>
 

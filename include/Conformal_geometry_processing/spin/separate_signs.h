@@ -3,8 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SEPARATE_SIGNS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SEPARATE_SIGNS_H
 
-#include <Conformal_geometry_processing/linear_algebra/block_products.h>
-#include <Conformal_geometry_processing/linear_algebra/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ inline bool separation_pays(const Dirac_forms& forms)
 {
   if (!has_mixed_signs(forms)) return false;
   const auto [a, b] = signed_eigenvalues(forms);
-  return 5 * std::min(std::abs(a), std::abs(b)) >= std::max(std::abs(a), std::abs(b));
+  return 5 * (std::min)(std::abs(a), std::abs(b)) >= (std::max)(std::abs(a), std::abs(b));
 }
 
 /// \ingroup PkgSpin

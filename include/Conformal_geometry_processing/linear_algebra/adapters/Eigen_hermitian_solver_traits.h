@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_EIGEN_HERMITIAN_SOLVER_TRAITS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_EIGEN_HERMITIAN_SOLVER_TRAITS_H
+
+#include <Conformal_geometry_processing/linear_algebra/adapters/Embedded_hermitian_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <cmath>
+#include <complex>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the simplicial LDL^H factorization of Eigen, behind `Embedded_hermitian_solver`.
+template <class Entry>
+class Eigen_backend {
+ public:
+  using Matrix = Eigen::SparseMatrix<Entry, Eigen::ColMajor, int>;
+
+  /// approximate minimum degree
+  static Solver_status find_ordering(const Sparse_pattern& pattern, Ordering& order)
+  {
+    order = amd_ordering(pattern);
+    return Solver_status::success;
+  }
+
+  Solver_status analyze(const Matrix& A)
+  {
+    m_ldlt.analyzePattern(A);
+    return Solver_status::success;
+  }
+
+  /// Eigen goes on with negative pivots and with those that are not finite, so they are looked at.
+  Solver_status factorize(const Matrix& A)
+  {
+    m_ldlt.factorize(A);
+    if (m_ldlt.info() != Eigen::Success) return Solver_status::not_positive_definite;
+    for (const Entry& pivot : m_ldlt.pivots()) {
+      if (!std::isfinite(std::abs(pivot))) return Solver_status::numerical_issue;
+      if (!(std::real(pivot) > 0)) return Solver_status::not_positive_definite;
+    }
+    return Solver_status::success;
+  }
+
+  Solver_status solve(const Block<Entry>& b, Block<Entry>& x) const
+  {
+    x = m_ldlt.solve(b);
+    return x.allFinite() ? Solver_status::success : Solver_status::numerical_issue;
+  }
+
+  Solver_statistics statistics() const { return m_ldlt.statistics(); }
+
+ private:
+  // Opens the parts of the factorization that Eigen keeps to itself.
+  class Ldlt : public Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> {
+   public:
+    const Eigen::Matrix<Entry, Eigen::Dynamic, 1>& pivots() const { return this->m_diag; }
+
+    Solver_statistics statistics() const
+    {
+      const double operations_per_entry = Eigen::NumTraits<Entry>::IsComplex ? 4 : 1;
+      Solver_statistics s;
+      for (const int below : this->m_nonZerosPerCol) {
+        s.factor_entries += below + 1;
+        s.flops += operations_per_entry * (below + 1.0) * (below + 1.0);
+      }
+      s.bytes = static_cast<double>(s.factor_entries) * (sizeof(Entry) + sizeof(int));
+      return s;
+    }
+  };
+
+  Ldlt m_ldlt;
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \brief solvers that need nothing but Eigen; for small meshes.
+/// \cgalModels{SparseHermitianSolverTraits}
+struct Eigen_hermitian_solver_traits {
+  template <class Scalar>
+  using Solver = Embedded_hermitian_solver<Scalar, Eigen_backend>;
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the same over the real 4n x 4n form of quaternionic matrices: two to three times slower
+/// than the complex form, and a cross-check of it.
+/// \cgalModels{SparseHermitianSolverTraits}
+struct Eigen_real_hermitian_solver_traits {
+  template <class Scalar>
+  using Solver = Embedded_hermitian_solver<Scalar, Eigen_backend, Real_embedding>;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_PETSC_HERMITIAN_SOLVER_TRAITS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_PETSC_HERMITIAN_SOLVER_TRAITS_H
+
+#include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_matrix.h>
+#include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_multigrid.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/guarded.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/breadth_first_ordering.h>
+
+#include <optional>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief conjugate gradients with the algebraic multigrid of PETSc (GAMG), spread over the
+/// processes of `PETSC_COMM_WORLD`: for meshes whose factors fit no machine.
+///
+/// "Factorization" is the setup of the grids; there is no factor. Between `SlepcInitialize()` and
+/// `SlepcFinalize()`, which are the program's to call, every function is collective: all processes
+/// call it with the same arguments, and all get the same results. The ordering says which rows are
+/// consecutive, and processes own ranges of them; by default, that of `breadth_first_ordering()`.
+/// Matrices that are not definite are found by their diagonal in `factorize()`, or else by
+/// `solve()`.
+///
+/// `solve()` iterates until the residual, in the norm of the multigrid, is 1e-13 of the first one.
+///
+/// \cgalModels{SparseHermitianSolver}
+template <class Scalar_>
+class Petsc_hermitian_solver {
+ public:
+  using Scalar = Scalar_;
+  using FT = typename Scalar_traits<Scalar>::FT;
+
+  Petsc_hermitian_solver() = default;
+  Petsc_hermitian_solver(const Petsc_hermitian_solver&) = delete;
+  Petsc_hermitian_solver& operator=(const Petsc_hermitian_solver&) = delete;
+
+  Solver_status analyze(const Sparse_pattern& pattern)
+  {
+    return internal::guarded([&] { return analyze(pattern, breadth_first_ordering(pattern)); });
+  }
+
+  Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order)
+  {
+    return attempt([&] {
+      m_matrix.reset();
+      m_grids.reset();
+      const bool fits = order.size() == static_cast<std::size_t>(pattern.size()) &&
+                        !inverse_permutation(order).empty();
+      if (!fits || !internal::petsc_is_running()) return Solver_status::wrong_state;
+      m_entries = pattern.size_of_entries();
+      m_matrix.emplace(pattern, order);
+      m_b = m_matrix->make_vector();
+      m_x = m_matrix->make_vector();
+      return Solver_status::success;
+    });
+  }
+
+  /// makes nothing of the positions
+  Solver_status analyze_with_positions(const Sparse_pattern& pattern, const Eigen::Matrix3Xd&)
+  {
+    return analyze(pattern);
+  }
+
+  /// with the rows distributed as those of the other
+  template <class Other>
+  Solver_status analyze_like(const Sparse_pattern& pattern, const Other& other)
+  {
+    return analyze(pattern, other.ordering());
+  }
+
+  const Ordering& ordering() const { return m_matrix ? m_matrix->ordering() : m_no_ordering; }
+
+  Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
+  {
+    return attempt([&] {
+      if (!fits(A, shift)) return Solver_status::wrong_state;
+      m_grids.reset();
+      if (!is_finite(A) || !shift.allFinite()) return Solver_status::numerical_issue;
+      for (int j = 0; j < A.size(); ++j)
+        if (!(A.diagonal(j) + (shift.size() > 0 ? shift[j] : 0) > 0))
+          return Solver_status::not_positive_definite;
+      m_matrix->set_values(A, shift);
+      const Petsc_matrix<FT> real = real_part(A, shift);
+      m_grids.emplace(m_matrix->get(), real.get(), Petsc_matrix<Scalar>::width);
+      return Solver_status::success;
+    });
+  }
+
+  Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const
+  {
+    return for_each_column(b, x, [&] { return m_grids->solve(m_b.get(), m_x.get()); });
+  }
+
+  /// one cycle of the multigrid
+  Solver_status precondition(const Block<Scalar>& b, Block<Scalar>& x) const
+  {
+    return for_each_column(b, x, [&] {
+      m_grids->apply(m_b.get(), m_x.get());
+      return Solver_status::success;
+    });
+  }
+
+  /// the matrix and the grids together; "flops" are those of a product with all of them, of which a
+  /// solve takes some hundred
+  Solver_statistics statistics() const
+  {
+    Solver_statistics s;
+    if (!m_matrix) return s;
+    const double entries = m_entries * (m_grids ? m_grids->complexity() : 1.);
+    const double numbers = Petsc_matrix<Scalar>::width * Petsc_matrix<Scalar>::width;
+    s.factor_entries = m_entries;
+    s.flops = 8 * 2 * numbers * entries;  // both triangles, of complex numbers
+    s.bytes = 2 * numbers * entries * (sizeof(PetscScalar) + sizeof(PetscInt));
+    return s;
+  }
+
+  /// the multigrid, for eigenvalue solvers of SLEPc; null before `factorize()`
+  PC multigrid() const { return m_grids ? m_grids->multigrid() : nullptr; }
+
+ private:
+  template <class Action>
+  static Solver_status attempt(const Action& action)
+  {
+    const internal::Quiet_petsc quiet;
+    return internal::guarded([&] {
+      try {
+        return action();
+      } catch (const Solver_error&) {
+        return Solver_status::numerical_issue;
+      }
+    });
+  }
+
+  bool fits(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift) const
+  {
+    return m_matrix && A.size() == m_matrix->size() && A.pattern().size_of_entries() == m_entries &&
+           (shift.size() == 0 || shift.size() == A.size());
+  }
+
+  static bool is_finite(const Hermitian_sparse_matrix<Scalar>& A)
+  {
+    bool is_finite = true;
+    A.for_each_entry([&](int, int, const Scalar& a) {
+      is_finite = is_finite && Complex_embedding<Scalar>::block(a).allFinite();
+    });
+    return is_finite;
+  }
+
+  Petsc_matrix<FT> real_part(const Hermitian_sparse_matrix<Scalar>& A,
+                             const Vector<FT>& shift) const
+  {
+    Hermitian_sparse_matrix<FT> real(A.shared_pattern());
+    for (int k = 0; k < m_entries; ++k) real.value(k) = Scalar_traits<Scalar>::real(A.value(k));
+    Petsc_matrix<FT> distributed(A.pattern(), ordering());
+    distributed.set_values(real, shift);
+    return distributed;
+  }
+
+  template <class Action>
+  Solver_status for_each_column(const Block<Scalar>& b, Block<Scalar>& x,
+                                const Action& action) const
+  {
+    return attempt([&] {
+      if (!m_grids || b.rows() != m_matrix->size()) return Solver_status::wrong_state;
+      Block<Scalar> solution(b.rows(), b.cols());
+      for (Eigen::Index c = 0; c < b.cols(); ++c) {
+        m_matrix->to_petsc(b, c, m_b.get());
+        const Solver_status status = action();
+        if (status != Solver_status::success) return status;
+        m_matrix->from_petsc(m_x.get(), c, solution);
+      }
+      x = std::move(solution);
+      return Solver_status::success;
+    });
+  }
+
+  int m_entries = 0;
+  Ordering m_no_ordering;
+  std::optional<Petsc_matrix<Scalar>> m_matrix;
+  std::optional<internal::Petsc_multigrid> m_grids;
+  internal::Petsc_vec m_b, m_x;
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \brief solvers of PETSc over MPI; link the component `slepc`.
+/// \cgalModels{SparseHermitianSolverTraits}
+struct Petsc_hermitian_solver_traits {
+  template <class Scalar>
+  using Solver = Petsc_hermitian_solver<Scalar>;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

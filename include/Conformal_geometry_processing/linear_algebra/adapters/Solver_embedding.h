@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_SOLVER_EMBEDDING_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_SOLVER_EMBEDDING_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
+#include <Conformal_geometry_processing/algebra/quaternion_blocks.h>
+
+#include <Eigen/Core>
+
+#include <complex>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief how a scalar acts as a `width` x `width` matrix of entries that other libraries know, and
+/// as which `width` coordinates it is acted on: numbers stand for themselves.
+template <class Scalar>
+struct Number_embedding {
+  using Entry = Scalar;
+  static constexpr int width = 1;
+  using Matrix = Eigen::Matrix<Entry, width, width>;
+
+  /// the matrix of the multiplication by s from the left
+  static Matrix block(const Scalar& s) { return Matrix::Constant(s); }
+  /// writes the `width` coordinates of s
+  static void to_entries(const Scalar& s, Entry* entries) { *entries = s; }
+  /// reads them back
+  static Scalar from_entries(const Entry* entries) { return *entries; }
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \brief a `Number_embedding` with quaternions as complex 2 x 2 matrices: half of the memory and
+/// of the work of real 4 x 4.
+template <class Scalar>
+struct Complex_embedding : Number_embedding<Scalar> {};
+
+template <class FT>
+struct Complex_embedding<Quaternion<FT>> {
+  using Entry = std::complex<FT>;
+  static constexpr int width = 2;
+  using Matrix = Eigen::Matrix<Entry, width, width>;
+
+  static Matrix block(const Quaternion<FT>& q) { return complex_block(q); }
+  static void to_entries(const Quaternion<FT>& q, Entry* entries)
+  {
+    Eigen::Map<Eigen::Matrix<Entry, width, 1>>{entries} = complex_coordinates(q);
+  }
+  static Quaternion<FT> from_entries(const Entry* entries)
+  {
+    return quaternion(entries[0], entries[1]);
+  }
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \brief a `Number_embedding` with quaternions as real 4 x 4 matrices, for libraries that know
+/// real numbers only.
+template <class Scalar>
+struct Real_embedding : Number_embedding<Scalar> {};
+
+template <class FT>
+struct Real_embedding<Quaternion<FT>> {
+  using Entry = FT;
+  static constexpr int width = 4;
+  using Matrix = Eigen::Matrix<Entry, width, width>;
+
+  static Matrix block(const Quaternion<FT>& q) { return real_block(q); }
+  static void to_entries(const Quaternion<FT>& q, Entry* entries)
+  {
+    entries[0] = q.w;
+    entries[1] = q.x;
+    entries[2] = q.y;
+    entries[3] = q.z;
+  }
+  static Quaternion<FT> from_entries(const Entry* entries)
+  {
+    return {entries[0], entries[1], entries[2], entries[3]};
+  }
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

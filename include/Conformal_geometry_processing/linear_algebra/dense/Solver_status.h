@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_SOLVER_STATUS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_SOLVER_STATUS_H
+
+#include <cstdint>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief how an operation of a sparse solver ended.
+enum class Solver_status {
+  success,
+  not_positive_definite,  ///< a pivot of the factorization is zero or negative
+  numerical_issue,        ///< an entry of the matrix or of the factor is not finite
+  out_of_memory,
+  wrong_state  ///< the call does not fit the earlier ones: not analyzed, not factorized, other
+               ///< sizes
+};
+
+/// \relates Solver_status
+/// the status in words, for messages
+constexpr const char* to_string(Solver_status status)
+{
+  switch (status) {
+    case Solver_status::success:
+      return "success";
+    case Solver_status::not_positive_definite:
+      return "the matrix is not positive definite";
+    case Solver_status::numerical_issue:
+      return "a value is not finite";
+    case Solver_status::out_of_memory:
+      return "out of memory";
+    case Solver_status::wrong_state:
+      return "the solver was not prepared for this call";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the cost of a factorization, known after `analyze()`.
+struct Solver_statistics {
+  std::int64_t factor_entries = 0;  ///< stored scalars (numbers or quaternions) of the factor
+  double flops = 0;                 ///< floating point operations of one factorization
+  double bytes = 0;                 ///< memory of the factor
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_BLOCK_OPERATORS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_BLOCK_OPERATORS_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief y = A x where `apply` is A, for all columns of x at once.
+///
+/// \param apply a callable (x, y) that sets y in its memory, as the operators below do, or x -> y
+template <class Operator, class Scalar>
+void apply_operator(const Operator& apply, const Block<Scalar>& x, Block<Scalar>& y)
+{
+  if constexpr (std::is_invocable_v<const Operator&, const Block<Scalar>&, Block<Scalar>&>)
+    apply(x, y);
+  else
+    y = apply(x);
+}
+
+namespace internal {
+
+// Either way to call it: y = f(x) where Fill is f(x, y).
+template <class Scalar, class Fill>
+struct Block_operator {
+  Fill fill;
+
+  void operator()(const Block<Scalar>& x, Block<Scalar>& y) const { fill(x, y); }
+
+  Block<Scalar> operator()(const Block<Scalar>& x) const
+  {
+    Block<Scalar> y;
+    fill(x, y);
+    return y;
+  }
+};
+
+template <class Scalar, class Fill>
+Block_operator<Scalar, Fill> make_block_operator(Fill fill)
+{
+  return {std::move(fill)};
+}
+
+template <class Solver, class = void>
+constexpr bool is_preconditioner = false;
+
+template <class Solver>
+constexpr bool
+    is_preconditioner<Solver, std::void_t<decltype(std::declval<const Solver&>().precondition(
+                                  std::declval<const Block<typename Solver::Scalar>&>(),
+                                  std::declval<Block<typename Solver::Scalar>&>()))>> = true;
+
+}  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
+/// \brief x -> A x for all columns of x at once. Keeps a reference to A.
+template <class Scalar>
+auto block_operator(const Hermitian_sparse_matrix<Scalar>& A)
+{
+  return internal::make_block_operator<Scalar>([&A](const Block<Scalar>& x, Block<Scalar>& y) {
+    y.resize(x.rows(), x.cols());
+    for (Eigen::Index c = 0; c < x.cols(); ++c) A.multiply(x.col(c), y.col(c));
+  });
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief x -> diag(masses) x for all columns of x at once. Keeps a reference to the masses.
+template <class FT>
+auto block_operator(const Vector<FT>& masses)
+{
+  using Scalar = Quaternion<FT>;
+  return internal::make_block_operator<Scalar>([&masses](const Block<Scalar>& x, Block<Scalar>& y) {
+    y.resize(x.rows(), x.cols());
+    for (Eigen::Index c = 0; c < x.cols(); ++c)
+      for (Eigen::Index i = 0; i < x.rows(); ++i) y(i, c) = masses[i] * x(i, c);
+  });
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief x = T b for all columns of b at once, where `solver` has factorized A and T is its
+/// `precondition()`, if it has one, or else A^-1.
+template <class Solver, class Scalar>
+Solver_status apply_inverse(const Solver& solver, const Block<Scalar>& b, Block<Scalar>& x)
+{
+  if constexpr (internal::is_preconditioner<Solver>)
+    return solver.precondition(b, x);
+  else
+    return solver.solve(b, x);
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief b -> T b as an operator, see `apply_inverse()`. Keeps a reference to the solver; throws
+/// `Solver_error` where the solver fails.
+template <class Solver>
+auto inverse_operator(const Solver& solver)
+{
+  using Scalar = typename Solver::Scalar;
+  return internal::make_block_operator<Scalar>([&solver](const Block<Scalar>& b, Block<Scalar>& x) {
+    const Solver_status status = apply_inverse(solver, b, x);
+    if (status != Solver_status::success) throw Solver_error("inverse_operator", to_string(status));
+  });
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

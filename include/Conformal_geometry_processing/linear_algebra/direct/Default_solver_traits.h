@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_DEFAULT_SOLVER_TRAITS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_DEFAULT_SOLVER_TRAITS_H
+
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the solvers under every algorithm that is not told otherwise: the library's own, which
+/// need nothing but Eigen and are the fastest on every mesh measured (doc/performance.md).
+using Default_solver_traits = Supernodal_solver_traits;
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_DENSE_CHOLESKY_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_DENSE_CHOLESKY_H
+
+#include <Conformal_geometry_processing/linear_algebra/direct/Aligned_array.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Front_kernels.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief A = L L^T for a dense symmetric positive definite matrix of real numbers, in place.
+///
+/// By the kernels of the sparse factorization, which a program that has one contains anyway. The
+/// matrix is one panel of `Front_kernels`; entries above the diagonal are never read. n^2 numbers,
+/// n^3 / 3 operations, 2 n^2 for a solution.
+class Dense_cholesky {
+  using Kernels = Front_kernels<double, double>;
+
+ public:
+  /// makes it the zero matrix of a size
+  void set_zero(int size)
+  {
+    m_size = size;
+    m_panel.resize(Kernels::panel_size(size, 0));
+    std::fill_n(m_panel.data(), m_panel.size(), 0.);
+  }
+
+  int size() const { return m_size; }
+
+  /// \brief an entry of the matrix, of the factor after `factorize()`.
+  /// \pre 0 <= column < size(), 0 <= row < size()
+  double& operator()(int row, int column) { return block(row / lanes, column)[row % lanes]; }
+  double operator()(int row, int column) const { return block(row / lanes, column)[row % lanes]; }
+
+  /// \returns whether the matrix is positive definite; it is lost if not
+  bool factorize()
+  {
+    return Kernels::factor_panel(m_panel.data(), m_size, Kernels::blocks(m_size)) < 0;
+  }
+
+  /// \brief from right-hand sides to solutions.
+  /// \pre the matrix is factorized, and x has its size
+  void solve(Eigen::VectorXd& x) const
+  {
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(blocks()) * lanes);
+    y.head(m_size) = x;
+    for (int b = 0; b < blocks(); ++b) forward(b, y.data());
+    for (int b = blocks() - 1; b >= 0; --b) backward(b, y.data());
+    x = y.head(m_size);
+  }
+
+  /// gives back the memory
+  void release() { set_zero(0); }
+
+  double bytes() const { return static_cast<double>(m_panel.size()) * sizeof(double); }
+
+ private:
+  static constexpr int lanes = Kernels::lanes;
+
+  int blocks() const { return Kernels::blocks(m_size); }
+
+  // The rows of a block in one column.
+  double* block(int b, int column)
+  {
+    return m_panel.data() + (static_cast<std::int64_t>(b) * m_size + column) * lanes;
+  }
+  const double* block(int b, int column) const
+  {
+    return m_panel.data() + (static_cast<std::int64_t>(b) * m_size + column) * lanes;
+  }
+
+  // The rows of block b of L y = x, when those before are solved.
+  void forward(int b, double* x) const
+  {
+    double* const y = x + b * lanes;
+    const int first = b * lanes, end = (std::min)(first + lanes, m_size);
+    for (int j = 0; j < end; ++j) {
+      const double* const L = block(b, j);
+      if (j >= first) x[j] /= L[j - first];
+      for (int l = (std::max)(0, j - first + 1); l < lanes; ++l) y[l] -= L[l] * x[j];
+    }
+  }
+
+  // The rows of block b of L^T x = y, when those after are solved; takes them out of those before.
+  void backward(int b, double* x) const
+  {
+    double* const y = x + b * lanes;
+    const int first = b * lanes, end = (std::min)(first + lanes, m_size);
+    for (int j = end - 1; j >= 0; --j) {
+      const double* const L = block(b, j);
+      for (int l = (std::max)(0, j - first + 1); l < lanes; ++l) x[j] -= L[l] * y[l];
+      if (j >= first) x[j] /= L[j - first];
+    }
+  }
+
+  int m_size = 0;
+  Aligned_array<double> m_panel;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

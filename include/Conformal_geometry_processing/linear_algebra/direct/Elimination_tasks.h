@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_ELIMINATION_TASKS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_ELIMINATION_TASKS_H
+
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_structure.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Task_pool.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the tree of supernodes, cut into tasks that several threads can do at once.
+///
+/// A task is a range of supernodes: a subtree, several small ones side by side, or, above all
+/// these, a single supernode. The cut depends on the structure alone, never on the number of
+/// threads. Tasks are numbered like the supernodes, children before parents.
+class Elimination_tasks {
+ public:
+  struct Task {
+    int begin, end;  ///< the supernodes
+    int parent;      ///< a task, or -1
+    int children;    ///< how many tasks have this one as parent
+  };
+
+  /// \param share of all operations that makes a subtree too large for one task
+  explicit Elimination_tasks(const Supernodal_structure& S, double share = 1. / 32)
+  {
+    std::vector<double> work(at(S.size()), 0);
+    double all = 0;
+    for (int s = 0; s < S.size(); ++s) {
+      const double front = S.width(s) + S.height(s);
+      all += S.width(s) * front * front;
+      work[at(s)] += S.width(s) * front * front;
+      if (S.parent(s) >= 0) work[at(S.parent(s))] += work[at(s)];
+    }
+    cut(S, work, share * all);
+  }
+
+  int size() const { return static_cast<int>(m_tasks.size()); }
+  const Task& operator[](int t) const { return m_tasks[at(t)]; }
+
+  /// \brief calls `up(task, pool)` for every task, after those of its children.
+  /// \throw what `up` throws
+  template <class Up>
+  void run(int threads, const Up& up) const
+  {
+    Task_pool pool(threads);
+    std::vector<std::atomic<int>> missing = missing_children();
+    pool.run(leaves(), [&](int t) {
+      up((*this)[t], pool);
+      const int parent = (*this)[t].parent;
+      if (parent >= 0 && --missing[at(parent)] == 0) pool.push(parent);
+    });
+  }
+
+  /// \brief the same, and then calls `down(task, pool)` for every task, after that of its parent.
+  template <class Up, class Down>
+  void run(int threads, const Up& up, const Down& down) const
+  {
+    Task_pool pool(threads);
+    std::vector<std::atomic<int>> missing = missing_children();
+    const std::vector<std::vector<int>> children = lists_of_children();
+    pool.run(leaves(), [&](int t) {
+      if (t >= 0) {
+        up((*this)[t], pool);
+        const int parent = (*this)[t].parent;
+        if (parent < 0) pool.push(~t);
+        if (parent >= 0 && --missing[at(parent)] == 0) pool.push(parent);
+      } else {
+        down((*this)[~t], pool);
+        for (int c : children[at(~t)]) pool.push(~c);
+      }
+    });
+  }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  std::vector<int> leaves() const
+  {
+    std::vector<int> result;
+    for (int t = 0; t < size(); ++t)
+      if ((*this)[t].children == 0) result.push_back(t);
+    return result;
+  }
+
+  std::vector<std::atomic<int>> missing_children() const
+  {
+    std::vector<std::atomic<int>> result(at(size()));
+    for (int t = 0; t < size(); ++t) result[at(t)] = (*this)[t].children;
+    return result;
+  }
+
+  std::vector<std::vector<int>> lists_of_children() const
+  {
+    std::vector<std::vector<int>> result(at(size()));
+    for (int t = 0; t < size(); ++t)
+      if ((*this)[t].parent >= 0) result[at((*this)[t].parent)].push_back(t);
+    return result;
+  }
+
+  void cut(const Supernodal_structure& S, const std::vector<double>& work, double most)
+  {
+    std::vector<int> above(at(S.size()) + 1, -1), parent;  // the task of a supernode above the cut
+    double last = 0;
+    for (int s = 0; s < S.size(); ++s) {
+      const int up = S.parent(s);
+      const bool is_above = work[at(s)] > most;
+      if (!is_above && up >= 0 && work[at(up)] <= most) continue;  // inside of a subtree
+      const int begin = m_tasks.empty() ? 0 : m_tasks.back().end;
+      const bool joins =
+          !is_above && !m_tasks.empty() && parent.back() == up && last + work[at(s)] <= most;
+      last = joins ? last + work[at(s)] : (is_above ? most : work[at(s)]);
+      if (joins) {
+        m_tasks.back().end = s + 1;
+        continue;
+      }
+      if (is_above) above[at(s)] = size();
+      m_tasks.push_back({begin, s + 1, -1, 0});
+      parent.push_back(up);
+    }
+    for (int t = 0; t < size(); ++t)
+      if (const int up = parent[at(t)]; up >= 0) {
+        m_tasks[at(t)].parent = above[at(up)];
+        ++m_tasks[at(above[at(up)])].children;
+      }
+  }
+
+  std::vector<Task> m_tasks;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

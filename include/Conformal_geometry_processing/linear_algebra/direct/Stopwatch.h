@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_STOPWATCH_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_STOPWATCH_H
+
+#include <chrono>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// measures the wall clock time between its laps
+class Stopwatch {
+ public:
+  /// the seconds since the construction or the last lap
+  double lap()
+  {
+    const auto now = Clock::now();
+    const std::chrono::duration<double> seconds = now - m_start;
+    m_start = now;
+    return seconds.count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point m_start = Clock::now();
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_TASK_POOL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_TASK_POOL_H
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief runs tasks, which may bring forth others, on several threads.
+///
+/// Tasks are numbers. A task may also share out a loop: threads without a task of their own help,
+/// so that the last and largest tasks of a tree keep all threads busy as well. Which thread does
+/// what is left to chance; what each piece of work computes must not depend on it.
+class Task_pool {
+ public:
+  /// \param threads the caller of `run()` is one of them
+  explicit Task_pool(int threads) : m_threads(std::max(1, threads)) {}
+
+  Task_pool(const Task_pool&) = delete;
+  Task_pool& operator=(const Task_pool&) = delete;
+
+  /// \brief calls `action(task)` for the tasks given, first ones first, and for those pushed
+  /// meanwhile; returns when all are done.
+  /// \throw what an action threw first; tasks that have not begun by then are left out
+  void run(std::vector<int> tasks, const std::function<void(int)>& action)
+  {
+    m_tasks = std::move(tasks);
+    std::reverse(m_tasks.begin(), m_tasks.end());
+    m_action = &action;
+    m_failure = nullptr;
+    m_has_failed = false;
+    std::vector<std::thread> helpers;
+    try {
+      for (int i = 1; i < m_threads; ++i) helpers.emplace_back([this] { work(); });
+    } catch (...) {  // a thread that cannot be had is done without
+    }
+    work();
+    for (std::thread& t : helpers) t.join();
+    if (m_failure) std::rethrow_exception(m_failure);
+  }
+
+  /// adds a task, which is begun before those that wait; called by an action
+  void push(int task)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_tasks.push_back(task);
+    announce();
+  }
+
+  /// \brief calls `visit(i)` for 0 <= i < count, on this thread and those that have nothing else to
+  /// do; called by an action. \throw what a visit threw
+  template <class Visitor>
+  void for_each(int count, const Visitor& visit)
+  {
+    if (m_threads == 1 || count < 2) {
+      for (int i = 0; i < count; ++i) visit(i);
+      return;
+    }
+    const std::function<void(int)> reference = std::cref(visit);
+    Loop loop(count, reference);
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      m_loops.push_back(&loop);
+      announce();
+    }
+    work_on(loop);
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      m_loops.erase(std::find(m_loops.begin(), m_loops.end(), &loop));
+    }
+    while (loop.helpers > 0) std::this_thread::yield();
+    if (m_has_failed) throw Abandoned();
+  }
+
+ private:
+  struct Abandoned {};  ///< ends a task when another one, or a helper, has failed
+
+  struct Loop {
+    Loop(int count_, const std::function<void(int)>& visit_) : count(count_), visit(visit_) {}
+    const int count;
+    const std::function<void(int)>& visit;
+    std::atomic<int> next{0}, helpers{0};
+  };
+
+  static constexpr int patience = 200;  ///< looks around before a thread goes to sleep
+
+  // All of the following but work_on() and fail() are called with the mutex locked.
+  void announce()
+  {
+    ++m_events;
+    m_wake.notify_all();
+  }
+
+  void work()
+  {
+    std::unique_lock<std::mutex> lock(m_mutex);
+    for (;;) {
+      if (!m_tasks.empty())
+        begin_task(lock);
+      else if (m_running == 0)
+        return;
+      else if (Loop* const loop = find_loop())
+        help(*loop, lock);
+      else
+        wait(lock);
+    }
+  }
+
+  void begin_task(std::unique_lock<std::mutex>& lock)
+  {
+    const int task = m_tasks.back();
+    m_tasks.pop_back();
+    ++m_running;
+    lock.unlock();
+    attempt([&] { (*m_action)(task); });
+    lock.lock();
+    if (m_has_failed) m_tasks.clear();
+    if (--m_running == 0 && m_tasks.empty()) announce();
+  }
+
+  Loop* find_loop() const
+  {
+    for (Loop* loop : m_loops)
+      if (loop->next < loop->count) return loop;
+    return nullptr;
+  }
+
+  void help(Loop& loop, std::unique_lock<std::mutex>& lock)
+  {
+    ++loop.helpers;
+    lock.unlock();
+    work_on(loop);
+    --loop.helpers;  // the loop may be gone now
+    lock.lock();
+  }
+
+  void wait(std::unique_lock<std::mutex>& lock)
+  {
+    const std::int64_t seen = m_events;
+    lock.unlock();
+    for (int i = 0; i < patience && m_events == seen; ++i) std::this_thread::yield();
+    lock.lock();
+    m_wake.wait(lock, [&] { return m_events != seen; });
+  }
+
+  void work_on(Loop& loop)
+  {
+    attempt([&] {
+      for (int i = loop.next++; i < loop.count && !m_has_failed; i = loop.next++) loop.visit(i);
+    });
+  }
+
+  template <class Action>
+  void attempt(const Action& action)
+  {
+    try {
+      action();
+    } catch (const Abandoned&) {
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      if (!m_failure) m_failure = std::current_exception();
+      m_has_failed = true;
+    }
+  }
+
+  const int m_threads;
+  const std::function<void(int)>* m_action = nullptr;
+  std::mutex m_mutex;
+  std::condition_variable m_wake;
+  std::vector<int> m_tasks;  // that wait, the next one last
+  std::vector<Loop*> m_loops;
+  int m_running = 0;
+  std::exception_ptr m_failure;
+  std::atomic<bool> m_has_failed{false};
+  std::atomic<std::int64_t> m_events{0};  // counts what may be news to a thread that waits
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

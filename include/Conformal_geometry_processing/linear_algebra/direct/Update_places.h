@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_UPDATE_PLACES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_UPDATE_PLACES_H
+
+#include <Conformal_geometry_processing/linear_algebra/direct/Elimination_tasks.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief where, in one array, the updates wait that fronts hand to their parents.
+///
+/// An update is written while those of the children are still read, and is read until the parent's
+/// is complete. Updates of even depth grow from the low end of the array, those of odd depth from
+/// its high end: a stack each, of which one is popped while the other is pushed. With several
+/// threads each task has a region of its own, inside the region of its parent.
+class Update_places {
+ public:
+  Update_places() = default;
+
+  /// the places for supernodes that are eliminated one by one, in their order
+  /// \param size the numbers in the update of a supernode
+  template <class Size>
+  Update_places(const Supernodal_structure& S, Size size) : m_begin(at(S.size()))
+  {
+    m_size = stack_up(S, {0, S.size(), -1, 0}, size).size;
+  }
+
+  /// the places for tasks that are done at the same time
+  template <class Size>
+  Update_places(const Supernodal_structure& S, const Elimination_tasks& tasks, Size size)
+      : m_begin(at(S.size()))
+  {
+    std::vector<Region> regions(at(tasks.size()));
+    std::vector<int> roomiest(at(tasks.size()), -1);  // the child region with most to spare
+    for (int t = 0; t < tasks.size(); ++t) {
+      Region& own = regions[at(t)];
+      if (tasks[t].children == 0)
+        own = stack_up(S, tasks[t], size);
+      else
+        enclose(own, size(tasks[t].begin), regions[at(roomiest[at(t)])]);
+      const int up = tasks[t].parent;
+      if (up < 0) continue;
+      regions[at(up)].size += own.size;
+      if (roomiest[at(up)] < 0 || own.spare() > regions[at(roomiest[at(up)])].spare())
+        roomiest[at(up)] = t;
+    }
+    for (int t = tasks.size() - 1; t >= 0; --t) {
+      Region& own = regions[at(t)];
+      const Elimination_tasks::Task& task = tasks[t];
+      const auto is_low = [&](int of) { return S.depth(tasks[of].begin) % 2 == 0; };
+      if (const int up = task.parent; up >= 0) {
+        put(own, t == roomiest[at(up)], regions[at(up)], is_low(up));
+      } else {
+        own.begin = m_size;
+        m_size += own.size;
+      }
+      if (task.children > 0) {
+        m_begin[at(task.begin)] = is_low(t) ? 0 : own.size - own.kept;
+        own.next = own.begin;
+        if (is_low(t)) own.next += own.padding + regions[at(roomiest[at(t)])].size;
+      }
+      for (int s = task.begin; s < task.end; ++s) m_begin[at(s)] += own.begin;
+    }
+  }
+
+  /// where the update of supernode s begins
+  std::int64_t operator[](int s) const { return m_begin[at(s)]; }
+
+  /// the numbers in the array
+  std::int64_t size() const { return m_size; }
+
+ private:
+  struct Region {
+    std::int64_t size = 0;
+    std::int64_t kept = 0;     ///< what is left at one end when the task is done
+    std::int64_t padding = 0;  ///< at the same end, before the regions inside
+    std::int64_t begin = 0;    ///< in the array
+    std::int64_t next = 0;     ///< where the next region inside begins
+    std::int64_t spare() const { return size - kept; }
+  };
+
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  // Places, from the beginning of the region, for supernodes that are eliminated one by one.
+  template <class Size>
+  Region stack_up(const Supernodal_structure& S, const Elimination_tasks::Task& task, Size size)
+  {
+    std::array<std::int64_t, 2> used = {0, 0};
+    Region region;
+    for (int s = task.begin; s < task.end; ++s) {
+      const std::size_t parity = at(S.depth(s) % 2);
+      m_begin[at(s)] = used[parity];
+      used[parity] += size(s);
+      region.size = (std::max)(region.size, used[0] + used[1]);
+      for (const int* c = S.children_begin(s); c != S.children_end(s); ++c)
+        used[1 - parity] -= size(*c);
+    }
+    region.kept = used[0] + used[1];
+    for (int s = task.begin; s < task.end; ++s)
+      if (S.depth(s) % 2 == 1) m_begin[at(s)] = region.size - m_begin[at(s)] - size(s);
+    return region;
+  }
+
+  // A single supernode: its update takes what one of the regions inside can spare, and more.
+  static void enclose(Region& own, std::int64_t update, const Region& roomiest)
+  {
+    own.padding = (std::max<std::int64_t>)(0, update - roomiest.spare());
+    own.size += own.padding;
+    own.kept = update;
+  }
+
+  // The region with most to spare lies where the update of the supernode around it goes.
+  static void put(Region& own, bool is_roomiest, Region& around, bool is_at_low_end)
+  {
+    if (is_roomiest)
+      own.begin = is_at_low_end ? around.begin + around.padding
+                                : around.begin + around.size - around.padding - own.size;
+    else
+      own.begin = around.next;
+    if (!is_roomiest) around.next += own.size;
+  }
+
+  std::vector<std::int64_t> m_begin;
+  std::int64_t m_size = 0;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_VERTEX_SEPARATOR_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_VERTEX_SEPARATOR_H
+
+#include <Conformal_geometry_processing/linear_algebra/direct/Graph_region.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// The vertices among which a separator is chosen, with numbers of their own.
+struct Separator_band {
+  std::vector<int> vertices, number;  // band to region; region to band, -1 outside
+  Terminal_graph graph;
+
+  void add(int v)
+  {
+    int& k = number[static_cast<std::size_t>(v)];
+    if (k >= 0) return;
+    k = static_cast<int>(vertices.size());
+    vertices.push_back(v);
+    graph.is_source.push_back(0);
+    graph.is_sink.push_back(0);
+  }
+};
+
+/// \param near the side where the sources are
+inline Separator_band separator_band(const Graph_region& region, const std::vector<Side>& sides,
+                                     Side near)
+{
+  const auto side = [&](int v) { return sides[static_cast<std::size_t>(v)]; };
+  Separator_band band;
+  band.number.assign(sides.size(), -1);
+  for (int v = 0; v < region.size(); ++v)
+    if (side(v) == Side::separator) band.add(v);
+  for (const auto& e : region.edges)  // edges too long for the band widen it
+    if (side(e[0]) != side(e[1]) && side(e[0]) != Side::separator &&
+        side(e[1]) != Side::separator) {
+      band.add(e[0]);
+      band.add(e[1]);
+    }
+  const auto number = [&](int v) { return band.number[static_cast<std::size_t>(v)]; };
+  const auto mark = [&](int k, Side s) {
+    (s == near ? band.graph.is_source : band.graph.is_sink)[static_cast<std::size_t>(k)] = 1;
+  };
+  for (std::size_t k = 0; k < band.vertices.size(); ++k)
+    if (side(band.vertices[k]) != Side::separator)
+      mark(static_cast<int>(k), side(band.vertices[k]));
+  for (const auto& e : region.edges) {
+    const int a = number(e[0]), b = number(e[1]);
+    if (a >= 0 && b >= 0)
+      band.graph.edges.push_back({a, b});
+    else if (a >= 0)
+      mark(a, side(e[1]));
+    else if (b >= 0)
+      mark(b, side(e[0]));
+  }
+  return band;
+}
+
+}  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
+/// \brief makes a separator as small as can be: of its vertices, and of the ends of edges that join
+/// left to right past it, keeps the fewest without which no path leads from left to right.
+///
+/// Vertices of the other sides stay there. The separator leans to the greater side.
+/// O(edges + edges of the separator * sqrt(vertices of the separator)) at worst.
+/// \param[in,out] sides one for each vertex; without a separator it is found between the ends of
+/// the edges that are cut
+inline void thin_separator(const Graph_region& region, std::vector<Side>& sides)
+{
+  const auto lefts = std::count(sides.begin(), sides.end(), Side::left);
+  const auto rights = std::count(sides.begin(), sides.end(), Side::right);
+  const Side near = lefts >= rights ? Side::left : Side::right,
+             far = near == Side::left ? Side::right : Side::left;
+  const internal::Separator_band band = internal::separator_band(region, sides, near);
+  const std::vector<Side> cut = minimum_vertex_cut(band.graph);
+  for (std::size_t k = 0; k < cut.size(); ++k)
+    sides[static_cast<std::size_t>(band.vertices[k])] =
+        cut[k] == Side::separator ? Side::separator : (cut[k] == Side::left ? near : far);
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

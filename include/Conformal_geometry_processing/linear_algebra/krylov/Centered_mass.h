@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_CENTERED_MASS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_CENTERED_MASS_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the quadratic form of x after some directions have been taken out of it: D - D C C^H D
+/// with a diagonal D >= 0 and columns C that are orthonormal under D.
+///
+/// With the constants in C, what remains measures how far x is spread, and not where it is.
+/// Positive semidefinite. \tparam Scalar_ `double` or `std::complex<double>`
+template <class Scalar_>
+class Centered_mass {
+ public:
+  using Scalar = Scalar_;
+  using FT = typename Scalar_traits<Scalar>::FT;
+
+  /// \param weights the diagonal of D
+  /// \param directions need not have length one
+  /// \pre the columns of `directions` are orthogonal under the weights, and not zero
+  Centered_mass(const Vector<FT>& weights, Block<Scalar> directions)
+      : m_weights(weights.template cast<Scalar>()), m_directions(std::move(directions))
+  {
+    for (Eigen::Index k = 0; k < m_directions.cols(); ++k) {
+      auto c = m_directions.col(k);
+      c /= Scalar(std::sqrt(weights.dot(c.cwiseAbs2())));
+    }
+  }
+
+  /// the diagonal of D
+  const Vector<Scalar>& weights() const { return m_weights; }
+
+  /// D x - D C C^H D x, column by column
+  Block<Scalar> operator*(const Block<Scalar>& x) const
+  {
+    Block<Scalar> y = m_weights.asDiagonal() * x;
+    const Block<Scalar> along = m_directions.adjoint() * y;
+    y -= m_weights.asDiagonal() * (m_directions * along);
+    return y;
+  }
+
+  /// makes the columns of x orthonormal, each in what it adds to those before it
+  /// \pre they are linearly independent under this form
+  void orthonormalize(Block<Scalar>& x) const
+  {
+    for (Eigen::Index k = 0; k < x.cols(); ++k)
+      for (int pass = 0; pass < 2; ++pass) {  // the second one for what rounding left of the first
+        const Vector<Scalar> y = *this * x.col(k);
+        const Vector<Scalar> along = x.leftCols(k).adjoint() * y;
+        x.col(k) -= x.leftCols(k) * along;
+        const Vector<Scalar> rest = *this * x.col(k);
+        x.col(k) /= Scalar(std::sqrt(Scalar_traits<Scalar>::real(x.col(k).dot(rest))));
+      }
+  }
+
+ private:
+  Vector<Scalar> m_weights;
+  Block<Scalar> m_directions;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

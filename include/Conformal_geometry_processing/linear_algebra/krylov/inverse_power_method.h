@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_INVERSE_POWER_METHOD_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_INVERSE_POWER_METHOD_H
+
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_convergence.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_panel.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
+
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the smallest eigenpair of K x = N x theta by the inverse power method,
+/// K x_i = N x_(i-1) followed by normalization [CGP 5.5, Algorithm 1].
+///
+/// For the reproduction of published results; `lobpcg()` converges where this one crawls. The mass
+/// matrix on the right hand side, missing in the printed algorithm, makes it solve the generalized
+/// problem. Converges by the factor theta_1 / theta_2 per iteration. Tolerance 0 gives the fixed
+/// number `options.max_iterations`. With several columns, the basis is made orthonormal after
+/// every step. Two solves per iteration: one for the step, one for the error estimate.
+///
+/// \param invert b -> the solution of K x = b; the other parameters, and errors, as `lobpcg()` has
+template <class K, class N, class T, class GoFurther = Always_go_further>
+Eigen_result inverse_power_method(const K& apply_k, const N& apply_n, const T& invert,
+                                  Block<Quaternion<double>> x0, const Eigen_options& options = {},
+                                  GoFurther go_further = {})
+{
+  Eigen_convergence convergence("inverse_power_method", options, x0);
+  Eigen_panel x =
+      convergence.initial(make_panel(apply_k, apply_n, std::move(x0), options.coefficients));
+  Block<Quaternion<double>> r, Tr;
+  while (true) {
+    x.residual(r);
+    apply_operator(invert, r, Tr);
+    convergence.count_solve();
+    if (convergence.is_last(x, r, Tr, go_further)) break;
+    const Eigen::Index columns = x.size();
+    apply_operator(invert, x.nv, x.v);
+    convergence.count_solve();
+    apply_operators(apply_k, apply_n, x);
+    orthonormalize(x);
+    if (x.size() < columns) {
+      convergence.stop();
+      break;
+    }
+    convergence.count_iteration();
+  }
+  return convergence.result();
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief `inverse_power_method()` for matrices.
+/// \cgalModels{SparseHermitianEigensolverTraits}
+struct Inverse_power_eigensolver_traits {
+  /// \param N the masses, or a Hermitian positive definite matrix
+  /// \param solver has factorized A plus a small positive definite shift
+  template <class Masses, class Solver, class GoFurther = Always_go_further>
+  Eigen_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A, const Masses& N,
+                          const Solver& solver, Block<Quaternion<double>> x0,
+                          const Eigen_options& options = {}, GoFurther go_further = {}) const
+  {
+    return inverse_power_method(block_operator(A), block_operator(N), inverse_operator(solver),
+                                std::move(x0), options, std::move(go_further));
+  }
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

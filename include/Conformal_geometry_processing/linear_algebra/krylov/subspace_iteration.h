@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_SUBSPACE_ITERATION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_SUBSPACE_ITERATION_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Centered_mass.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// when `subspace_iteration()` ends
+struct Subspace_options {
+  double tolerance = 1e-6;  ///< of `Subspace_result::residual`
+  int maximum_number_of_iterations = 100;
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the smallest eigenvalue of a pencil, its vector, and the evidence.
+template <class Scalar>
+struct Subspace_result {
+  Vector<Scalar> vector;  ///< of length one under the mass; rounding decides how much it has of
+                          ///< what neither the mass nor A sees, the constants
+  double eigenvalue = 0;  ///< of the vector
+  double next_eigenvalue = 0;  ///< an upper bound, sharp where it is well separated
+  double residual = HUGE_VAL;  ///< estimated error of the vector before, relative, in the norm of A
+  int iterations = 0;
+  bool converged = false;
+  Solver_status status = Solver_status::success;  ///< of the solves
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \brief finds the smallest eigenvalue of A x = mu B x by inverse iteration of several vectors and
+/// the Rayleigh-Ritz method.
+///
+/// The error shrinks in each step by about mu / mu_k for k vectors and the k-th other eigenvalue,
+/// so an eigenvalue that is double, or nearly, does no harm. One block solve and one product with A
+/// per step; the same bits for the same input.
+///
+/// \param A Hermitian positive semidefinite
+/// \param B the mass, of which the weights D are the diagonal part
+/// \param solver has factorized A + shift D. A shift by the mass, not by the identity, leaves the
+/// eigenvectors as they are.
+/// \param x where to start, one vector a column
+template <class Solver, class Scalar>
+Subspace_result<Scalar> subspace_iteration(const Hermitian_sparse_matrix<Scalar>& A,
+                                           const Centered_mass<Scalar>& B, double shift,
+                                           const Solver& solver, Block<Scalar> x,
+                                           const Subspace_options& options = {})
+{
+  Subspace_result<Scalar> result;
+  B.orthonormalize(x);
+  while (result.iterations < options.maximum_number_of_iterations && !result.converged) {
+    const Block<Scalar> b = B * x;
+    Block<Scalar> y;
+    result.status = solver.solve(b, y);
+    if (result.status != Solver_status::success) return result;
+    const Block<Scalar> H = b.adjoint() * y;
+    const auto ritz = hermitian_jacobi<Scalar>((H + H.adjoint()) / Scalar(2));
+    const auto inverses = ritz.values.reverse();
+    const Block<Scalar> turn = ritz.vectors.rowwise().reverse();
+    if (!(inverses[0] > 0) || !std::isfinite(inverses[0])) {
+      result.status = Solver_status::numerical_issue;
+      return result;
+    }
+    const double mu = 1 / inverses[0];
+    const Vector<Scalar> v = x * turn.col(0), correction = mu * (y * turn.col(0)) - v;
+    const Vector<Scalar> defect =
+        mu * (b * turn.col(0)) - A * v - Scalar(shift) * B.weights().cwiseProduct(v);
+    // |correction|^2 in the norm of A + shift D, by that of v
+    const double error = Scalar_traits<Scalar>::real(correction.dot(defect)) / mu;
+    x = y * turn;
+    B.orthonormalize(x);
+    ++result.iterations;
+    result.vector = x.col(0);
+    result.eigenvalue = mu - shift;
+    result.next_eigenvalue = inverses.size() > 1 ? 1 / inverses[1] - shift : HUGE_VAL;
+    result.residual = std::sqrt(std::max(0., error));
+    result.converged = result.residual <= options.tolerance;
+  }
+  return result;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

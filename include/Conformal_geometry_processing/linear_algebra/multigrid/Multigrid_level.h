@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_MULTIGRID_LEVEL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_MULTIGRID_LEVEL_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Aligned_array.h>
+#include <Conformal_geometry_processing/linear_algebra/multigrid/Prolongation.h>
+#include <Conformal_geometry_processing/linear_algebra/multigrid/Vertex_lanes.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief one level of a multigrid hierarchy: a matrix A, the prolongation from the next coarser
+/// level, and smoothing by Gauss-Seidel before and after the coarse correction.
+///
+/// The two sweeps run in opposite directions, so that for every Hermitian positive definite coarse
+/// correction the whole is Hermitian, and positive definite as long as the diagonal of A is
+/// positive (even where rounding has made A indefinite). Each sweep passes once over the lower
+/// triangle, which is all that is stored, and uses every entry for its mirror image as well.
+///
+/// Vectors have four numbers per vertex (`Vertex_lanes`).
+/// \tparam Entry `float` or `Quaternion<float>`
+template <class Entry>
+class Multigrid_level {
+ public:
+  using Matrix = Hermitian_sparse_matrix<Entry>;
+
+  /// \pre the diagonal of A is positive
+  Multigrid_level(Matrix A, Prolongation P) : m_matrix(std::move(A)), m_prolongation(std::move(P))
+  {
+    m_vectors.resize(std::int64_t(stride) * size());
+  }
+
+  int size() const { return m_matrix.size(); }
+  const Matrix& matrix() const { return m_matrix; }
+  const Prolongation& prolongation() const { return m_prolongation; }
+
+  /// the four numbers of vertex i: the right-hand side before the cycle, the solution after it
+  float* vector(int i) { return m_vectors.data() + std::ptrdiff_t(stride) * i; }
+  const float* vector(int i) const { return m_vectors.data() + std::ptrdiff_t(stride) * i; }
+
+  /// x = (D + L^H)^-1 b, in the place of b, and the residual r = b - A x = -L x; L is the strictly
+  /// lower triangle
+  void smooth_first()
+  {
+    for (int j = size() - 1; j >= 0; --j) {
+      Register x;
+      Lanes::load(vector(j), x);
+      Conjugate_sum<Entry> sum;
+      const int diagonal = begin(j), end = begin(j + 1);
+      for (int k = diagonal + 1; k < end; ++k) {
+        Register xi;
+        Lanes::load(vector(row(k)), xi);
+        sum.add(m_matrix.value(k), xi);
+      }
+      sum.subtract_from(x);
+      x /= Scalar_traits<Entry>::real(m_matrix.value(diagonal));
+      Lanes::store(vector(j), x);
+      Lanes::store(residual(j), Register{});
+      const Scattered_product<Entry> product(x);
+      for (int k = diagonal + 1; k < end; ++k) {
+        Register ri;
+        Lanes::load(residual(row(k)), ri);
+        product.subtract(m_matrix.value(k), ri);
+        Lanes::store(residual(row(k)), ri);
+      }
+    }
+  }
+
+  /// visit(I, c) with the four numbers c of (P^T r)_I, in parts that are to be added
+  template <class Visitor>
+  void restrict_residual(Visitor visit)
+  {
+    for (int i = 0; i < size(); ++i) {
+      Register r;
+      Lanes::load(residual(i), r);
+      m_prolongation.for_each_in_row(i,
+                                     [&](int I, float weight) { visit(I, Register(weight * r)); });
+    }
+  }
+
+  /// \brief x + P c, where c(I) points to the four numbers of the correction at I, smoothed by the
+  /// sweep adjoint to the first: x := (D + L)^-1 (b - L^H (x + P c)) = (D + L)^-1 (D x - L^H P c).
+  template <class Correction>
+  void correct_and_smooth(Correction c)
+  {
+    for (int i = 0; i < size(); ++i) {
+      Register x, e = {};
+      Lanes::load(vector(i), x);
+      m_prolongation.for_each_in_row(i, [&](int I, float weight) {
+        Register ci;
+        Lanes::load(c(I), ci);
+        e += weight * ci;
+      });
+      x *= m_matrix.diagonal(i);
+      Lanes::store(vector(i), x);
+      Lanes::store(residual(i), e);
+    }
+    smooth_last();
+  }
+
+  std::int64_t bytes() const
+  {
+    const auto entries = static_cast<std::int64_t>(m_matrix.pattern().indices.size());
+    return entries * std::int64_t(sizeof(Entry)) + std::int64_t(sizeof(float)) * m_vectors.size() +
+           static_cast<std::int64_t>(m_prolongation.bytes());
+  }
+
+ private:
+  using Lanes = Vertex_lanes<float>;
+  using Register = Lanes::Register;
+  static constexpr int stride = 8;  // vector and residual side by side: both are fetched together
+
+  int begin(int j) const { return m_matrix.pattern().offsets[static_cast<std::size_t>(j)]; }
+  int row(int k) const { return m_matrix.pattern().indices[static_cast<std::size_t>(k)]; }
+  float* residual(int i) { return vector(i) + 4; }
+
+  // From D x in `vector` and the correction e in `residual`: (D + L)^-1 (D x - L^H e).
+  void smooth_last()
+  {
+    for (int j = 0; j < size(); ++j) {
+      Register x;
+      Lanes::load(vector(j), x);
+      Conjugate_sum<Entry> sum;
+      const int diagonal = begin(j), end = begin(j + 1);
+      for (int k = diagonal + 1; k < end; ++k) {
+        Register ei;
+        Lanes::load(residual(row(k)), ei);
+        sum.add(m_matrix.value(k), ei);
+      }
+      sum.subtract_from(x);
+      x /= Scalar_traits<Entry>::real(m_matrix.value(diagonal));
+      Lanes::store(vector(j), x);
+      const Scattered_product<Entry> product(x);
+      for (int k = diagonal + 1; k < end; ++k) {
+        Register xi;
+        Lanes::load(vector(row(k)), xi);
+        product.subtract(m_matrix.value(k), xi);
+        Lanes::store(vector(row(k)), xi);
+      }
+    }
+  }
+
+  Matrix m_matrix;
+  Prolongation m_prolongation;
+  Aligned_array<float> m_vectors;  // per vertex 4 + 4 numbers
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_VERTEX_LANES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_VERTEX_LANES_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the four numbers that a vector has at one vertex: the components w, x, y, z of a
+/// quaternion, or one number for each of four right-hand sides of a real system.
+///
+/// Both kinds of systems then run through the same loops. Registers are passed by reference:
+/// without AVX, four doubles have no calling convention of their own.
+template <class Real>
+struct Vertex_lanes {
+  static constexpr int size = 4;
+  typedef Real Register __attribute__((vector_size(4 * sizeof(Real))));
+
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void load(const Real* p, Register& v)
+  {
+    v = *reinterpret_cast<const Aliasing*>(p);
+  }
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void store(Real* p, const Register& v)
+  {
+    *reinterpret_cast<Aliasing*>(p) = v;
+  }
+
+  /// v becomes i v, j v and k v
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void multiply_by_i(Register& v)
+  {
+    const Register sign = {-1, 1, -1, 1};
+#ifdef __clang__
+    v = sign * __builtin_shufflevector(v, v, 1, 0, 3, 2);
+#else
+    v = sign * __builtin_shuffle(v, Indices{1, 0, 3, 2});
+#endif
+  }
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void multiply_by_j(Register& v)
+  {
+    const Register sign = {-1, 1, 1, -1};
+#ifdef __clang__
+    v = sign * __builtin_shufflevector(v, v, 2, 3, 0, 1);
+#else
+    v = sign * __builtin_shuffle(v, Indices{2, 3, 0, 1});
+#endif
+  }
+  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void multiply_by_k(Register& v)
+  {
+    const Register sign = {-1, -1, 1, 1};
+#ifdef __clang__
+    v = sign * __builtin_shufflevector(v, v, 3, 2, 1, 0);
+#else
+    v = sign * __builtin_shuffle(v, Indices{3, 2, 1, 0});
+#endif
+  }
+
+ private:
+  // A cache line holds whole vertices, but not every array begins at a cache line.
+  typedef Real Aliasing
+      __attribute__((vector_size(4 * sizeof(Real)), may_alias, aligned(sizeof(Real))));
+  using Index = std::conditional_t<sizeof(Real) == 4, int, long long>;
+  typedef Index Indices __attribute__((vector_size(4 * sizeof(Real))));
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the sum of conjugate(a) x over some entries a of a column; `value()` at the end.
+///
+/// A quaternionic sum is kept apart by the components of a, so that components are exchanged once
+/// per column and not once per entry.
+template <class Entry>
+class Conjugate_sum {
+  using Lanes = Vertex_lanes<Entry>;
+
+ public:
+  CONFORMAL_GEOMETRY_PROCESSING_INLINE void add(Entry a, const typename Lanes::Register& x)
+  {
+    m_sum += a * x;
+  }
+  CONFORMAL_GEOMETRY_PROCESSING_INLINE void subtract_from(typename Lanes::Register& y) const
+  {
+    y -= m_sum;
+  }
+
+ private:
+  typename Lanes::Register m_sum = {};
+};
+
+template <class Real>
+class Conjugate_sum<Quaternion<Real>> {
+  using Lanes = Vertex_lanes<Real>;
+
+ public:
+  CONFORMAL_GEOMETRY_PROCESSING_INLINE void add(const Quaternion<Real>& a,
+                                                const typename Lanes::Register& x)
+  {
+    m_w += a.w * x, m_x += a.x * x, m_y += a.y * x, m_z += a.z * x;
+  }
+  CONFORMAL_GEOMETRY_PROCESSING_INLINE void subtract_from(typename Lanes::Register& y) const
+  {
+    typename Lanes::Register i = m_x, j = m_y, k = m_z;
+    Lanes::multiply_by_i(i), Lanes::multiply_by_j(j), Lanes::multiply_by_k(k);
+    y += (i + j) + (k - m_w);
+  }
+
+ private:
+  typename Lanes::Register m_w = {}, m_x = {}, m_y = {}, m_z = {};
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \brief y -= a x for one x and many entries a, y.
+template <class Entry>
+class Scattered_product {
+  using Lanes = Vertex_lanes<Entry>;
+
+ public:
+  explicit CONFORMAL_GEOMETRY_PROCESSING_INLINE Scattered_product(const typename Lanes::Register& x)
+      : m_x(x)
+  {}
+  CONFORMAL_GEOMETRY_PROCESSING_INLINE void subtract(Entry a, typename Lanes::Register& y) const
+  {
+    y -= a * m_x;
+  }
+
+ private:
+  typename Lanes::Register m_x;
+};
+
+template <class Real>
+class Scattered_product<Quaternion<Real>> {
+  using Lanes = Vertex_lanes<Real>;
+
+ public:
+  explicit CONFORMAL_GEOMETRY_PROCESSING_INLINE Scattered_product(const typename Lanes::Register& x)
+      : m_x(x), m_ix(x), m_jx(x), m_kx(x)
+  {
+    Lanes::multiply_by_i(m_ix), Lanes::multiply_by_j(m_jx), Lanes::multiply_by_k(m_kx);
+  }
+  CONFORMAL_GEOMETRY_PROCESSING_INLINE void subtract(const Quaternion<Real>& a,
+                                                     typename Lanes::Register& y) const
+  {
+    y -= a.w * m_x, y -= a.x * m_ix, y -= a.y * m_jx, y -= a.z * m_kx;
+  }
+
+ private:
+  typename Lanes::Register m_x, m_ix, m_jx, m_kx;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

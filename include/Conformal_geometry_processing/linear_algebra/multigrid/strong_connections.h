@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_STRONG_CONNECTIONS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_STRONG_CONNECTIONS_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief an undirected graph with positive weights: every edge is in the lists of both its ends.
+struct Connection_graph {
+  std::vector<int> offsets;    ///< size() + 1 positions in `neighbors`
+  std::vector<int> neighbors;  ///< ascending for each vertex
+  std::vector<float> weights;  ///< beside `neighbors`
+
+  int size() const { return static_cast<int>(offsets.size()) - 1; }
+  int begin(int i) const { return offsets[static_cast<std::size_t>(i)]; }
+  int end(int i) const { return offsets[static_cast<std::size_t>(i) + 1]; }
+  int neighbor(int k) const { return neighbors[static_cast<std::size_t>(k)]; }
+  float weight(int k) const { return weights[static_cast<std::size_t>(k)]; }
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the pairs of rows whose entries hold them together: i and j are connected, with weight
+/// w = -Re A_ij, if w > threshold sqrt(A_ii A_jj).
+///
+/// Where A is a Laplacian, or close to one in its real part, an error that smoothing cannot remove
+/// varies slowly along these connections. Positive entries (opposite obtuse angles) connect
+/// nothing.
+/// \pre the diagonal of A is positive
+template <class Scalar>
+Connection_graph strong_connections(const Hermitian_sparse_matrix<Scalar>& A, double threshold)
+{
+  const auto for_each_connection = [&](auto visit) {
+    A.for_each_entry([&](int i, int j, const Scalar& a) {
+      if (i == j) return;
+      const double w = -static_cast<double>(Scalar_traits<Scalar>::real(a));
+      const double d = static_cast<double>(A.diagonal(i)) * static_cast<double>(A.diagonal(j));
+      if (w > 0 && w * w > threshold * threshold * d) visit(i, j, static_cast<float>(w));
+    });
+  };
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  Connection_graph g;
+  g.offsets.assign(at(A.size()) + 1, 0);
+  for_each_connection([&](int i, int j, float) { ++g.offsets[at(i) + 1], ++g.offsets[at(j) + 1]; });
+  for (int i = 0; i < A.size(); ++i) g.offsets[at(i) + 1] += g.offsets[at(i)];
+  g.neighbors.resize(at(g.offsets.back()));
+  g.weights.resize(g.neighbors.size());
+  std::vector<int> next(g.offsets.begin(), g.offsets.end() - 1);
+  const auto add = [&](int i, int j, float w) {
+    const std::size_t k = at(next[at(i)]++);
+    g.neighbors[k] = j;
+    g.weights[k] = w;
+  };
+  for_each_connection([&](int i, int j, float w) { add(i, j, w), add(j, i, w); });
+  return g;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

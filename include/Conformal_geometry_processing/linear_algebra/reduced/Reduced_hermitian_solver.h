@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REDUCED_HERMITIAN_SOLVER_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REDUCED_HERMITIAN_SOLVER_H
+
+#include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_form.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/Schur_reduced_solver.h>
+
+#include <variant>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief solves systems with the real symmetric matrix R = B^T (X + diag(shift)) B, where X is
+/// quaternionic and Hermitian and some of the unknowns lie in planes of H: boundary vertices with
+/// prescribed directions [CGP 5.7].
+///
+/// Right-hand sides and solutions are quaternionic vectors: b is restricted, x = B R^-1 B^T b lies
+/// in the reduced space. b -> x is symmetric over the real numbers, and linear over them only.
+/// Two ways of factorization, `Schur_reduced_solver` and `Real_reduced_solver`, have the same
+/// functions; this one takes the cheaper, see `choose_reduced_form()`. As with the models of
+/// SparseHermitianSolver failure is a status and never an exception, and a call that does not fit
+/// the earlier ones returns `Solver_status::wrong_state`.
+class Reduced_hermitian_solver {
+ public:
+  using FT = double;
+  using Scalar = Quaternion<FT>;
+
+  Reduced_hermitian_solver() = default;
+  Reduced_hermitian_solver(const Reduced_hermitian_solver&) = delete;
+  Reduced_hermitian_solver& operator=(const Reduced_hermitian_solver&) = delete;
+
+  /// \brief prepares for matrices X on a pattern that are reduced at given rows.
+  Solver_status analyze(const Sparse_pattern& pattern, const Reduced_rows& rows)
+  {
+    return adopt(pattern, rows, nullptr);
+  }
+
+  /// the same, with a hint: column i of `positions`, 3 x n, is where vertex i is in space
+  Solver_status analyze_with_positions(const Sparse_pattern& pattern, const Reduced_rows& rows,
+                                       const Eigen::Matrix3Xd& positions)
+  {
+    if (positions.cols() != pattern.size()) return forget();
+    return adopt(pattern, rows, &positions);
+  }
+
+  /// the same with a given ordering of all rows
+  Solver_status analyze(const Sparse_pattern& pattern, const Reduced_rows& rows,
+                        const Ordering& order)
+  {
+    return internal::guarded([&] {
+      const bool fits = pattern.size() > 0 && rows.size() == pattern.size() &&
+                        order.size() == pattern.offsets.size() - 1 &&
+                        !inverse_permutation(order).empty();
+      return fits ? adopt(pattern, rows, choose_reduced_form(pattern, rows, order)) : forget();
+    });
+  }
+
+  /// whether the whole matrix is factored as a real one
+  bool has_real_form() const { return std::holds_alternative<Real_reduced_solver<>>(m_solver); }
+
+  /// \brief factorizes R.
+  ///
+  /// \param shift one number per row of X, or empty
+  /// \param basis has the rows of the analysis
+  /// \returns `Solver_status::not_positive_definite` where R is not, even if X is not either
+  Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& X, const Vector<FT>& shift,
+                          const Reduced_basis<FT>& basis)
+  {
+    return std::visit([&](auto& solver) { return solver.factorize(X, shift, basis); }, m_solver);
+  }
+
+  /// \brief x = B R^-1 B^T b, for all columns of b.
+  ///
+  /// \param x is resized; stays as it is unless the status is `Solver_status::success`
+  Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const
+  {
+    return std::visit([&](auto& solver) { return solver.solve(b, x); }, m_solver);
+  }
+
+  /// gives back the memory of the factor; the analysis stays, and `factorize()` must come next
+  void release()
+  {
+    std::visit([](auto& solver) { solver.release(); }, m_solver);
+  }
+
+  /// the cost of the factorization, entries counted as real numbers; zeros before `analyze()`
+  Solver_statistics statistics() const
+  {
+    return std::visit([](auto& solver) { return solver.statistics(); }, m_solver);
+  }
+
+ private:
+  Solver_status forget()
+  {
+    m_solver.emplace<Schur_reduced_solver>();
+    return Solver_status::wrong_state;
+  }
+
+  Solver_status adopt(const Sparse_pattern& pattern, const Reduced_rows& rows,
+                      const Eigen::Matrix3Xd* positions)
+  {
+    const int factorizations = 2;
+    return internal::guarded([&] {
+      if (pattern.size() == 0 || rows.size() != pattern.size()) return forget();
+      return adopt(pattern, rows, choose_reduced_form(pattern, rows, positions, factorizations));
+    });
+  }
+
+  Solver_status adopt(const Sparse_pattern& pattern, const Reduced_rows& rows,
+                      const Reduced_form& form)
+  {
+    if (form.is_real)
+      return m_solver.emplace<Real_reduced_solver<>>().analyze(pattern, rows, form.order);
+    return m_solver.emplace<Schur_reduced_solver>().analyze(pattern, rows, form.order);
+  }
+
+  std::variant<Schur_reduced_solver, Real_reduced_solver<>> m_solver;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REDUCED_MATRIX_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REDUCED_MATRIX_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/algebra/Reduced_basis.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the pattern of B^T X B for quaternionic matrices X on a pattern: four real rows for every
+/// row, two for a reduced one. O(entries)
+inline std::shared_ptr<const Sparse_pattern> reduced_pattern(const Sparse_pattern& pattern,
+                                                             const Reduced_rows& rows)
+{
+  auto reduced = std::make_shared<Sparse_pattern>();
+  reduced->offsets.reserve(static_cast<std::size_t>(rows.dimension()) + 1);
+  reduced->indices.reserve(16 * pattern.indices.size());
+  reduced->offsets.push_back(0);
+  for (int j = 0; j < pattern.size(); ++j)
+    for (int c = 0; c < rows.dimension(j); ++c) {
+      const int begin = pattern.offsets[static_cast<std::size_t>(j)];
+      for (int k = begin; k < pattern.offsets[static_cast<std::size_t>(j) + 1]; ++k) {
+        const int i = pattern.indices[static_cast<std::size_t>(k)];
+        for (int r = k == begin ? c : 0; r < rows.dimension(i); ++r)
+          reduced->indices.push_back(rows.first(i) + r);
+      }
+      reduced->offsets.push_back(static_cast<int>(reduced->indices.size()));
+    }
+  return reduced;
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief R = B^T X B, a real symmetric matrix: entries <u, X_ij v> for all basis vectors u of row
+/// i and v of row j [CGP 5.7]. Writes in place, O(entries).
+/// \param R a matrix on `reduced_pattern(X.pattern(), B.rows())`; its values are replaced
+template <class FT>
+void assemble_reduced_matrix(const Hermitian_sparse_matrix<Quaternion<FT>>& X,
+                             const Reduced_basis<FT>& B, Hermitian_sparse_matrix<FT>& R)
+{
+  const Reduced_rows& rows = B.rows();
+  std::array<int, 4> next{};  // where the columns of row j go on
+  X.for_each_entry([&, last = -1](int i, int j, const Quaternion<FT>& x) mutable {
+    if (j != last)
+      for (int c = 0; c < rows.dimension(j); ++c)
+        next[static_cast<std::size_t>(c)] =
+            R.pattern().offsets[static_cast<std::size_t>(rows.first(j) + c)];
+    last = j;
+    for (int c = 0; c < rows.dimension(j); ++c) {
+      const Quaternion<FT> image = x * B.vector(j, c);
+      for (int r = i == j ? c : 0; r < rows.dimension(i); ++r)
+        R.value(next[static_cast<std::size_t>(c)]++) = dot(B.vector(i, r), image);
+    }
+  });
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief one number per row, for each of its coordinates; the diagonal of B^T diag(m) B.
+template <class FT>
+Vector<FT> reduced_diagonal(const Vector<FT>& m, const Reduced_rows& rows)
+{
+  Vector<FT> d(rows.dimension());
+  for (int i = 0; i < rows.size(); ++i)
+    d.segment(rows.first(i), rows.dimension(i)).setConstant(m[i]);
+  return d;
+}
+
+/// \ingroup PkgLinearAlgebra
+/// \brief an ordering of the rows as an ordering of their coordinates, which stay together.
+inline Ordering reduced_ordering(const Ordering& order, const Reduced_rows& rows)
+{
+  Ordering coordinates;
+  coordinates.reserve(static_cast<std::size_t>(rows.dimension()));
+  for (int i : order)
+    for (int c = 0; c < rows.dimension(i); ++c) coordinates.push_back(rows.first(i) + c);
+  return coordinates;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,15 @@
+// Tests linear_algebra/direct/Default_solver_traits.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+
+#include <gtest/gtest.h>
+
+#include <type_traits>
+
+namespace CGP = Conformal_geometry_processing;
+
+TEST(Default_solver_traits, are_the_library_s_own)
+{
+  EXPECT_TRUE((std::is_same_v<CGP::Default_solver_traits, CGP::Supernodal_solver_traits>));
+}

@@ -1,0 +1,69 @@
+// Tests include/Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
+
+#include <gtest/gtest.h>
+
+#include "linear_algebra/hermitian_matrices.h"
+
+namespace cgp_test {
+namespace {
+
+template <class Scalar>
+class Scalar_planes : public testing::Test {
+ protected:
+  using Components = CGP::Scalar_planes<Scalar>;
+
+  // Starting from c, the product is applied to the components of c, a and b, and compared.
+  template <class Product>
+  void expect_product(Product product, const Scalar& expected)
+  {
+    double x[Components::size], y[Components::size], z[Components::size];
+    Components::get(m_c, x), Components::get(m_a, y), Components::get(m_b, z);
+    product(x, y, z);
+    double e[Components::size];
+    Components::get(expected, e);
+    for (int q = 0; q < Components::size; ++q) EXPECT_NEAR(x[q], e[q], 1e-15);
+  }
+
+  Random random{4};
+  Scalar m_a = random_scalar<Scalar>(random), m_b = random_scalar<Scalar>(random),
+         m_c = random_scalar<Scalar>(random);
+};
+using Scalars = testing::Types<double, std::complex<double>, Quaternion<double>>;
+TYPED_TEST_SUITE(Scalar_planes, Scalars);
+
+TYPED_TEST(Scalar_planes, are_the_components)
+{
+  using Planes = CGP::Scalar_planes<TypeParam>;
+  double parts[Planes::size];
+  Planes::get(this->m_a, parts);
+  EXPECT_EQ(parts[0], CGP::Scalar_traits<TypeParam>::real(this->m_a));
+  EXPECT_TRUE(Planes::put(parts) == this->m_a);
+  EXPECT_EQ(sizeof(parts), sizeof(TypeParam));
+}
+
+TYPED_TEST(Scalar_planes, multiply_as_the_scalars_do)
+{
+  using Planes = CGP::Scalar_planes<TypeParam>;
+  const TypeParam a = this->m_a, b = this->m_b, c = this->m_c;
+  this->expect_product([](auto* x, auto* y, auto* z) { Planes::subtract_conjugated(x, y, z); },
+                       c - a * CGP::conjugate(b));
+  this->expect_product([](auto* x, auto* y, auto* z) { Planes::subtract(x, y, z); }, c - a * b);
+  this->expect_product([](auto* x, auto* y, auto* z) { Planes::add_conjugate(x, y, z); },
+                       c + CGP::conjugate(a) * b);
+}
+
+TEST(Scalar_planes, of_floats_are_components_too)
+{
+  float parts[4];
+  CGP::Scalar_planes<float>::get(2.5f, parts);
+  EXPECT_EQ(CGP::Scalar_planes<float>::put(parts), 2.5f);
+  CGP::Scalar_planes<Quaternion<float>>::get({1, 2, 3, 4}, parts);
+  for (int q = 0; q < 4; ++q) EXPECT_EQ(parts[q], float(q + 1));
+}
+
+}  // namespace
+}  // namespace cgp_test

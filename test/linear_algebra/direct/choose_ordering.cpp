@@ -1,0 +1,96 @@
+// Tests linear_algebra/direct/choose_ordering.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
+
+#include <gtest/gtest.h>
+
+#include "linear_algebra/graphs.h"
+#include "support/spheres.h"
+
+using namespace cgp_test;
+
+namespace {
+
+double operations(const CGP::Sparse_pattern& pattern, const CGP::Ordering& order)
+{
+  return CGP::Supernodal_structure(pattern, order).operations();
+}
+
+}  // namespace
+
+TEST(Choose_ordering, takes_minimum_degree_for_small_meshes)
+{
+  const Mesh_view mesh = geodesic_sphere(8);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  EXPECT_EQ(operations(pattern, CGP::choose_ordering(pattern, &mesh.positions())),
+            operations(pattern, CGP::amd_ordering(pattern)));
+}
+
+TEST(Choose_ordering, takes_dissection_where_it_pays)
+{
+  const Mesh_view mesh = geodesic_sphere(20);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  const double by_dissection =
+      operations(pattern, CGP::sweep_nested_dissection(pattern, mesh.positions()));
+  const double by_degree = operations(pattern, CGP::amd_ordering(pattern));
+  ASSERT_LT(by_dissection, by_degree);
+  CGP::Ordering_costs costs;  // dissection is expected to cost what 100 factorizations save
+  costs.seconds_per_vertex =
+      100 * costs.expected_saving * by_degree * costs.seconds_per_operation / pattern.size();
+  const auto chosen = [&](int factorizations) {
+    return operations(pattern,
+                      CGP::choose_ordering(pattern, &mesh.positions(), factorizations, costs));
+  };
+  EXPECT_EQ(chosen(1), by_degree);
+  EXPECT_EQ(chosen(99), by_degree);
+  EXPECT_EQ(chosen(101), by_dissection);
+}
+
+TEST(Choose_ordering, needs_no_positions)
+{
+  const Mesh_view mesh = geodesic_sphere(20);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  EXPECT_EQ(operations(pattern, CGP::choose_ordering(pattern, nullptr, 1000000)),
+            operations(pattern, CGP::amd_ordering(pattern)));
+}
+
+TEST(Choose_ordering, keeps_minimum_degree_where_positions_mislead)
+{
+  const Mesh_view mesh = geodesic_sphere(16);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  const Eigen::Matrix3Xd nonsense = random_positions(pattern.size(), 3);
+  EXPECT_EQ(operations(pattern, CGP::choose_ordering(pattern, &nonsense, 1000000)),
+            operations(pattern, CGP::amd_ordering(pattern)));
+}
+
+TEST(Choose_ordering, dissects_large_meshes_at_once)
+{
+  const Mesh_view mesh = geodesic_sphere(20);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  CGP::Ordering_costs costs;
+  costs.large = 0;
+  costs.seconds_per_vertex = 1;  // else it would not be tried
+  EXPECT_EQ(operations(pattern, CGP::choose_ordering(pattern, &mesh.positions(), 1, costs)),
+            operations(pattern, CGP::sweep_nested_dissection(pattern, mesh.positions())));
+}
+
+TEST(Choose_ordering, tries_minimum_degree_on_large_meshes_where_positions_mislead)
+{
+  const Mesh_view mesh = geodesic_sphere(16);
+  CGP::Ordering_costs costs;
+  costs.large = 0;
+  const Eigen::Matrix3Xd nonsense = random_positions(mesh.size_of_vertices(), 3);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  EXPECT_EQ(operations(pattern, CGP::choose_ordering(pattern, &nonsense, 1000000, costs)),
+            operations(pattern, CGP::amd_ordering(pattern)));
+}
+
+TEST(Choose_ordering, permutes_any_graph)
+{
+  for (const Named_graph& graph : graphs_of_all_kinds()) {
+    const Eigen::Matrix3Xd p = random_positions(graph.size, 2);
+    const auto order = CGP::choose_ordering(pattern_of(graph.size, graph.edges), &p, 1000000);
+    EXPECT_EQ(static_cast<int>(CGP::inverse_permutation(order).size()), graph.size) << graph.name;
+  }
+}

@@ -1,0 +1,27 @@
+// Tests linear_algebra/direct/release_factor.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/linear_algebra/direct/release_factor.h>
+
+#include <gtest/gtest.h>
+
+namespace CGP = Conformal_geometry_processing;
+
+TEST(Release_factor, is_passed_on_to_solvers_that_can)
+{
+  struct Solver {
+    int releases = 0;
+    void release() { ++releases; }
+  } solver;
+  CGP::release_factor(solver);
+  EXPECT_EQ(solver.releases, 1);
+}
+
+TEST(Release_factor, leaves_other_solvers_alone)
+{
+  struct Solver {
+    int factor = 7;
+  } solver;
+  CGP::release_factor(solver);
+  EXPECT_EQ(solver.factor, 7);
+}

@@ -1,0 +1,127 @@
+// Tests linear_algebra/direct/sweep_nested_dissection.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_structure.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
+
+#include <gtest/gtest.h>
+
+#include "linear_algebra/graphs.h"
+#include "linear_algebra/threads.h"
+#include "support/spheres.h"
+
+using namespace cgp_test;
+
+namespace {
+
+double operations(const CGP::Sparse_pattern& pattern, const CGP::Ordering& order)
+{
+  return CGP::Supernodal_structure(pattern, order).operations();
+}
+
+double sweep_operations(const Mesh_view& mesh)
+{
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  return operations(pattern, CGP::sweep_nested_dissection(pattern, mesh.positions()));
+}
+
+void expect_permutation(int n, const CGP::Ordering& order, const std::string& name)
+{
+  EXPECT_EQ(static_cast<int>(order.size()), n) << name;
+  EXPECT_EQ(CGP::inverse_permutation(order).size(), order.size()) << name;
+}
+
+}  // namespace
+
+TEST(Sweep_nested_dissection, permutes_the_vertices_of_any_graph_at_any_positions)
+{
+  for (const Named_graph& graph : graphs_of_all_kinds()) {
+    const int n = graph.size;
+    const CGP::Sparse_pattern pattern = pattern_of(n, graph.edges);
+    Eigen::Matrix3Xd line = Eigen::Matrix3Xd::Zero(3, n), outlier = line;
+    for (int k = 0; k < n; ++k) line(1, k) = k;
+    if (n > 0) outlier(0, 0) = 1e9;
+    for (const Eigen::Matrix3Xd& p :
+         {random_positions(n, 4), Eigen::Matrix3Xd(3e-300 * random_positions(n, 4)),
+          Eigen::Matrix3Xd(1e300 * random_positions(n, 4)), Eigen::Matrix3Xd::Zero(3, n).eval(),
+          line, outlier})
+      expect_permutation(n, CGP::sweep_nested_dissection(pattern, p), graph.name);
+  }
+}
+
+// George 1973: dissection of a grid needs O(n^(3/2)) operations, elimination row by row O(n^2).
+TEST(Sweep_nested_dissection, needs_operations_like_the_power_three_halves_of_the_vertices)
+{
+  std::vector<double> sizes, counts;
+  for (int frequency : {16, 32, 64}) {
+    const Mesh_view sphere = geodesic_sphere(frequency);
+    sizes.push_back(sphere.size_of_vertices());
+    counts.push_back(sweep_operations(sphere));
+  }
+  EXPECT_LT(slope(sizes, counts), 1.6);
+  EXPECT_GT(slope(sizes, counts), 1.4);
+}
+
+TEST(Sweep_nested_dissection, beats_minimum_degree_on_regular_spheres)
+{
+  const Mesh_view sphere = geodesic_sphere(41);
+  const CGP::Sparse_pattern pattern = pattern_of(sphere);
+  EXPECT_LT(sweep_operations(sphere), 0.7 * operations(pattern, CGP::amd_ordering(pattern)));
+}
+
+TEST(Sweep_nested_dissection, of_a_chain_fills_in_little)
+{
+  const int n = 10000;
+  Eigen::Matrix3Xd p = Eigen::Matrix3Xd::Zero(3, n);
+  for (int k = 0; k < n; ++k) p(0, k) = k;
+  const CGP::Sparse_pattern path = pattern_of(n, path_edges(n));
+  // At most one entry for each of the two separators around a leaf comes to the two on the band.
+  EXPECT_LE(operations(path, CGP::sweep_nested_dissection(path, p)), 3 * 3 * n);
+}
+
+TEST(Sweep_nested_dissection, is_the_same_every_time)
+{
+  const Mesh_view mesh = bumpy_sphere(4);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  EXPECT_EQ(CGP::sweep_nested_dissection(pattern, mesh.positions()),
+            CGP::sweep_nested_dissection(pattern, mesh.positions()));
+}
+
+TEST(Sweep_nested_dissection, is_the_same_for_any_number_of_threads)
+{
+  const Mesh_view mesh = geodesic_sphere(21);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  ASSERT_GT(pattern.size(), 4000);  // enough for threads
+  const CGP::Ordering expected = CGP::sweep_nested_dissection(pattern, mesh.positions());
+  for (const int threads : {2, 3, 8}) {
+    const Threads setting(threads);
+    EXPECT_EQ(CGP::sweep_nested_dissection(pattern, mesh.positions()), expected);
+  }
+}
+
+TEST(Sweep_nested_dissection, is_as_good_for_any_numbering)
+{
+  const Mesh_view mesh = bumpy_sphere(5);
+  const double reference = sweep_operations(mesh);
+  for (std::uint64_t seed : {1u, 2u, 3u})
+    EXPECT_NEAR(
+        sweep_operations(renumbered(mesh, random_permutation(mesh.size_of_vertices(), seed))),
+        reference, 0.1 * reference);
+}
+
+TEST(Sweep_nested_dissection, is_as_good_after_motion_and_scaling)
+{
+  const Mesh_view mesh = mapped(bumpy_sphere(5), [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(1.5 * p.x(), 1.2 * p.y(), p.z());
+  });
+  const double reference = sweep_operations(mesh);
+  Random random(5);
+  for (double scale : {1e-30, 1., 1e30}) {
+    const Eigen::Matrix3d R = random.rotation();
+    const Eigen::Vector3d t = 100 * random.vector();
+    const Mesh_view moved = mapped(
+        mesh, [&](const Eigen::Vector3d& p) { return Eigen::Vector3d(scale * (R * p + t)); });
+    EXPECT_NEAR(sweep_operations(moved), reference, 0.1 * reference);
+  }
+}

@@ -1,0 +1,111 @@
+// Tests linear_algebra/krylov/Lobpcg.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
+
+#include <gtest/gtest.h>
+
+#include "linear_algebra/lobpcg_runs.h"
+
+// Singular matrices, rounding errors, eigenvalues close together.
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+using Q = CGP::Quaternion<double>;
+using Block = CGP::Block<Q>;
+
+TEST(Lobpcg, is_done_at_once_with_the_exact_eigenvector_of_a_singular_matrix)
+{
+  // As rho = 0 does with lambda = 1: the eigenvalue is 0, the vector constant.
+  Eigen::VectorXd values = counting(20);
+  values[0] = 0;
+  const Spectral_problem problem(values);
+  for (const double shift : {1e-2, 1e-6, 1e-12}) {
+    const auto r = solve(problem, problem.vectors().leftCols(1), until(1e-8), shift);
+    EXPECT_TRUE(r.converged);
+    EXPECT_EQ(r.iterations, 0);
+    EXPECT_NEAR(r.values[0], 0, 1e-14);
+  }
+}
+
+TEST(Lobpcg, stays_at_the_eigenpair_past_the_rounding_floor)
+{
+  for (const double second : {1.001, 1.1, 3.0, 100.0})
+    for (const double shift : {1e-3, 1e-9}) {
+      Eigen::VectorXd values = 100 * counting(30);
+      values[0] = 1;
+      values[1] = second;
+      const Spectral_problem problem(values);
+      const auto r = solve(problem, random_block<Q>(30, 1, 3), until(0, 1, 1000), shift);
+      EXPECT_TRUE(r.stagnated);
+      EXPECT_FALSE(r.converged);
+      EXPECT_NEAR(r.values[0], 1, 1e-11);
+      EXPECT_LE(problem.sine(r.vectors), 1e-12 / (second - 1));
+    }
+}
+
+TEST(Lobpcg, stays_at_a_singular_eigenpair_past_the_rounding_floor)
+{
+  Eigen::VectorXd values = counting(30);
+  values[0] = 0;
+  const Spectral_problem problem(values);
+  for (const double shift : {1e-3, 1e-9}) {
+    const auto r = solve(problem, problem.vectors().leftCols(1), until(0, 1, 1000), shift);
+    EXPECT_TRUE(r.stagnated);
+    EXPECT_LE(problem.sine(r.vectors), 1e-12);
+  }
+}
+
+TEST(Lobpcg, stops_where_there_is_no_direction_left)
+{
+  const Spectral_problem problem(Eigen::VectorXd::Ones(1));
+  const auto r = solve(problem, random_block<Q>(1, 1, 4), until(-1));
+  EXPECT_TRUE(r.stagnated);
+  EXPECT_NEAR(r.values[0], 1, 1e-14);
+}
+
+TEST(Lobpcg, separates_two_nearly_equal_eigenvalues_with_two_columns)
+{
+  Eigen::VectorXd values = 2 + counting(30).array();
+  values[0] = 1;
+  values[1] = 1 + 1e-7;
+  const Spectral_problem problem(values);
+  const auto one = solve(problem, random_block<Q>(30, 1, 5), until(1e-6));
+  EXPECT_TRUE(one.converged);
+  EXPECT_LE(problem.sine(one.vectors, 2), 1e-5);
+  const auto two = solve(problem, random_block<Q>(30, 2, 5), until(1e-9, 2));
+  EXPECT_TRUE(two.converged);
+  EXPECT_NEAR(*two.gap, 1e-7, 1e-13);
+  EXPECT_LE(problem.sine(two.vectors, 2), 1e-8);
+}
+
+TEST(Lobpcg, finds_both_vectors_of_a_double_eigenvalue)
+{
+  // As for the square of an operator with eigenvalues +-1, +-2, ...
+  Eigen::VectorXd values(24);
+  for (int i = 0; i < 24; ++i) values[i] = (i / 2 + 1) * (i / 2 + 1);
+  const Spectral_problem problem(values);
+  const auto one = solve(problem, random_block<Q>(24, 1, 6), until(1e-9));
+  EXPECT_TRUE(one.converged);
+  EXPECT_LE(problem.sine(one.vectors, 2), 1e-8);
+  const auto two = solve(problem, random_block<Q>(24, 2, 6), until(1e-9, 2));
+  EXPECT_TRUE(two.converged);
+  EXPECT_LE(problem.sine(two.vectors, 2), 1e-8);
+  EXPECT_NEAR(*two.gap, 0, 1e-13);
+  // A block that ends between two equal eigenvalues.
+  const auto three = solve(problem, random_block<Q>(24, 3, 6), until(1e-9, 3));
+  EXPECT_TRUE(three.converged);
+  EXPECT_LE(problem.sine(three.vectors, 4), 1e-8);
+}
+
+TEST(Lobpcg, leaves_an_initial_vector_that_is_nearly_orthogonal_to_the_answer)
+{
+  const Spectral_problem problem(counting(30));
+  Block x0 = Block::Constant(30, 1, Q{});
+  for (int i = 0; i < 30; ++i) {
+    x0(i, 0) = 1e-6 * problem.vectors()(i, 0);
+    for (int j = 1; j < 30; ++j) x0(i, 0) += problem.vectors()(i, j);
+  }
+  const auto r = solve(problem, x0, until(1e-8));
+  EXPECT_TRUE(r.converged);
+  EXPECT_NEAR(r.values[0], 1, 1e-12);
+}

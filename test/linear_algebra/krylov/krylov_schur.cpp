@@ -1,0 +1,142 @@
+// Tests linear_algebra/krylov/krylov_schur.h, linear_algebra/krylov/Krylov_space.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "linear_algebra/spectral_problem.h"
+
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+using Q = CGP::Quaternion<double>;
+using Block = CGP::Block<Q>;
+
+namespace {
+
+/// K and N of a problem whose N is the masses
+CGP::Pencil pencil_of(const Spectral_problem& problem)
+{
+  CGP::Pencil pencil;
+  pencil.K = problem.k();
+  pencil.N = problem.n();
+  pencil.solve = [&problem](const Block& b) {
+    Block x = b;
+    for (Eigen::Index c = 0; c < x.cols(); ++c)
+      for (int i = 0; i < problem.size(); ++i) x(i, c) *= 1 / problem.masses()[i];
+    return x;
+  };
+  return pencil;
+}
+
+auto noise(int n)
+{
+  return [n, seed = std::uint64_t(0)](Eigen::Index columns) mutable {
+    return random_block<Q>(n, static_cast<int>(columns), ++seed);
+  };
+}
+
+CGP::Krylov_options wanting(int wanted)
+{
+  CGP::Krylov_options options;
+  options.wanted = wanted;
+  return options;
+}
+
+/// values 1 / k of either sign, k = 1, 2, ...: those of an inverse
+Eigen::VectorXd reciprocals(int n)
+{
+  Eigen::VectorXd values(n);
+  for (int i = 0; i < n; ++i) values[i] = (i % 2 == 0 ? 1. : -1.) / (i + 1);
+  return values;
+}
+
+TEST(Krylov_schur, finds_the_eigenpairs_of_largest_modulus_with_their_signs)
+{
+  const Spectral_problem problem(reciprocals(120));
+  const auto r = CGP::krylov_schur(pencil_of(problem), 120, noise(120), wanting(7));
+  ASSERT_TRUE(r.converged);
+  for (int j = 0; j < 7; ++j) {
+    EXPECT_NEAR(r.values[j], problem.value(j), 1e-12);
+    EXPECT_LT(problem.sine(r.vectors.col(j), 1, j), 1e-7);
+    EXPECT_LT(r.residuals[j], 1e-8);
+  }
+  const Block gram = CGP::gram_matrix(r.vectors, problem.n()(r.vectors));
+  EXPECT_LT((dense(gram) - Eigen::MatrixXd::Identity(28, 28)).norm(), 1e-11);
+}
+
+TEST(Krylov_schur, finds_every_copy_of_an_eigenvalue_even_more_than_a_block_has_columns)
+{
+  Eigen::VectorXd values = reciprocals(100) / 10;
+  values.head(9).setConstant(-2);  // a block for 10 pairs has six columns
+  values[9] = 1;
+  const Spectral_problem problem(values);
+  const auto r = CGP::krylov_schur(pencil_of(problem), 100, noise(100), wanting(10));
+  ASSERT_TRUE(r.converged);
+  for (int j = 0; j < 9; ++j) EXPECT_NEAR(r.values[j], -2, 1e-12);
+  EXPECT_NEAR(r.values[9], 1, 1e-12);
+  EXPECT_LT(problem.sine(r.vectors.leftCols(9), 9), 1e-7);
+}
+
+TEST(Krylov_schur, finds_all_eigenpairs_of_a_small_matrix)
+{
+  const Spectral_problem problem(reciprocals(5));
+  const auto r = CGP::krylov_schur(pencil_of(problem), 5, noise(5), wanting(5));
+  ASSERT_TRUE(r.converged);
+  for (int j = 0; j < 5; ++j) EXPECT_NEAR(r.values[j], problem.value(j), 1e-12);
+}
+
+TEST(Krylov_schur, works_over_the_reals_where_eigenvalues_come_four_times)
+{
+  const Spectral_problem problem(reciprocals(40));
+  CGP::Pencil pencil = pencil_of(problem);
+  pencil.coefficients = CGP::Coefficients::reals;
+  const auto r = CGP::krylov_schur(pencil, 40, noise(40), wanting(8));
+  ASSERT_TRUE(r.converged);
+  for (int j = 0; j < 8; ++j) EXPECT_NEAR(r.values[j], problem.value(j / 4), 1e-12);
+}
+
+TEST(Krylov_schur, tells_when_restarts_were_too_few_and_stops_when_told)
+{
+  const Spectral_problem problem(Eigen::VectorXd::LinSpaced(120, 1, 1.1));
+  CGP::Krylov_options options = wanting(3);
+  options.max_restarts = 1;
+  const auto r = CGP::krylov_schur(pencil_of(problem), 120, noise(120), options);
+  EXPECT_FALSE(r.converged);
+  EXPECT_EQ(r.restarts, 1);
+  EXPECT_GT(r.residuals.maxCoeff(), options.tolerance);
+  const auto stopped =
+      CGP::krylov_schur(pencil_of(problem), 120, noise(120), wanting(3),
+                        [](const CGP::Krylov_progress& p) { return p.restart < 1; });
+  EXPECT_TRUE(stopped.cancelled);
+  EXPECT_FALSE(stopped.converged);
+}
+
+TEST(Krylov_schur, is_deterministic)
+{
+  const Spectral_problem problem(reciprocals(60));
+  const auto once = [&] {
+    return CGP::krylov_schur(pencil_of(problem), 60, noise(60), wanting(4));
+  };
+  const auto a = once(), b = once();
+  EXPECT_EQ(a.values, b.values);
+  EXPECT_EQ(real_columns(a.vectors), real_columns(b.vectors));
+}
+
+TEST(Krylov_schur, refuses_what_cannot_be_found)
+{
+  const Spectral_problem problem(reciprocals(5));
+  const CGP::Pencil pencil = pencil_of(problem);
+  EXPECT_THROW((void)CGP::krylov_schur(pencil, 5, noise(5), wanting(0)), CGP::Precondition_error);
+  EXPECT_THROW((void)CGP::krylov_schur(pencil, 5, noise(5), wanting(6)), CGP::Precondition_error);
+  CGP::Pencil broken = pencil;
+  broken.K = [](const Block& x) {
+    return Block::Constant(x.rows(), x.cols(),
+                           Q{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0});
+  };
+  EXPECT_THROW((void)CGP::krylov_schur(broken, 5, noise(5), wanting(1)), CGP::Solver_error);
+}
+
+}  // namespace

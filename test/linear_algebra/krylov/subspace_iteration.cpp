@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/linear_algebra/krylov/subspace_iteration.h
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/subspace_iteration.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "support/random.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+
+/// the Laplacian of a path: eigenvalues 2 - 2 cos(pi k / n), vectors cos(pi k (i + 1/2) / n)
+CGP::Hermitian_sparse_matrix<double> path(int n)
+{
+  auto pattern = std::make_shared<CGP::Sparse_pattern>();
+  for (int i = 0; i < n; ++i) {
+    pattern->offsets.push_back(pattern->size_of_entries());
+    pattern->indices.push_back(i);
+    if (i + 1 < n) pattern->indices.push_back(i + 1);
+  }
+  pattern->offsets.push_back(pattern->size_of_entries());
+  CGP::Hermitian_sparse_matrix<double> L(pattern);
+  for (int i = 0; i + 1 < n; ++i) {
+    L.value(pattern->find(i, i)) += 1;
+    L.value(pattern->find(i + 1, i + 1)) += 1;
+    L.value(pattern->find(i + 1, i)) -= 1;
+  }
+  return L;
+}
+
+struct Path_problem {
+  explicit Path_problem(int n)
+      : L(path(n)), mass(Eigen::VectorXd::Ones(n), Eigen::MatrixXd::Ones(n, 1))
+  {
+    EXPECT_EQ(solver.analyze(L.pattern()), CGP::Solver_status::success);
+    EXPECT_EQ(solver.factorize(L, Eigen::VectorXd::Constant(n, shift)),
+              CGP::Solver_status::success);
+  }
+
+  CGP::Subspace_result<double> solve(int vectors, double tolerance, int iterations = 100) const
+  {
+    Eigen::MatrixXd x(L.size(), vectors);
+    for (int k = 0; k < vectors; ++k)
+      x.col(k) = random_numbers(L.size(), static_cast<std::uint64_t>(k) + 1);
+    return CGP::subspace_iteration(L, mass, shift, solver, x, {tolerance, iterations});
+  }
+
+  double shift = 1e-10;
+  CGP::Hermitian_sparse_matrix<double> L;
+  CGP::Centered_mass<double> mass;
+  CGP::Supernodal_cholesky<double> solver;
+};
+
+}  // namespace
+
+TEST(Subspace_iteration, finds_the_slowest_mode_of_a_path)
+{
+  const int n = 40;
+  const auto result = Path_problem(n).solve(3, 1e-10);
+  ASSERT_TRUE(result.converged);
+  EXPECT_NEAR(result.eigenvalue, 2 - 2 * std::cos(pi / n), 1e-14);
+  EXPECT_NEAR(result.next_eigenvalue, 2 - 2 * std::cos(2 * pi / n), 1e-8);
+  const Eigen::VectorXd centred = result.vector.array() - result.vector.mean();
+  for (int i = 0; i < n; ++i)
+    EXPECT_NEAR(centred[i] / centred[0], std::cos(pi * (i + .5) / n) / std::cos(pi * .5 / n),
+                1e-10);
+  EXPECT_NEAR(centred.norm(), 1, 1e-14);
+}
+
+TEST(Subspace_iteration, is_faster_with_more_vectors)
+{
+  const Path_problem problem(40);
+  EXPECT_LT(problem.solve(4, 1e-8).iterations + 4, problem.solve(1, 1e-8).iterations);
+}
+
+TEST(Subspace_iteration, estimates_the_error_that_it_has)
+{
+  const int n = 40;
+  const Path_problem problem(n);
+  Eigen::VectorXd exact(n);
+  for (int i = 0; i < n; ++i) exact[i] = std::cos(pi * (i + .5) / n);
+  exact.normalize();
+  const double mu = 2 - 2 * std::cos(pi / n);
+  for (const int iterations : {3, 5}) {
+    const auto before = problem.solve(1, 0, iterations - 1),
+               after = problem.solve(1, 0, iterations);
+    const Eigen::VectorXd error = before.vector - exact * exact.dot(before.vector);
+    const double energy = std::sqrt(error.dot(problem.L * error) / mu);
+    EXPECT_GT(after.residual, energy / 2);
+    EXPECT_LT(after.residual, energy * 2);
+  }
+}
+
+TEST(Subspace_iteration, ends_when_it_has_to)
+{
+  const auto result = Path_problem(40).solve(1, 1e-14, 2);
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.iterations, 2);
+}
+
+TEST(Subspace_iteration, hands_on_the_failure_of_a_solver)
+{
+  const Path_problem problem(4);
+  const CGP::Supernodal_cholesky<double> not_ready;
+  const auto result = CGP::subspace_iteration(problem.L, problem.mass, 1e-10, not_ready,
+                                              Eigen::MatrixXd(Eigen::VectorXd::LinSpaced(4, 0, 1)));
+  EXPECT_EQ(result.status, CGP::Solver_status::wrong_state);
+  EXPECT_FALSE(result.converged);
+}

@@ -1,0 +1,35 @@
+// Tests include/Conformal_geometry_processing/linear_algebra/reduced/Schur_reduced_solver.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include <Conformal_geometry_processing/linear_algebra/reduced/Schur_reduced_solver.h>
+
+#include "linear_algebra/reduced_solver_laws.h"
+#include "linear_algebra/threads.h"
+
+namespace cgp_test {
+namespace {
+
+using Models = testing::Types<CGP::Schur_reduced_solver>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Schur, Reduced_solver, Models);
+
+TEST(Schur_reduced_solver, gives_the_same_bits_for_any_number_of_threads)
+{
+  const Reduced_problem p = reduced_problem(disk(30), 1);
+  const CGP::Ordering order = CGP::amd_ordering(p.X.pattern());
+  const auto b = random_block<Quaternion<double>>(p.X.size(), 1, 2);
+  const auto solution = [&](int threads) {
+    const Threads setting(threads);
+    CGP::Schur_reduced_solver solver;
+    CGP::Block<Quaternion<double>> x;
+    EXPECT_EQ(solver.analyze(p.X.pattern(), p.rows(), order), Solver_status::success);
+    EXPECT_EQ(solver.factorize(p.X, p.shift, p.basis()), Solver_status::success);
+    EXPECT_EQ(solver.solve(b, x), Solver_status::success);
+    return real_columns(x);
+  };
+  const Eigen::MatrixXd expected = solution(1);
+  for (const int threads : {2, 5}) EXPECT_EQ(solution(threads), expected);
+}
+
+}  // namespace
+}  // namespace cgp_test
