@@ -58,7 +58,7 @@ class Intrinsic_triangulation {
     std::sort(l.begin(), l.end());
     const auto [c, b, a] = l;
     const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
-    return std::sqrt(std::max(product, 0.)) / 4;
+    return std::sqrt((std::max)(product, 0.)) / 4;
   }
 
   /// where the apex of h is if h runs from (0, 0) along the x-axis and its face is above

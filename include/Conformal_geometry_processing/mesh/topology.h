@@ -27,7 +27,7 @@ inline std::vector<int> connected_components(const Mesh_view& mesh)
   };
   for (int k = 0; k < mesh.size_of_edges(); ++k) {
     const int a = find(mesh.ends(k)[0]), b = find(mesh.ends(k)[1]);
-    root[at(std::max(a, b))] = (std::min)(a, b);  // the smallest vertex is the root
+    root[at((std::max)(a, b))] = (std::min)(a, b);  // the smallest vertex is the root
   }
   std::vector<int> component(root.size());
   int count = 0;

@@ -170,7 +170,7 @@ class Dirac_equation {
     return true;
   }
 
-  static double root(double mu) { return std::sqrt(std::max(mu, 0.)); }
+  static double root(double mu) { return std::sqrt((std::max)(mu, 0.)); }
 
   Eigen::Index nearest_column(const Block<Quaternion<double>>& vectors,
                               const Quaternion_vector<double>& guide) const

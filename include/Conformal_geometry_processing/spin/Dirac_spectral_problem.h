@@ -75,7 +75,7 @@ class Dirac_spectral_problem {
         {rho.on, (rho.values.array() + options.shift).matrix() * m_frame.unit()});
     Dirac_spectrum s;
     s.size_of_constants =
-        static_cast<int>(std::min<Eigen::Index>(count, m_pencil.constants().cols()));
+        static_cast<int>((std::min<Eigen::Index>)(count, m_pencil.constants().cols()));
     Krylov_result r;
     r.converged = true;
     std::vector<Pair> pairs;
@@ -83,7 +83,7 @@ class Dirac_spectral_problem {
       const int wanted = count - s.size_of_constants;
       r = iterate(m_pencil.of_form(), wanted, options, go_further);
       pairs = with_those_at_the_shift(r, options);
-      pairs.resize(std::min(pairs.size(), static_cast<std::size_t>(wanted)));
+      pairs.resize((std::min)(pairs.size(), static_cast<std::size_t>(wanted)));
     }
     s.restarts = r.restarts;
     s.converged = r.converged;

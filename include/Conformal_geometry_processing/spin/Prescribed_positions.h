@@ -68,7 +68,7 @@ class Prescribed_positions {
     for (std::size_t k = 0; k < m_spins.size(); ++k) values(m_frames.vertices[k], 0) = m_spins[k];
     s.lambda = m_lambda.solve(X, zero, values).col(0);
     s.energy = inner_product(s.lambda, X * s.lambda).w / m_problem.squared_norm(s.lambda);
-    s.eigenvalue = std::sqrt(std::max(s.energy, 0.));
+    s.eigenvalue = std::sqrt((std::max)(s.energy, 0.));
     s.residual = residual(s.lambda);
     s.converged = components(s.lambda).allFinite();
     s.seconds.eigenvectors += watch.lap();

@@ -174,7 +174,7 @@ class Reduced_dirac_equation {
 
   static double singular_value(const Eigen_result& r, int c)
   {
-    return std::sqrt(std::max(r.values[c], 0.));
+    return std::sqrt((std::max)(r.values[c], 0.));
   }
 
   /// that of the branch: of those that are solutions up to the discretisation, if there are some
@@ -195,7 +195,7 @@ class Reduced_dirac_equation {
   {
     int size = 0;
     while (size < r.values.size() &&
-           std::sqrt(std::max(r.values[size], 0.)) <= options.kernel_tolerance)
+           std::sqrt((std::max)(r.values[size], 0.)) <= options.kernel_tolerance)
       ++size;
     return size;
   }
@@ -219,8 +219,8 @@ class Reduced_dirac_equation {
     s.converged = s.residual <= options.tolerance;
     s.energy =
         inner_product(s.lambda, m_problem.matrix() * s.lambda).w / m_problem.squared_norm(s.lambda);
-    s.gap = nearest + 1 < r.values.size() ? std::sqrt(std::max(r.values[nearest + 1], 0.)) -
-                                                std::sqrt(std::max(r.values[nearest], 0.))
+    s.gap = nearest + 1 < r.values.size() ? std::sqrt((std::max)(r.values[nearest + 1], 0.)) -
+                                                std::sqrt((std::max)(r.values[nearest], 0.))
                                           : 0;
     s.overlap = overlap(s.lambda, guide);
     normalize(s.lambda);

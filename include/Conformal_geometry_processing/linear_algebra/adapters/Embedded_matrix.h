@@ -95,12 +95,12 @@ class Embedded_matrix {
         for (int k = pattern.offsets[at(j)] + 1; k < pattern.offsets[at(j) + 1]; ++k)
           action(new_of_old[at(pattern.indices[at(k)])], new_of_old[at(j)], k);
     };
-    visit([&](int i, int j, int) { ++m_offsets[at(std::min(i, j)) + 1]; });
+    visit([&](int i, int j, int) { ++m_offsets[at((std::min)(i, j)) + 1]; });
     std::partial_sum(m_offsets.begin(), m_offsets.end(), m_offsets.begin());
     m_blocks.resize(at(m_offsets.back()));
     std::vector<int> next(m_offsets.begin(), m_offsets.end() - 1);
     visit([&](int i, int j, int k) {
-      m_blocks[at(next[at(std::min(i, j))]++)] = {(std::max)(i, j), i > j ? k : ~k};
+      m_blocks[at(next[at((std::min)(i, j))]++)] = {(std::max)(i, j), i > j ? k : ~k};
     });
     for (int j = 0; j < n; ++j) {
       m_diagonals[at(new_of_old[at(j)])] = {j, pattern.offsets[at(j)]};

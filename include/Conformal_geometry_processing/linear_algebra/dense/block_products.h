@@ -90,7 +90,7 @@ void replace_by_combination(Block<Quaternion<FT>>& W, const Block<Quaternion<FT>
 {
   const Eigen::Index rows = V.rows(), most = 256, old = W.cols();
   if (old != D.cols()) W.conservativeResize(rows, (std::max)(old, D.cols()));
-  Block<Quaternion<FT>> part(std::min(rows, most), D.cols());
+  Block<Quaternion<FT>> part((std::min)(rows, most), D.cols());
   for (Eigen::Index first = 0; first < rows; first += most) {
     const Eigen::Index count = (std::min)(most, rows - first);
     part.setConstant(Quaternion<FT>{});

@@ -26,7 +26,7 @@ namespace Conformal_geometry_processing {
 class Task_pool {
  public:
   /// \param threads the caller of `run()` is one of them
-  explicit Task_pool(int threads) : m_threads(std::max(1, threads)) {}
+  explicit Task_pool(int threads) : m_threads((std::max)(1, threads)) {}
 
   Task_pool(const Task_pool&) = delete;
   Task_pool& operator=(const Task_pool&) = delete;

@@ -31,7 +31,7 @@ struct Permuted_graph {
       for (int j = 0; j < pattern.size(); ++j)
         for (int k = pattern.offsets[at(j)] + 1; k < pattern.offsets[at(j) + 1]; ++k) {
           const int a = new_of_old[at(pattern.indices[at(k)])], b = new_of_old[at(j)];
-          action(std::min(a, b), Entry{(std::max)(a, b), a > b ? k : ~k});
+          action((std::min)(a, b), Entry{(std::max)(a, b), a > b ? k : ~k});
         }
     });
   }

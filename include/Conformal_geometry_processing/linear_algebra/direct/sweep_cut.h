@@ -101,7 +101,7 @@ class Sweep_cut {
     if (!(scale < no_cut)) return false;
     m_slab.resize(region.vertices.size());
     for (std::size_t v = 0; v < m_slab.size(); ++v)
-      m_slab[v] = static_cast<std::uint8_t>(std::min(
+      m_slab[v] = static_cast<std::uint8_t>((std::min)(
           slabs - 1, static_cast<int>((m_key[static_cast<Eigen::Index>(v)] - low) * scale)));
     return true;
   }

@@ -29,9 +29,9 @@ struct Separator_band {
   }
 };
 
-/// \param near the side where the sources are
+/// \param lighter_side the side where the sources are
 inline Separator_band separator_band(const Graph_region& region, const std::vector<Side>& sides,
-                                     Side near)
+                                     Side lighter_side)
 {
   const auto side = [&](int v) { return sides[static_cast<std::size_t>(v)]; };
   Separator_band band;
@@ -46,7 +46,7 @@ inline Separator_band separator_band(const Graph_region& region, const std::vect
     }
   const auto number = [&](int v) { return band.number[static_cast<std::size_t>(v)]; };
   const auto mark = [&](int k, Side s) {
-    (s == near ? band.graph.is_source : band.graph.is_sink)[static_cast<std::size_t>(k)] = 1;
+    (s == lighter_side ? band.graph.is_source : band.graph.is_sink)[static_cast<std::size_t>(k)] = 1;
   };
   for (std::size_t k = 0; k < band.vertices.size(); ++k)
     if (side(band.vertices[k]) != Side::separator)
@@ -77,13 +77,13 @@ inline void thin_separator(const Graph_region& region, std::vector<Side>& sides)
 {
   const auto lefts = std::count(sides.begin(), sides.end(), Side::left);
   const auto rights = std::count(sides.begin(), sides.end(), Side::right);
-  const Side near = lefts >= rights ? Side::left : Side::right,
-             far = near == Side::left ? Side::right : Side::left;
-  const internal::Separator_band band = internal::separator_band(region, sides, near);
+  const Side lighter_side = lefts >= rights ? Side::left : Side::right,
+             other_side = lighter_side == Side::left ? Side::right : Side::left;
+  const internal::Separator_band band = internal::separator_band(region, sides, lighter_side);
   const std::vector<Side> cut = minimum_vertex_cut(band.graph);
   for (std::size_t k = 0; k < cut.size(); ++k)
     sides[static_cast<std::size_t>(band.vertices[k])] =
-        cut[k] == Side::separator ? Side::separator : (cut[k] == Side::left ? near : far);
+        cut[k] == Side::separator ? Side::separator : (cut[k] == Side::left ? lighter_side : other_side);
 }
 
 }  // namespace Conformal_geometry_processing

@@ -95,7 +95,7 @@ class Eigen_convergence {
           reduced_to(x.coefficients, inner_product(x.nv.col(j), Tr.col(j)));
       const double squared =
           (inner_product(r.col(j), Tr.col(j)) - inner_product(r.col(j), x.v.col(j)) * along).w;
-      estimates[j] = std::sqrt(std::max(squared, 0.0)) / m_options.scale;
+      estimates[j] = std::sqrt((std::max)(squared, 0.0)) / m_options.scale;
       if (std::isnan(squared)) estimates[j] = squared;
     }
     return estimates;

@@ -113,11 +113,11 @@ class Krylov_space {
       const Vectors Nw = m_pencil.N(w);
       const Vectors before = gram_matrix(w, Nw, m_pencil.coefficients);
       for (Eigen::Index j = 0; pass == 0 && j < w.cols(); ++j)
-        longest = (std::max)(longest, std::sqrt(std::max(before(j, j).w, 0.)));
+        longest = (std::max)(longest, std::sqrt((std::max)(before(j, j).w, 0.)));
       if (size() > 0) w -= m_V.combination(m_NV.gram(w, m_pencil.coefficients));
       const auto gram = hermitian_jacobi(gram_matrix(w, m_pencil.N(w), m_pencil.coefficients));
       Eigen::Index rank = 0;
-      while (rank < w.cols() && std::sqrt(std::max(gram.values[w.cols() - 1 - rank], 0.)) >
+      while (rank < w.cols() && std::sqrt((std::max)(gram.values[w.cols() - 1 - rank], 0.)) >
                                     (pass == 0 ? lost * longest : 0.5))
         ++rank;
       Vectors basis = gram.vectors.rightCols(rank), R(rank, w.cols());

@@ -82,7 +82,7 @@ Subspace_result<Scalar> subspace_iteration(const Hermitian_sparse_matrix<Scalar>
     result.vector = x.col(0);
     result.eigenvalue = mu - shift;
     result.next_eigenvalue = inverses.size() > 1 ? 1 / inverses[1] - shift : HUGE_VAL;
-    result.residual = std::sqrt(std::max(0., error));
+    result.residual = std::sqrt((std::max)(0., error));
     result.converged = result.residual <= options.tolerance;
   }
   return result;

@@ -102,14 +102,14 @@ Sparse_rows<Scalar> folded_to_lower_triangle(const Sparse_rows<Scalar>& S)
 {
   Sparse_rows<Scalar> by_row(S.size()), by_column(S.size());
   S.for_each_entry([&](int i, int j, const Scalar&) {
-    ++by_row.offsets[static_cast<std::size_t>(std::max(i, j)) + 1];
-    ++by_column.offsets[static_cast<std::size_t>(std::min(i, j)) + 1];
+    ++by_row.offsets[static_cast<std::size_t>((std::max)(i, j)) + 1];
+    ++by_column.offsets[static_cast<std::size_t>((std::min)(i, j)) + 1];
   });
   // Sorted by rows first and stably by columns then, the rows of every column ascend.
   std::vector<int> next = by_row.allocate();
   S.for_each_entry([&](int i, int j, const Scalar& s) {
     const std::size_t k =
-        static_cast<std::size_t>(next[static_cast<std::size_t>(std::max(i, j))]++);
+        static_cast<std::size_t>(next[static_cast<std::size_t>((std::max)(i, j))]++);
     by_row.columns[k] = (std::min)(i, j);
     by_row.values[k] = i > j ? s : i < j ? conjugate(s) : s + conjugate(s);
   });
