@@ -13,9 +13,9 @@
 /// meshes. Seconds are those of the processor on one thread, the least of up to five runs; memory
 /// is the peak above the mesh. *spread* is the standard deviation of the log of the scale, over the
 /// area. A face is flipped if it is oriented against the area of the whole image.
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/compute_vertex_normals.h
 #include <Conformal_geometry_processing/compute_vertex_normals.h>
-#include <Conformal_geometry_processing/mesh/Conformal_mesh_traits_Surface_mesh.h>
+#include <Conformal_geometry_processing/core/Conformal_mesh_traits_Surface_mesh.h>
 
 #include <CGAL/Simple_cartesian.h>
 

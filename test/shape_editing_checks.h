@@ -3,8 +3,8 @@
 #ifndef TEST_SHAPE_EDITING_CHECKS_H
 #define TEST_SHAPE_EDITING_CHECKS_H
 
+#include <Conformal_geometry_processing/core/Associated_property_map.h>
 #include <Conformal_geometry_processing/filter_curvature.h>
-#include <Conformal_geometry_processing/mesh/Associated_property_map.h>
 #include <Conformal_geometry_processing/minimal_surface.h>
 #include <Conformal_geometry_processing/nearest_spin_transform.h>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin_transform.h
-#include <Conformal_geometry_processing/mesh/Conformal_mesh_traits_Surface_mesh.h>
+#include <Conformal_geometry_processing/core/Conformal_mesh_traits_Surface_mesh.h>
 
 #include <CGAL/Simple_cartesian.h>
 

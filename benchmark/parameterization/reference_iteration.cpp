@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
 #include <Conformal_geometry_processing/mesh/boundary_loops.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/parameterization/vertex_normal_energy.h>
 

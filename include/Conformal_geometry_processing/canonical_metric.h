@@ -3,11 +3,11 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_CANONICAL_METRIC_H
 #define CONFORMAL_GEOMETRY_PROCESSING_CANONICAL_METRIC_H
 
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/flow/canonical_metric.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 

@@ -3,8 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_COMPUTE_VERTEX_NORMALS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_COMPUTE_VERTEX_NORMALS_H
 
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -3,8 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_PARAMETERIZATION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_PARAMETERIZATION_H
 
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_PARAMETERIZATION_COMPONENTS_H
 
 #include <Conformal_geometry_processing/conformal_parameterization.h>
-#include <Conformal_geometry_processing/mesh/for_each_component.h>
+#include <Conformal_geometry_processing/core/for_each_component.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/place_side_by_side.h>

@@ -3,13 +3,13 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_WILLMORE_FLOW_H
 #define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_WILLMORE_FLOW_H
 
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/boundary_parameters.h>
+#include <Conformal_geometry_processing/core/geometry_traits.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/core/write_points.h>
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/flow/Flow_visitor.h>
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
-#include <Conformal_geometry_processing/mesh/geometry_traits.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
-#include <Conformal_geometry_processing/mesh/write_points.h>
-#include <Conformal_geometry_processing/spin/boundary_parameters.h>
 
 #include <CGAL/number_utils.h>
 

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_WILLMORE_FLOW_COMPONENTS_H
 
 #include <Conformal_geometry_processing/conformal_willmore_flow.h>
-#include <Conformal_geometry_processing/mesh/for_each_component.h>
+#include <Conformal_geometry_processing/core/for_each_component.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 
 #include <string>

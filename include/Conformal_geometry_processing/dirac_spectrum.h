@@ -3,11 +3,11 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_DIRAC_SPECTRUM_H
 #define CONFORMAL_GEOMETRY_PROCESSING_DIRAC_SPECTRUM_H
 
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/boundary_parameters.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/mesh/boundary_loops.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
-#include <Conformal_geometry_processing/spin/boundary_parameters.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <string>

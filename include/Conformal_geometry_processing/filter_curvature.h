@@ -3,10 +3,10 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FILTER_CURVATURE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FILTER_CURVATURE_H
 
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/flow/filtered_on_surface.h>
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/painting/Curvature_band.h>
 

@@ -3,13 +3,13 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HARMONIC_BASIS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_HARMONIC_BASIS_H
 
-#include <Conformal_geometry_processing/forms/Harmonic_forms.h>
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/Harmonic_forms.h>
+#include <Conformal_geometry_processing/core/geometry_traits.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/forms/random_closed_forms.h>
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
-#include <Conformal_geometry_processing/mesh/geometry_traits.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 
 #include <string>

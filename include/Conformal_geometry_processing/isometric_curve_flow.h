@@ -3,9 +3,9 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_ISOMETRIC_CURVE_FLOW_H
 #define CONFORMAL_GEOMETRY_PROCESSING_ISOMETRIC_CURVE_FLOW_H
 
+#include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/core/point_ranges.h>
 #include <Conformal_geometry_processing/curves/Isometric_curve_flow.h>
-#include <Conformal_geometry_processing/curves/point_ranges.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
 
 namespace Conformal_geometry_processing {
 namespace internal {

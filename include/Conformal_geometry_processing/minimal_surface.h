@@ -3,9 +3,9 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MINIMAL_SURFACE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MINIMAL_SURFACE_H
 
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
-#include <Conformal_geometry_processing/spin/boundary_parameters.h>
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/boundary_parameters.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 

@@ -4,12 +4,12 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_MOEBIUS_TRANSFORM_H
 
 #include <Conformal_geometry_processing/algebra/Moebius_map.h>
-#include <Conformal_geometry_processing/algebra/Quaternion_access.h>
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/Quaternion_access.h>
+#include <Conformal_geometry_processing/core/geometry_traits.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/core/write_points.h>
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
-#include <Conformal_geometry_processing/mesh/geometry_traits.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
-#include <Conformal_geometry_processing/mesh/write_points.h>
 
 #include <CGAL/number_utils.h>
 

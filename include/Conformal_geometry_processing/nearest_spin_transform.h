@@ -3,8 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_NEAREST_SPIN_TRANSFORM_H
 #define CONFORMAL_GEOMETRY_PROCESSING_NEAREST_SPIN_TRANSFORM_H
 
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 

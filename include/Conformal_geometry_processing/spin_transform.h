@@ -3,16 +3,16 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORM_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORM_H
 
-#include <Conformal_geometry_processing/algebra/Quaternion_access.h>
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/Quaternion_access.h>
+#include <Conformal_geometry_processing/core/boundary_parameters.h>
+#include <Conformal_geometry_processing/core/dirac_parameters.h>
+#include <Conformal_geometry_processing/core/geometry_traits.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/core/write_points.h>
 #include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
-#include <Conformal_geometry_processing/mesh/geometry_traits.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
-#include <Conformal_geometry_processing/mesh/write_points.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/Spin_visitor.h>
-#include <Conformal_geometry_processing/spin/boundary_parameters.h>
-#include <Conformal_geometry_processing/spin/dirac_parameters.h>
 
 #include <CGAL/number_utils.h>
 

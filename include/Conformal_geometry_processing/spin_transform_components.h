@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORM_COMPONENTS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORM_COMPONENTS_H
 
-#include <Conformal_geometry_processing/mesh/for_each_component.h>
+#include <Conformal_geometry_processing/core/for_each_component.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 

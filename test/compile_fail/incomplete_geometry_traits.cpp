@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "concepts/triangle_mesh_archetype.h"
 
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
+#include <Conformal_geometry_processing/core/Graph_view.h>
 
 namespace CGP = Conformal_geometry_processing;
 

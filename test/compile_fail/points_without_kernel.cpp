@@ -4,7 +4,7 @@
 #include "concepts/geometry_traits_archetype.h"
 #include "concepts/triangle_mesh_archetype.h"
 
-#include <Conformal_geometry_processing/mesh/geometry_traits.h>
+#include <Conformal_geometry_processing/core/geometry_traits.h>
 
 namespace CGP = Conformal_geometry_processing;
 

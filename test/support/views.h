@@ -3,8 +3,8 @@
 #ifndef TEST_SUPPORT_VIEWS_H
 #define TEST_SUPPORT_VIEWS_H
 
-#include <Conformal_geometry_processing/mesh/Graph_view.h>
-#include <Conformal_geometry_processing/mesh/named_parameters.h>
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
 
 #include "support/mesh_tools.h"
 

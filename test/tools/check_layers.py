@@ -12,9 +12,10 @@ LEVEL = {
     "forms": 4, "measure": 4, "painting": 4,
     "spin": 5,
     "flow": 6, "parameterization": 6, "surfaces": 6, "curves": 6,
+    "core": 7,
 }
 BASE = {"exceptions.h", "version.h"}
-ENTRY_POINTS = 7
+ENTRY_POINTS = 8
 
 
 def place(header):

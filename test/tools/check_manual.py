@@ -38,7 +38,7 @@ def examples():
 
 
 def named_parameters():
-    header = (sources.INCLUDE / "mesh/named_parameters.h").read_text(encoding="utf-8")
+    header = (sources.INCLUDE / "core/named_parameters.h").read_text(encoding="utf-8")
     page = check_thesis_map.read("doc/named_parameters.txt")
     for name in re.findall(r"\bX\(([a-z_]+)\)", header):
         if f"`{name}`" not in page:

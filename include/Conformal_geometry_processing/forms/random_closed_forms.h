@@ -10,7 +10,7 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/exterior_derivative.h>
 
-#include <CGAL/assertions.h>
+#include <cassert>
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
@@ -61,7 +61,7 @@ inline Eigen::MatrixXd random_closed_forms(const Mesh_view& mesh, unsigned seed,
   const Eigen::SparseMatrix<double> laplacian =
       part * w.cwiseInverse().asDiagonal() * part.transpose();
   const Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(laplacian);
-  CGAL_assertion(factor.info() == Eigen::Success);
+  assert(factor.info() == Eigen::Success);
   for (int pass = 0; pass < 2; ++pass)  // the second removes what rounding has left
     alpha -= w.cwiseInverse().asDiagonal() *
              (part.transpose() * factor.solve(Eigen::MatrixXd(part * alpha)));

@@ -11,7 +11,7 @@
 #include <Conformal_geometry_processing/mesh/intrinsic_delaunay.h>
 #include <Conformal_geometry_processing/mesh/mollified_lengths.h>
 
-#include <CGAL/assertions.h>
+#include <cassert>
 
 #include <Eigen/Core>
 
@@ -59,7 +59,7 @@ class Delaunay_view {
         m_size_of_faces(mesh.size_of_faces()),
         m_loops(Conformal_geometry_processing::boundary_loops(mesh))
   {
-    CGAL_assertion(forms.cols() == 0 || forms.rows() == mesh.size_of_edges());
+    assert(forms.cols() == 0 || forms.rows() == mesh.size_of_edges());
     const Mollified_lengths mollified = mollified_lengths(mesh, mollification);
     m_thin_faces = mollified.thin_faces;
     m_added_length = mollified.added;

@@ -46,7 +46,8 @@ inline Separator_band separator_band(const Graph_region& region, const std::vect
     }
   const auto number = [&](int v) { return band.number[static_cast<std::size_t>(v)]; };
   const auto mark = [&](int k, Side s) {
-    (s == lighter_side ? band.graph.is_source : band.graph.is_sink)[static_cast<std::size_t>(k)] = 1;
+    (s == lighter_side ? band.graph.is_source : band.graph.is_sink)[static_cast<std::size_t>(k)] =
+        1;
   };
   for (std::size_t k = 0; k < band.vertices.size(); ++k)
     if (side(band.vertices[k]) != Side::separator)
@@ -83,7 +84,8 @@ inline void thin_separator(const Graph_region& region, std::vector<Side>& sides)
   const std::vector<Side> cut = minimum_vertex_cut(band.graph);
   for (std::size_t k = 0; k < cut.size(); ++k)
     sides[static_cast<std::size_t>(band.vertices[k])] =
-        cut[k] == Side::separator ? Side::separator : (cut[k] == Side::left ? lighter_side : other_side);
+        cut[k] == Side::separator ? Side::separator
+                                  : (cut[k] == Side::left ? lighter_side : other_side);
 }
 
 }  // namespace Conformal_geometry_processing

@@ -82,7 +82,8 @@ inline Vector<double> true_residuals(const Pencil& pencil, const Block<Quaternio
   const Block<Quaternion<double>> Nr = pencil.N(r);
   Vector<double> norms(x.cols());
   for (Eigen::Index j = 0; j < x.cols(); ++j)
-    norms[j] = std::sqrt((std::max)(inner_product(r.col(j), Nr.col(j)).w, 0.)) / std::abs(values[j]);
+    norms[j] =
+        std::sqrt((std::max)(inner_product(r.col(j), Nr.col(j)).w, 0.)) / std::abs(values[j]);
   return norms;
 }
 

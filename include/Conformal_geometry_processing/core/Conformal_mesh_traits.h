@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_CONFORMAL_MESH_TRAITS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CORE_CONFORMAL_MESH_TRAITS_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
+#include <Conformal_geometry_processing/core/geometry_traits.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgMesh
+/// \brief supplies the property maps of the curvature potential rho, the spin lambda and the
+/// normals of a mesh, so that a pipeline needs no map of its own.
+///
+/// This is the way for any mesh: dynamic property maps that live as long as a map on them does.
+/// Specialised where a mesh type offers more, in a header of its own: `Surface_mesh` keeps the
+/// maps in the mesh, `Polyhedron_3` gets containers beside it. Specialise it for your own mesh
+/// type as a model of `ConformalMeshTraits`. The constructor costs O(|V| + |F|).
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` whose vertices have points
+/// \cgalModels{ConformalMeshTraits}
+template <class TriangleMesh>
+class Conformal_mesh_traits {
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  template <class Tag>
+  using Map = typename boost::property_map<TriangleMesh, Tag>::const_type;
+  using Points_of_mesh =
+      typename boost::property_map<TriangleMesh, boost::vertex_point_t>::const_type;
+  using Point = typename boost::property_traits<Points_of_mesh>::value_type;
+  using Vector = internal::Vector_of<Point>;
+  using Spin = Quaternion<double>;
+
+ public:
+  using Triangle_mesh = TriangleMesh;
+  using Vertex_curvature_potential_map = Map<CGAL::dynamic_vertex_property_t<double>>;
+  using Face_curvature_potential_map = Map<CGAL::dynamic_face_property_t<double>>;
+  using Vertex_spin_map = Map<CGAL::dynamic_vertex_property_t<Spin>>;
+  using Vertex_normal_map = Map<CGAL::dynamic_vertex_property_t<Vector>>;
+
+  /// makes the maps: rho = 0, lambda = 1, normals 0
+  /// \param mesh is not changed and must outlive the maps
+  explicit Conformal_mesh_traits(const TriangleMesh& mesh)
+      : m_vertex_rho(get(CGAL::dynamic_vertex_property_t<double>(), mesh)),
+        m_face_rho(get(CGAL::dynamic_face_property_t<double>(), mesh)),
+        m_spin(get(CGAL::dynamic_vertex_property_t<Spin>(), mesh)),
+        m_normal(get(CGAL::dynamic_vertex_property_t<Vector>(), mesh))
+  {
+    for (const auto v : vertices(mesh)) {
+      put(m_vertex_rho, v, 0.);
+      put(m_spin, v, Spin{1, 0, 0, 0});
+      put(m_normal, v, Vector(0, 0, 0));
+    }
+    for (const auto f : faces(mesh)) put(m_face_rho, f, 0.);
+  }
+
+  /// the maps; copies of one share their values
+  Vertex_curvature_potential_map vertex_curvature_potential_map() const { return m_vertex_rho; }
+  Face_curvature_potential_map face_curvature_potential_map() const { return m_face_rho; }
+  Vertex_spin_map vertex_spin_map() const { return m_spin; }
+  Vertex_normal_map vertex_normal_map() const { return m_normal; }
+
+ private:
+  Vertex_curvature_potential_map m_vertex_rho;
+  Face_curvature_potential_map m_face_rho;
+  Vertex_spin_map m_spin;
+  Vertex_normal_map m_normal;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_CONFORMAL_MESH_TRAITS_POLYHEDRON_3_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CORE_CONFORMAL_MESH_TRAITS_POLYHEDRON_3_H
+
+#include <Conformal_geometry_processing/core/Associated_property_map.h>
+#include <Conformal_geometry_processing/core/Conformal_mesh_traits.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+
+#include <memory>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgMesh
+/// \brief containers of rho, lambda and the normals beside a `Polyhedron_3`, with items of any
+/// kind: `id()` is neither needed nor touched.
+///
+/// The maps know the vertices and faces that the mesh had when the traits were made, and live as
+/// long as one of their copies does. The maps on vertices share one numbering.
+/// A program that includes this header uses `CGAL::Polyhedron_3`, which is under the GPL.
+///
+/// \cgalModels{ConformalMeshTraits}
+template <class Kernel, class Items, template <class, class, class> class HDS, class Allocator>
+class Conformal_mesh_traits<CGAL::Polyhedron_3<Kernel, Items, HDS, Allocator>> {
+ public:
+  using Triangle_mesh = CGAL::Polyhedron_3<Kernel, Items, HDS, Allocator>;
+
+ private:
+  using Graph_traits = boost::graph_traits<Triangle_mesh>;
+  using Vertex = typename Graph_traits::vertex_descriptor;
+  using Face = typename Graph_traits::face_descriptor;
+  using Vertex_numbering = std::shared_ptr<const Element_numbering<Vertex>>;
+  using Spin = Quaternion<double>;
+  using Vector = internal::Vector_of<typename Triangle_mesh::Point_3>;
+
+ public:
+  using Vertex_curvature_potential_map = Associated_property_map<Vertex, double>;
+  using Face_curvature_potential_map = Associated_property_map<Face, double>;
+  using Vertex_spin_map = Associated_property_map<Vertex, Spin>;
+  using Vertex_normal_map = Associated_property_map<Vertex, Vector>;
+
+  /// makes the containers: rho = 0, lambda = 1, normals 0
+  /// \param mesh is not changed and must outlive the maps; O(|V| + |F|)
+  explicit Conformal_mesh_traits(const Triangle_mesh& mesh)
+      : Conformal_mesh_traits(mesh,
+                              std::make_shared<const Element_numbering<Vertex>>(vertices(mesh)))
+  {}
+
+  /// the maps; copies of one share their values
+  Vertex_curvature_potential_map vertex_curvature_potential_map() const { return m_vertex_rho; }
+  Face_curvature_potential_map face_curvature_potential_map() const { return m_face_rho; }
+  Vertex_spin_map vertex_spin_map() const { return m_spin; }
+  Vertex_normal_map vertex_normal_map() const { return m_normal; }
+
+ private:
+  Conformal_mesh_traits(const Triangle_mesh& mesh, const Vertex_numbering& numbering)
+      : m_vertex_rho(numbering, 0.),
+        m_face_rho(std::make_shared<const Element_numbering<Face>>(faces(mesh)), 0.),
+        m_spin(numbering, Spin{1, 0, 0, 0}),
+        m_normal(numbering, Vector(0, 0, 0))
+  {}
+
+  Vertex_curvature_potential_map m_vertex_rho;
+  Face_curvature_potential_map m_face_rho;
+  Vertex_spin_map m_spin;
+  Vertex_normal_map m_normal;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_GRAPH_VIEW_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CORE_GRAPH_VIEW_H
+
+#include <Conformal_geometry_processing/core/geometry_traits.h>
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/mesh/Mesh_component.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgMesh
+/// \brief the `Mesh_view` of a mesh, and which descriptor each of its numbers stands for.
+///
+/// Numbers the *live* vertices and faces itself, in the order of `vertices(mesh)` and
+/// `faces(mesh)`: `num_vertices()` and the index maps count removed elements too. Touches the mesh
+/// once, because the dynamic property maps of some meshes are hash maps. O(|V| + |F|).
+///
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
+template <class TriangleMesh>
+class Graph_view {
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+
+ public:
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+
+  /// reads the points and the traits that a pack of named parameters tells, or else the mesh's own
+  template <class NamedParameters>
+  Graph_view(const TriangleMesh& mesh, const NamedParameters& np, const std::string& function)
+      : Graph_view(mesh, internal::vertex_points(mesh, np),
+                   internal::geometry_traits<TriangleMesh>(np), function)
+  {}
+
+  /// \param mesh is read only, and not kept
+  /// \param points a readable map from vertices to points
+  /// \param traits a model of `ConformalGeometryTraits_3`, which tells the coordinates of a point
+  /// \param function named in the exception
+  /// \throw Precondition_error if a face is not a triangle
+  template <class VertexPointMap, class GeomTraits>
+  Graph_view(const TriangleMesh& mesh, VertexPointMap points, const GeomTraits& traits,
+             const std::string& function)
+  {
+    static_assert(internal::is_conformal_geometry_traits<GeomTraits>,
+                  "geom_traits is not a model of ConformalGeometryTraits_3");
+    auto number = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
+    for (vertex_descriptor v : vertices(mesh)) {
+      put(number, v, static_cast<int>(m_vertices.size()));
+      m_vertices.push_back(v);
+    }
+    Mesh_view::Corners corners;
+    for (face_descriptor f : faces(mesh)) {
+      const auto h = halfedge(f, mesh);
+      const auto g = next(h, mesh);
+      if (next(next(g, mesh), mesh) != h)
+        throw Precondition_error(function, "face " + std::to_string(m_faces.size()) +
+                                               " is not a triangle; triangulate the mesh first");
+      corners.push_back({get(number, source(h, mesh)), get(number, target(h, mesh)),
+                         get(number, target(g, mesh))});
+      m_faces.push_back(f);
+    }
+    m_view = Mesh_view(coordinates(points, traits), std::move(corners));
+  }
+
+  /// the view of one component of the mesh, as if there were no other
+  Graph_view(const Graph_view& whole, Mesh_component component) : m_view(std::move(component.mesh))
+  {
+    for (const int v : component.vertices) m_vertices.push_back(whole.vertex(v));
+    for (const int f : component.faces) m_faces.push_back(whole.face(f));
+  }
+
+  const Mesh_view& view() const { return m_view; }
+
+  /// the vertex with number v, and the face with number f
+  vertex_descriptor vertex(int v) const { return m_vertices[static_cast<std::size_t>(v)]; }
+  face_descriptor face(int f) const { return m_faces[static_cast<std::size_t>(f)]; }
+
+  /// writes a point for each vertex into a map
+  /// \param positions 3 x |V|
+  template <class VertexPointMap, class GeomTraits>
+  void write_positions(const Points& positions, VertexPointMap points,
+                       const GeomTraits& traits) const
+  {
+    using FT = typename GeomTraits::FT;
+    const auto point = traits.construct_point_3_object();
+    for (Eigen::Index v = 0; v < positions.cols(); ++v)
+      put(points, vertex(static_cast<int>(v)),
+          point(FT(positions(0, v)), FT(positions(1, v)), FT(positions(2, v))));
+  }
+
+ private:
+  template <class VertexPointMap, class GeomTraits>
+  Points coordinates(VertexPointMap points, const GeomTraits& traits) const
+  {
+    const auto x = traits.compute_x_3_object();
+    const auto y = traits.compute_y_3_object();
+    const auto z = traits.compute_z_3_object();
+    Points positions(3, static_cast<Eigen::Index>(m_vertices.size()));
+    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
+      const auto& p = get(points, m_vertices[v]);
+      positions.col(static_cast<Eigen::Index>(v)) << CGAL::to_double(x(p)), CGAL::to_double(y(p)),
+          CGAL::to_double(z(p));
+    }
+    return positions;
+  }
+
+  Mesh_view m_view;
+  std::vector<vertex_descriptor> m_vertices;
+  std::vector<face_descriptor> m_faces;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_QUATERNION_ACCESS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CORE_QUATERNION_ACCESS_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+// std::void_t does not tell partial specializations apart in clang before 15 (CWG 1980).
+template <class...>
+struct Make_void {
+  using type = void;
+};
+
+// w(), ..., z() and vec(): Eigen::Quaternion, but not Eigen::Vector4d, whose w() is the last entry.
+template <class Q>
+using Has_named_components = typename Make_void<decltype(std::declval<const Q&>().w()),
+                                                decltype(std::declval<const Q&>().vec())>::type;
+
+// R_component_1() ... R_component_4(): boost::math::quaternion.
+template <class Q>
+using Has_numbered_components =
+    typename Make_void<decltype(std::declval<const Q&>().R_component_1()),
+                       decltype(std::declval<const Q&>().R_component_4())>::type;
+
+// [0] ... [3]: std::array, C++ aggregates, vectors of four.
+template <class Q>
+using Has_subscripts = typename Make_void<decltype(std::declval<Q&>()[0] = 0)>::type;
+
+template <class Q, class = void>
+struct Default_quaternion_access {
+  static_assert(!std::is_same_v<Q, Q>,
+                "Specialize Conformal_geometry_processing::Quaternion_access for this type.");
+};
+
+template <class Q>
+struct Default_quaternion_access<Q, Has_named_components<Q>> {
+  using FT = std::decay_t<decltype(std::declval<const Q&>().w())>;
+  static Quaternion<double> from(const Q& q)
+  {
+    return {static_cast<double>(q.w()), static_cast<double>(q.x()), static_cast<double>(q.y()),
+            static_cast<double>(q.z())};
+  }
+  static Q to(const Quaternion<double>& q)
+  {
+    return Q(static_cast<FT>(q.w), static_cast<FT>(q.x), static_cast<FT>(q.y),
+             static_cast<FT>(q.z));
+  }
+};
+
+template <class Q>
+struct Default_quaternion_access<Q, Has_numbered_components<Q>> {
+  using FT = std::decay_t<decltype(std::declval<const Q&>().R_component_1())>;
+  static Quaternion<double> from(const Q& q)
+  {
+    return {static_cast<double>(q.R_component_1()), static_cast<double>(q.R_component_2()),
+            static_cast<double>(q.R_component_3()), static_cast<double>(q.R_component_4())};
+  }
+  static Q to(const Quaternion<double>& q)
+  {
+    return Q(static_cast<FT>(q.w), static_cast<FT>(q.x), static_cast<FT>(q.y),
+             static_cast<FT>(q.z));
+  }
+};
+
+template <class Q>
+struct Default_quaternion_access<Q, Has_subscripts<Q>> {
+  using FT = std::decay_t<decltype(std::declval<Q&>()[0])>;
+  static Quaternion<double> from(const Q& q)
+  {
+    return {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]),
+            static_cast<double>(q[3])};
+  }
+  static Q to(const Quaternion<double>& q)
+  {
+    Q result{};
+    result[0] = static_cast<FT>(q.w);
+    result[1] = static_cast<FT>(q.x);
+    result[2] = static_cast<FT>(q.y);
+    result[3] = static_cast<FT>(q.z);
+    return result;
+  }
+};
+
+}  // namespace internal
+
+/// \ingroup PkgAlgebra
+/// \brief reads and writes the quaternions of a user: `from(const Q&)` gives a
+/// `Quaternion<double>`, `to(const Quaternion<double>&)` a `Q`.
+///
+/// Knows `Quaternion`, `Eigen::Quaternion`, `boost::math::quaternion`, and anything with
+/// `[0] ... [3]` = w, x, y, z such as `std::array<double, 4>`. Specialize it for other types.
+template <class Q>
+struct Quaternion_access : internal::Default_quaternion_access<Q> {};
+
+template <class FT_>
+struct Quaternion_access<Quaternion<FT_>> {
+  using FT = FT_;
+  static constexpr Quaternion<double> from(const Quaternion<FT>& q)
+  {
+    return {static_cast<double>(q.w), static_cast<double>(q.x), static_cast<double>(q.y),
+            static_cast<double>(q.z)};
+  }
+  static constexpr Quaternion<FT> to(const Quaternion<double>& q)
+  {
+    return {static_cast<FT>(q.w), static_cast<FT>(q.x), static_cast<FT>(q.y), static_cast<FT>(q.z)};
+  }
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

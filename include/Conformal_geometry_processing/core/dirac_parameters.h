@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_DIRAC_PARAMETERS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CORE_DIRAC_PARAMETERS_H
+
+#include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// the options that named parameters tell of how the Dirac equation is solved
+template <class NamedParameters>
+Dirac_options dirac_options(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Dirac_options o;
+  o.problem = choose_parameter(get_parameter(np, internal_np::eigenproblem), o.problem);
+  o.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), o.tolerance);
+  o.max_iterations = static_cast<int>(choose_parameter(
+      get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_iterations));
+  o.max_substeps = static_cast<int>(
+      choose_parameter(get_parameter(np, internal_np::maximum_number_of_substeps), o.max_substeps));
+  o.kernel_tolerance =
+      choose_parameter(get_parameter(np, internal_np::kernel_tolerance), o.kernel_tolerance);
+  o.branch = choose_parameter(get_parameter(np, internal_np::branch), o.branch);
+  o.random_seed = static_cast<unsigned>(
+      choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.random_seed));
+  return o;
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif

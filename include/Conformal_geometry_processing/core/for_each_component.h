@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_FOR_EACH_COMPONENT_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CORE_FOR_EACH_COMPONENT_H
+
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/mesh/Component_failures.h>
+#include <Conformal_geometry_processing/mesh/Component_reports.h>
+#include <Conformal_geometry_processing/mesh/Mesh_component.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// \brief Calls `work(graph)` with a view of each component in turn, and `take(vertices, result)`
+/// with the numbers of its vertices in the whole mesh and what it returns, which has a `report`.
+///
+/// All components are split off at first, and what belongs to one is free when the next one begins.
+/// \throw Precondition_error, Solver_error see `Component_failures`
+template <class TriangleMesh, class Work, class Take>
+auto for_each_component(const Graph_view<TriangleMesh>& whole, const std::string& function,
+                        const Work& work, const Take& take)
+{
+  using Report = decltype(work(whole).report);
+  std::vector<Mesh_component> parts = mesh_components(whole.view());
+  Component_failures failures(parts.size(), function);
+  Component_reports<Report> all;
+  for (std::size_t c = 0; c < parts.size(); ++c) {
+    const std::vector<int> vertices = parts[c].vertices;
+    const Graph_view<TriangleMesh> component(whole, std::move(parts[c]));
+    failures.attempt(c, vertices.front(), [&] {
+      auto result = work(component);
+      take(vertices, result);
+      all.components.push_back({vertices.front(), component.view().size_of_vertices(),
+                                component.view().size_of_faces(), std::move(result.report)});
+    });
+  }
+  failures.throw_if_any();
+  return all;
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif
