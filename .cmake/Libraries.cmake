@@ -1,59 +1,141 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# The targets users link: Conformal_geometry_processing::core, every header except those over
-# CHOLMOD, METIS and SLEPc, and Conformal_geometry_processing::cholmod, ::metis and ::slepc, which
-# add them and the library.
+# The targets users link, all in the namespace Conformal_geometry_processing::
+#   linear_algebra        compiled; algebra/ and linear_algebra/: needs Eigen only
+#   kernels               compiled; the geometry, on flat arrays: needs Eigen only
+#   core                  the headers that take CGAL's meshes
+#   cholmod metis slepc   the headers over one more library each
+# linear_algebra_header_only, kernels_header_only and core_header_only are the same with nothing to
+# link: all is compiled in the files that include it.
 
 cgp_find(CGP_HAS_CGAL libcgal-dev CGAL 5.5 QUIET)
-# NO_MODULE: CGAL puts a FindEigen3.cmake of its own on the module path.
-cgp_find(CGP_HAS_EIGEN libeigen3-dev Eigen3 3.4 QUIET NO_MODULE)
+# NO_MODULE: CGAL puts a FindEigen3.cmake of its own on the module path. No version: Eigen 5 says
+# that it is not compatible with 3.4, and is.
+cgp_find(CGP_HAS_EIGEN libeigen3-dev Eigen3 QUIET NO_MODULE)
 find_package(Threads REQUIRED)
 cgp_find(CGP_HAS_CHOLMOD libsuitesparse-dev CHOLMOD QUIET MODULE)
 cgp_find(CGP_HAS_METIS libmetis-dev METIS QUIET MODULE)
 cgp_find(CGP_HAS_SLEPC libslepc-complex-dev SLEPc QUIET MODULE)
-if(NOT CGP_HAS_CGAL OR NOT CGP_HAS_EIGEN)
-  message(FATAL_ERROR "Conformal Geometry Processing needs CGAL 5.5 or later and Eigen 3.4; "
-                      "on Debian: apt-get install libcgal-dev libeigen3-dev")
+if(NOT CGP_HAS_CGAL OR NOT CGP_HAS_EIGEN OR Eigen3_VERSION VERSION_LESS 3.4)
+  message(FATAL_ERROR "Conformal Geometry Processing needs CGAL 5.5 or later and Eigen 3.4 or later;"
+                      " on Debian: apt-get install libcgal-dev libeigen3-dev")
 endif()
 
-function(cgp_add_library name) # the remaining arguments are the headers
-  add_library(cgp_${name} INTERFACE)
-  add_library(Conformal_geometry_processing::${name} ALIAS cgp_${name})
-  set_target_properties(cgp_${name} PROPERTIES EXPORT_NAME ${name}
-                        VERIFY_INTERFACE_HEADER_SETS ON) # every header compiles alone
-  target_sources(cgp_${name} INTERFACE FILE_SET HEADERS
-                 BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${ARGN})
-  target_compile_features(cgp_${name} INTERFACE cxx_std_17)
+set(CGP_INCLUDE ${PROJECT_SOURCE_DIR}/include/Conformal_geometry_processing)
+file(GLOB_RECURSE CGP_HEADERS CONFIGURE_DEPENDS ${CGP_INCLUDE}/*.h)
+
+# The headers whose path below the library's folder matches: cgp_headers(<variable> <regex>).
+function(cgp_headers variable regex)
+  set(headers ${CGP_HEADERS})
+  list(FILTER headers INCLUDE REGEX "^${CGP_INCLUDE}/${regex}")
+  set(${variable} ${headers} PARENT_SCOPE)
 endfunction()
 
-file(GLOB_RECURSE CGP_CORE_HEADERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.h)
-set(CGP_CHOLMOD_HEADERS ${CGP_CORE_HEADERS})
-set(CGP_METIS_HEADERS ${CGP_CORE_HEADERS})
-set(CGP_SLEPC_HEADERS ${CGP_CORE_HEADERS})
-list(FILTER CGP_CORE_HEADERS EXCLUDE REGEX "/(Cholmod|Metis|Petsc|Slepc)_")
-list(FILTER CGP_CHOLMOD_HEADERS INCLUDE REGEX "/Cholmod_")
-list(FILTER CGP_METIS_HEADERS INCLUDE REGEX "/Metis_")
-list(FILTER CGP_SLEPC_HEADERS INCLUDE REGEX "/(Petsc|Slepc)_")
+cgp_headers(CGP_CHOLMOD_HEADERS "linear_algebra/adapters/Cholmod_")
+cgp_headers(CGP_METIS_HEADERS "linear_algebra/adapters/Metis_")
+cgp_headers(CGP_SLEPC_HEADERS "linear_algebra/adapters/(Petsc|Slepc)_")
+cgp_headers(CGP_LINEAR_ALGEBRA_HEADERS "(algebra/|linear_algebra/|config|exceptions|version)")
+list(REMOVE_ITEM CGP_LINEAR_ALGEBRA_HEADERS ${CGP_CHOLMOD_HEADERS} ${CGP_METIS_HEADERS}
+     ${CGP_SLEPC_HEADERS})
+cgp_headers(CGP_KERNELS_HEADERS
+            "(mesh|operators|forms|measure|painting|spin|flow|parameterization|surfaces|curves)/")
+cgp_headers(CGP_CORE_HEADERS "(core/|[^/]*$)")
+list(REMOVE_ITEM CGP_CORE_HEADERS ${CGP_LINEAR_ALGEBRA_HEADERS})
 
-cgp_add_library(core ${CGP_CORE_HEADERS})
-target_link_libraries(cgp_core INTERFACE CGAL::CGAL Eigen3::Eigen Threads::Threads)
-set(CGP_TARGETS cgp_core)
+# What a target has in common with its twin that compiles nothing: cgp_describe(<target> <scope of
+# what it compiles with> <its headers>...).
+function(cgp_describe target scope)
+  string(REGEX REPLACE "^cgp_" "" name ${target})
+  add_library(Conformal_geometry_processing::${name} ALIAS ${target})
+  set(interfaces ${ARGN})
+  set(implementations ${ARGN})
+  list(FILTER interfaces EXCLUDE REGEX "_impl\\.h$")
+  list(FILTER implementations INCLUDE REGEX "_impl\\.h$")
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name}
+                        VERIFY_INTERFACE_HEADER_SETS ON INTERFACE_HEADER_SETS_TO_VERIFY HEADERS)
+  target_sources(${target} ${scope}
+    FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${interfaces}
+    FILE_SET implementations TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include
+             FILES ${implementations})
+  target_compile_features(${target} ${scope} cxx_std_17)
+endfunction()
+
+# Headers alone, over other targets: cgp_add_headers(<name> "<targets>" <header>...)
+function(cgp_add_headers name targets)
+  add_library(cgp_${name} INTERFACE)
+  cgp_describe(cgp_${name} INTERFACE ${ARGN})
+  target_link_libraries(cgp_${name} INTERFACE ${targets})
+endfunction()
+
+# The files that are compiled, of some *_impl.h each: a folder makes few, for what they include costs
+# more than they do themselves.
+function(cgp_joined_sources name implementations result)
+  set(sources "")
+  set(number 0)
+  while(implementations)
+    list(LENGTH implementations left)
+    set(count ${CGP_IMPLEMENTATIONS_TOGETHER})
+    if(left LESS count)
+      set(count ${left})
+    endif()
+    list(SUBLIST implementations 0 ${count} some)
+    list(SUBLIST implementations ${count} -1 implementations)
+    list(TRANSFORM some REPLACE "^${PROJECT_SOURCE_DIR}/include/(.*)$" "#include <\\1>\n")
+    list(JOIN some "" content)
+    math(EXPR number "${number} + 1")
+    set(source ${PROJECT_BINARY_DIR}/${name}_${number}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "${content}" @ONLY)
+    list(APPEND sources ${source})
+  endwhile()
+  set(${result} ${sources} PARENT_SCOPE)
+endfunction()
+set(CGP_IMPLEMENTATIONS_TOGETHER 12 CACHE STRING "how many implementations are compiled as one")
+
+# A library and its header-only twin: cgp_add_compiled(<name> "<targets below>" <header>...)
+function(cgp_add_compiled name below)
+  add_library(cgp_${name})
+  cgp_describe(cgp_${name} PUBLIC ${ARGN})
+  set(implementations ${ARGN})
+  list(FILTER implementations INCLUDE REGEX "_impl\\.h$")
+  cgp_joined_sources(${name} "${implementations}" sources)
+  target_sources(cgp_${name} PRIVATE ${sources})
+  set_target_properties(cgp_${name} PROPERTIES OUTPUT_NAME conformal_geometry_${name}
+                        VERSION ${PROJECT_VERSION} POSITION_INDEPENDENT_CODE ON
+                        SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  target_compile_definitions(cgp_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16)
+  target_link_libraries(cgp_${name} PUBLIC ${below} Eigen3::Eigen Threads::Threads)
+  if(CGP_HAS_VERSION_SCRIPTS)
+    # A program may have been compiled for other vector units. Its copies of inline functions and
+    # templates, Eigen's and ours, must not replace those of the library.
+    target_link_options(cgp_${name} PRIVATE LINKER:-Bsymbolic-functions
+                        LINKER:--version-script=${PROJECT_SOURCE_DIR}/.cmake/exported_symbols.map)
+  endif()
+
+  list(TRANSFORM below APPEND _header_only)
+  cgp_add_headers(${name}_header_only "${below};Eigen3::Eigen;Threads::Threads" ${ARGN})
+  set_target_properties(cgp_${name}_header_only PROPERTIES VERIFY_INTERFACE_HEADER_SETS OFF)
+  target_compile_definitions(cgp_${name}_header_only
+                             INTERFACE CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY)
+endfunction()
+
+include(CheckLinkerFlag)
+set(CMAKE_REQUIRED_QUIET ON)
+check_linker_flag(CXX "LINKER:--version-script=${PROJECT_SOURCE_DIR}/.cmake/exported_symbols.map"
+                  CGP_HAS_VERSION_SCRIPTS)
+
+cgp_add_compiled(linear_algebra "" ${CGP_LINEAR_ALGEBRA_HEADERS})
+cgp_add_compiled(kernels cgp_linear_algebra ${CGP_KERNELS_HEADERS})
+cgp_add_headers(core "cgp_kernels;CGAL::CGAL" ${CGP_CORE_HEADERS})
+cgp_add_headers(core_header_only "cgp_kernels_header_only;CGAL::CGAL" ${CGP_CORE_HEADERS})
+set_target_properties(cgp_core_header_only PROPERTIES VERIFY_INTERFACE_HEADER_SETS OFF)
 
 if(CGP_HAS_CHOLMOD)
-  cgp_add_library(cholmod ${CGP_CHOLMOD_HEADERS})
-  target_link_libraries(cgp_cholmod INTERFACE cgp_core CHOLMOD::CHOLMOD)
+  cgp_add_headers(cholmod "cgp_core;CHOLMOD::CHOLMOD" ${CGP_CHOLMOD_HEADERS})
   target_compile_definitions(cgp_cholmod INTERFACE CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD)
-  list(APPEND CGP_TARGETS cgp_cholmod)
 endif()
-
 if(CGP_HAS_METIS)
-  cgp_add_library(metis ${CGP_METIS_HEADERS})
-  target_link_libraries(cgp_metis INTERFACE cgp_core METIS::METIS)
-  list(APPEND CGP_TARGETS cgp_metis)
+  cgp_add_headers(metis "cgp_core;METIS::METIS" ${CGP_METIS_HEADERS})
 endif()
-
 if(CGP_HAS_SLEPC)
-  cgp_add_library(slepc ${CGP_SLEPC_HEADERS})
-  target_link_libraries(cgp_slepc INTERFACE cgp_core SLEPc::SLEPc)
-  list(APPEND CGP_TARGETS cgp_slepc)
+  cgp_add_headers(slepc "cgp_core;SLEPc::SLEPc" ${CGP_SLEPC_HEADERS})
 endif()

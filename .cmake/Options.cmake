@@ -16,6 +16,8 @@ set(CGP_SANITIZE "" CACHE STRING "address (with undefined behaviour), fuzzer, th
 set_property(CACHE CGP_SANITIZE PROPERTY STRINGS "" address fuzzer thread)
 
 if(PROJECT_IS_TOP_LEVEL)
+  option(BUILD_SHARED_LIBS "Build the libraries shared; a static one takes over the vector units \
+of the program that links it, where they share a template" ON)
   if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
     # The numerics are unusable without optimization, and CGAL warns otherwise.
     set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug or RelWithDebInfo" FORCE)

@@ -5,24 +5,35 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-# A library of headers is the same on every architecture, hence share/ and not lib/.
-set(config_folder ${CMAKE_INSTALL_DATADIR}/cmake/${PROJECT_NAME})
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/${PROJECT_NAME})
 set(config ${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake)
 set(config_version ${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/Config.cmake.in ${config}
                               INSTALL_DESTINATION ${config_folder})
-write_basic_package_version_file(${config_version} COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+write_basic_package_version_file(${config_version} COMPATIBILITY SameMinorVersion)
 
-install(TARGETS cgp_core EXPORT core FILE_SET HEADERS COMPONENT headers)
-install(EXPORT core NAMESPACE ${PROJECT_NAME}:: DESTINATION ${config_folder}
-        FILE core_targets.cmake COMPONENT headers)
-# An export set each, so that a user of core alone never needs SuiteSparse, METIS or MPI.
+# The targets of a component, and the file that find_package reads for it:
+# cgp_install(<component> <target>...)
+function(cgp_install component)
+  install(TARGETS ${ARGN} EXPORT ${component}
+          LIBRARY COMPONENT libraries NAMELINK_COMPONENT headers
+          RUNTIME COMPONENT libraries
+          ARCHIVE COMPONENT headers
+          FILE_SET HEADERS COMPONENT headers
+          FILE_SET implementations COMPONENT headers)
+  install(EXPORT ${component} NAMESPACE ${PROJECT_NAME}:: DESTINATION ${config_folder}
+          FILE ${component}_targets.cmake COMPONENT headers)
+endfunction()
+
+# An export set each, so that a user of kernels alone never needs CGAL, nor a user of core alone
+# SuiteSparse, METIS or MPI.
+cgp_install(kernels cgp_linear_algebra cgp_kernels cgp_linear_algebra_header_only
+            cgp_kernels_header_only)
+cgp_install(core cgp_core cgp_core_header_only)
 foreach(part cholmod metis slepc)
   if(TARGET cgp_${part})
-    install(TARGETS cgp_${part} EXPORT ${part} FILE_SET HEADERS COMPONENT headers)
-    install(EXPORT ${part} NAMESPACE ${PROJECT_NAME}:: DESTINATION ${config_folder}
-            FILE ${part}_targets.cmake COMPONENT headers)
+    cgp_install(${part} cgp_${part})
   endif()
 endforeach()
 install(FILES ${config} ${config_version} ${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.cmake

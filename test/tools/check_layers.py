@@ -14,7 +14,7 @@ LEVEL = {
     "flow": 6, "parameterization": 6, "surfaces": 6, "curves": 6,
     "core": 7,
 }
-BASE = {"exceptions.h", "version.h"}
+BASE = {"config.h", "exceptions.h", "version.h"}
 ENTRY_POINTS = 8
 
 

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_NUMBER_OF_THREADS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_NUMBER_OF_THREADS_IMPL_H
+
+#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+CGP_INLINE std::atomic<int>& thread_setting()
+{
+  static std::atomic<int> threads{1};
+  return threads;
+}
+
+}  // namespace internal
+
+CGP_INLINE int number_of_threads()
+{
+  return internal::thread_setting();
+}
+
+CGP_INLINE void set_number_of_threads(int threads)
+{
+  const int all = (std::max)(1, static_cast<int>(std::thread::hardware_concurrency()));
+  internal::thread_setting() = threads > 0 ? threads : all;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
