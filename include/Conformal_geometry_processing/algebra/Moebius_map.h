@@ -35,33 +35,14 @@ class Moebius_map {
 
   /// \brief from its matrix, up to a positive factor
   /// \throw Precondition_error if the matrix does not map R^3 to itself, keeping orientation
-  Moebius_map(const Quaternion& a, const Quaternion& b, const Quaternion& c, const Quaternion& d)
-      : m_a(a), m_b(b), m_c(c), m_d(d)
-  {
-    const Quaternion s = conjugate(a) * d + conjugate(c) * b;
-    const double size = norm(a) * norm(d) + norm(b) * norm(c), zero = 1e-10;
-    const bool is_moebius = s.w > zero * size &&
-                            norm(imaginary(imaginary_part(s))) <= zero * size &&
-                            std::abs(dot(a, c)) <= zero * norm(a) * norm(c) &&
-                            std::abs(dot(b, d)) <= zero * norm(b) * norm(d);
-    if (!is_moebius)
-      throw Precondition_error("Moebius_map",
-                               "the matrix does not map R^3 to itself with its orientation");
-    for (Quaternion* q : {&m_a, &m_b, &m_c, &m_d}) *q *= 1 / std::sqrt(s.w);
-  }
+  Moebius_map(const Quaternion& a, const Quaternion& b, const Quaternion& c, const Quaternion& d);
 
   /// f -> f + t
-  static Moebius_map translation(const Eigen::Vector3d& t)
-  {
-    return {one, imaginary(t), {}, one, Unchecked()};
-  }
+  static Moebius_map translation(const Eigen::Vector3d& t);
 
   /// f -> conjugate(q) f q: turns as `spin()` does, and scales by |q|^2
   /// \pre q is not zero
-  static Moebius_map rotation(const Quaternion& q)
-  {
-    return {conjugate(q), {}, {}, Conformal_geometry_processing::inverse(q), Unchecked()};
-  }
+  static Moebius_map rotation(const Quaternion& q);
 
   /// f -> factor f
   /// \pre factor > 0
@@ -73,10 +54,7 @@ class Moebius_map {
 
   /// \brief f -> (f^-1 - c)^-1, which fixes the origin and sends c^-1 = -c / |c|^2 to infinity; has
   /// lambda = (1 - c f)^-1 [CGP 4.5.3]. Near the identity for small c: f + f c f + ...
-  static Moebius_map sphere_inversion(const Eigen::Vector3d& c)
-  {
-    return {one, {}, -imaginary(c), one, Unchecked()};
-  }
+  static Moebius_map sphere_inversion(const Eigen::Vector3d& c);
 
   /// A * B is A after B
   friend Moebius_map operator*(const Moebius_map& A, const Moebius_map& B)
@@ -85,82 +63,44 @@ class Moebius_map {
             A.m_c * B.m_a + A.m_d * B.m_c, A.m_c * B.m_b + A.m_d * B.m_d, Unchecked()};
   }
 
-  Moebius_map inverse() const
-  {
-    return {conjugate(m_d), conjugate(m_b), conjugate(m_c), conjugate(m_a), Unchecked()};
-  }
+  Moebius_map inverse() const;
 
   /// the image of a point
   /// \throw Precondition_error if it is infinite, or the point is not finite
-  Eigen::Vector3d operator()(const Eigen::Vector3d& point) const
-  {
-    return image(point, spin(point));
-  }
+  Eigen::Vector3d operator()(const Eigen::Vector3d& point) const;
 
   /// lambda at a point
   /// \throw Precondition_error if the point goes to infinity or is not finite
-  Quaternion spin(const Eigen::Vector3d& point) const
-  {
-    const Quaternion q = m_c * imaginary(point) + m_d;
-    if (is_zero(q, point))
-      throw Precondition_error("Moebius_map", "the point goes to infinity or is not finite");
-    return Conformal_geometry_processing::inverse(q);
-  }
+  Quaternion spin(const Eigen::Vector3d& point) const;
 
   /// \brief the images of several points, 3 x n
   /// \param function named in the exception
   /// \throw Precondition_error if one is infinite, up to rounding, or a point is not finite; the
   /// message names the first
   Eigen::Matrix3Xd transform(Eigen::Matrix3Xd points,
-                             const std::string& function = "Moebius_map::transform") const
-  {
-    const Quaternion_vector<double> lambda = spins(points, function);
-    for (Eigen::Index i = 0; i < points.cols(); ++i)
-      points.col(i) = image(points.col(i), lambda[i]);
-    return points;
-  }
+                             const std::string& function = "Moebius_map::transform") const;
 
   /// \brief lambda at several points, n quaternions
   /// \throw Precondition_error as `transform()`
   Quaternion_vector<double> spins(const Eigen::Matrix3Xd& points,
-                                  const std::string& function = "Moebius_map::spins") const
-  {
-    Quaternion_vector<double> lambda(points.cols());
-    for (Eigen::Index i = 0; i < points.cols(); ++i) {
-      const Quaternion q = m_c * imaginary(points.col(i)) + m_d;
-      if (is_zero(q, points.col(i)))
-        throw Precondition_error(function, "point " + std::to_string(i) +
-                                               " goes to infinity or is not finite; the map must "
-                                               "send no point there");
-      lambda[i] = Conformal_geometry_processing::inverse(q);
-    }
-    return lambda;
-  }
+                                  const std::string& function = "Moebius_map::spins") const;
 
  private:
   struct Unchecked {};
   static constexpr Quaternion one = {1, 0, 0, 0};
 
   Moebius_map(const Quaternion& a, const Quaternion& b, const Quaternion& c, const Quaternion& d,
-              Unchecked)
-      : m_a(a), m_b(b), m_c(c), m_d(d)
-  {}
-
-  Eigen::Vector3d image(const Eigen::Vector3d& point, const Quaternion& lambda) const
-  {
-    return imaginary_part((m_a * imaginary(point) + m_b) * lambda);
-  }
-
-  // Whether c f + d is zero but for a few digits of its terms: a number that is not finite is, too.
-  bool is_zero(const Quaternion& q, const Eigen::Vector3d& point) const
-  {
-    const double terms = norm(m_c) * point.norm() + norm(m_d);
-    return !(norm(q) > 1e-10 * terms);
-  }
+              Unchecked);
+  Eigen::Vector3d image(const Eigen::Vector3d& point, const Quaternion& lambda) const;
+  bool is_zero(const Quaternion& q, const Eigen::Vector3d& point) const;
 
   Quaternion m_a = one, m_b, m_c, m_d = one;
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/algebra/Moebius_map_impl.h>
+#endif
 
 #endif

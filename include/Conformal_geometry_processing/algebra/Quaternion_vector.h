@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_QUATERNION_VECTOR_H
 #define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_QUATERNION_VECTOR_H
 
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/algebra/scalar.h>
 
 #include <Eigen/Core>

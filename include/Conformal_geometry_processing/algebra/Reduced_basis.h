@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/algebra/Reduced_rows.h>
+#include <Conformal_geometry_processing/exceptions.h>
 
 #include <array>
 #include <cmath>

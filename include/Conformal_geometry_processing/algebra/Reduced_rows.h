@@ -3,10 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_REDUCED_ROWS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_REDUCED_ROWS_H
 
-#include <Conformal_geometry_processing/exceptions.h>
-
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -23,21 +20,7 @@ class Reduced_rows {
 
   /// \param size the number of all rows \param reduced the reduced ones, in any order
   /// \throw Precondition_error where a number is not a row, or comes twice
-  Reduced_rows(int size, const std::vector<int>& reduced)
-      : m_is_reduced(at(size), 0), m_count(static_cast<int>(reduced.size()))
-  {
-    for (int i : reduced) {
-      if (i < 0 || i >= size)
-        throw Precondition_error("Reduced_rows", "row " + std::to_string(i) + " is not one of " +
-                                                     std::to_string(size) + " rows");
-      if (is_reduced(i))
-        throw Precondition_error("Reduced_rows", "row " + std::to_string(i) + " is named twice");
-      m_is_reduced[at(i)] = 1;
-    }
-    m_first.reserve(at(size) + 1);
-    m_first.push_back(0);
-    for (int i = 0; i < size; ++i) m_first.push_back(first(i) + (is_reduced(i) ? 2 : 4));
-  }
+  Reduced_rows(int size, const std::vector<int>& reduced);
 
   /// the number of rows
   int size() const { return static_cast<int>(m_is_reduced.size()); }
@@ -70,5 +53,9 @@ class Reduced_rows {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/algebra/Reduced_rows_impl.h>
+#endif
 
 #endif

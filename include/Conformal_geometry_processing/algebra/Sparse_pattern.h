@@ -3,7 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_SPARSE_PATTERN_H
 #define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_SPARSE_PATTERN_H
 
-#include <algorithm>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -27,13 +26,7 @@ struct Sparse_pattern {
 
   /// the position of entry (i, j) among the stored ones, -1 if there is none; O(log degree)
   /// \pre i >= j
-  int find(int i, int j) const
-  {
-    const auto begin = indices.begin() + offsets[static_cast<std::size_t>(j)];
-    const auto end = indices.begin() + offsets[static_cast<std::size_t>(j) + 1];
-    const auto it = std::lower_bound(begin, end, i);
-    return it != end && *it == i ? static_cast<int>(it - indices.begin()) : -1;
-  }
+  int find(int i, int j) const;
 
   friend bool operator==(const Sparse_pattern& a, const Sparse_pattern& b)
   {
@@ -42,5 +35,9 @@ struct Sparse_pattern {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/algebra/Sparse_pattern_impl.h>
+#endif
 
 #endif

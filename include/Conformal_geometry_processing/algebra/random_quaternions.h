@@ -7,8 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <random>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
@@ -16,18 +14,13 @@ namespace Conformal_geometry_processing {
 /// on every platform for the same seed.
 ///
 /// A vector of noise has a part of every eigenvector, symmetric or not.
-inline Block<Quaternion<double>> random_quaternions(Eigen::Index rows, Eigen::Index columns,
-                                                    unsigned seed)
-{
-  std::mt19937 generator(seed);
-  // The distributions of the standard library differ between implementations; these bits do not.
-  const auto noise = [&] { return static_cast<double>(generator()) / 4294967296. - 0.5; };
-  Block<Quaternion<double>> x(rows, columns);
-  for (Eigen::Index c = 0; c < columns; ++c)
-    for (Eigen::Index i = 0; i < rows; ++i) x(i, c) = {noise(), noise(), noise(), noise()};
-  return x;
-}
+Block<Quaternion<double>> random_quaternions(Eigen::Index rows, Eigen::Index columns,
+                                             unsigned seed);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/algebra/random_quaternions_impl.h>
+#endif
 
 #endif

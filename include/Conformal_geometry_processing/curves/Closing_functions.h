@@ -7,8 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
@@ -20,39 +18,13 @@ namespace Conformal_geometry_processing {
 class Closing_functions {
  public:
   /// \param points 2 x m \param weights of the inner product: the dual lengths, m positive numbers
-  Closing_functions(const Plane_points& points, const Eigen::VectorXd& weights)
-  {
-    const double total = weights.sum();
-    m_mean = points * weights / total;
-    double xx = 0, xy = 0, yy = 0;
-    for (Eigen::Index i = 0; i < points.cols(); ++i) {
-      const Eigen::Vector2d p = points.col(i) - m_mean;
-      xx += weights[i] * p.x() * p.x();
-      xy += weights[i] * p.x() * p.y();
-      yy += weights[i] * p.y() * p.y();
-    }
-    const double angle = std::atan2(2 * xy, xx - yy) / 2;
-    m_axis = {std::cos(angle), std::sin(angle)};
-    // Not from these sums: they leave no digit of the short axis of a thin curve.
-    m_norms = Eigen::Vector3d::Zero();
-    for (Eigen::Index i = 0; i < points.cols(); ++i)
-      m_norms += weights[i] * values(points.col(i)).cwiseAbs2();
-  }
+  Closing_functions(const Plane_points& points, const Eigen::VectorXd& weights);
 
   /// the three functions at a point
-  Eigen::Vector3d values(const Eigen::Vector2d& point) const
-  {
-    const Eigen::Vector2d p = point - m_mean;
-    return {1, m_axis.x() * p.x() + m_axis.y() * p.y(), m_axis.x() * p.y() - m_axis.y() * p.x()};
-  }
+  Eigen::Vector3d values(const Eigen::Vector2d& point) const;
 
   /// the function with these inner products with the three, as their linear combination
-  Eigen::Vector3d combination(const Eigen::Vector3d& products) const
-  {
-    Eigen::Vector3d c;
-    for (int k = 0; k < 3; ++k) c[k] = m_norms[k] > 0 ? products[k] / m_norms[k] : 0;
-    return c;
-  }
+  Eigen::Vector3d combination(const Eigen::Vector3d& products) const;
 
  private:
   Eigen::Vector2d m_mean, m_axis;
@@ -60,5 +32,9 @@ class Closing_functions {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/curves/Closing_functions_impl.h>
+#endif
 
 #endif

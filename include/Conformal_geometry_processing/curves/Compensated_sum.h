@@ -14,13 +14,7 @@ namespace Conformal_geometry_processing {
 /// grow with the number of edges, and the edge that closes the polygon gets them all.
 class Compensated_sum {
  public:
-  void add(const Eigen::Vector2d& x)
-  {
-    const Eigen::Vector2d sum = m_sum + x;
-    const Eigen::Vector2d added = sum - m_sum;
-    m_lost += (m_sum - (sum - added)) + (x - added);
-    m_sum = sum;
-  }
+  void add(const Eigen::Vector2d& x);
 
   Eigen::Vector2d value() const { return m_sum + m_lost; }
 
@@ -29,5 +23,9 @@ class Compensated_sum {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/curves/Compensated_sum_impl.h>
+#endif
 
 #endif

@@ -19,22 +19,7 @@ enum class Curve_flow_stop {
 
 /// \relates Curve_flow_report
 /// the reason in words
-inline const char* to_string(Curve_flow_stop stop)
-{
-  switch (stop) {
-    case Curve_flow_stop::none:
-      return "not stopped";
-    case Curve_flow_stop::energy_settled:
-      return "the energy has settled";
-    case Curve_flow_stop::steps_done:
-      return "all steps are done";
-    case Curve_flow_stop::cancelled:
-      return "cancelled";
-    case Curve_flow_stop::step_failed:
-      return "the step failed";
-  }
-  return "unknown";
-}
+const char* to_string(Curve_flow_stop stop);
 
 /// \ingroup PkgCurves
 /// \brief one step of a curve flow in numbers, which are its proof.
@@ -74,13 +59,12 @@ struct [[nodiscard]] Curve_flow_report {
 /// \relates Curve_flow_report
 /// \brief adds a step if it was accepted, and takes over whether it is the last and why.
 /// \returns whether it was accepted
-inline bool append(Curve_flow_report& report, const Curve_step_report& step)
-{
-  report.stop = step.stop;
-  if (step.accepted) report.steps.push_back(step);
-  return step.accepted;
-}
+bool append(Curve_flow_report& report, const Curve_step_report& step);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/curves/Curve_flow_report_impl.h>
+#endif
 
 #endif

@@ -21,28 +21,21 @@ class Curve_frame {
   /// the length of the frame's unit in the units of the curve, a power of two
   double unit() const { return m_frame.unit(); }
 
-  Plane_points to_frame(const Plane_points& points) const
-  {
-    return m_frame.to_frame(in_space(points)).topRows(2);
-  }
+  Plane_points to_frame(const Plane_points& points) const;
 
   /// from the frame back, into memory that is there
-  void from_frame(const Plane_points& points, Plane_points& result) const
-  {
-    result = (unit() * points).colwise() + m_frame.center().head<2>();
-  }
+  void from_frame(const Plane_points& points, Plane_points& result) const;
 
  private:
-  static Points in_space(const Plane_points& points)
-  {
-    Points p = Points::Zero(3, points.cols());
-    p.topRows(2) = points;
-    return p;
-  }
+  static Points in_space(const Plane_points& points);
 
   Normalized_frame m_frame;
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/curves/Curve_frame_impl.h>
+#endif
 
 #endif

@@ -8,21 +8,11 @@
 #include <Conformal_geometry_processing/curves/Curve_flow_visitor.h>
 #include <Conformal_geometry_processing/curves/Curve_frame.h>
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
-#include <Conformal_geometry_processing/curves/bending_energy.h>
-#include <Conformal_geometry_processing/curves/close_polygon.h>
-#include <Conformal_geometry_processing/curves/constrained_direction.h>
-#include <Conformal_geometry_processing/curves/curve_alignment.h>
-#include <Conformal_geometry_processing/curves/curve_requirements.h>
-#include <Conformal_geometry_processing/curves/integrate_curvature.h>
-#include <Conformal_geometry_processing/curves/integrate_tangents.h>
-#include <Conformal_geometry_processing/curves/turning_angles.h>
 #include <Conformal_geometry_processing/curves/turning_number.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace Conformal_geometry_processing {
@@ -42,22 +32,7 @@ class Isometric_curve_flow {
   /// \throw Precondition_error if the points do not fulfil `require_polygon()`, or an option is out
   /// of its range
   explicit Isometric_curve_flow(const Plane_points& points, const Curve_flow_options& options = {},
-                                const std::string& function = "Isometric_curve_flow")
-      : m_options(checked(options, function)),
-        m_frame(required(points, options.is_closed, function)),
-        m_output(points),
-        m_points(m_frame.to_frame(points)),
-        m_new_points(m_points),
-        m_lengths(m_points, options.is_closed),
-        m_curvatures(turning_angles(m_points, options.is_closed)),
-        m_direction(points.cols()),
-        m_new_curvatures(points.cols()),
-        m_tangents(2, m_lengths.size_of_edges())
-  {
-    m_turning_number = is_closed() ? turning_number(m_curvatures) : 0;
-    m_curvatures.array() /= m_lengths.duals().array();
-    m_initial_energy = m_energy = bending_energy(m_curvatures, m_lengths);
-  }
+                                const std::string& function = "Isometric_curve_flow");
 
   bool is_closed() const { return m_options.is_closed; }
 
@@ -74,23 +49,7 @@ class Isometric_curve_flow {
   int turning_number_of_curve() const { return m_turning_number; }
 
   /// One step. If it fails, the polygon stays as it is, and the report says so.
-  Curve_step_report step()
-  {
-    Curve_step_report report;
-    report.step = m_steps + 1;
-    report.turning_number = m_turning_number;
-    report.energy_before = energy();
-    constrained_direction(m_curvatures, m_points, m_lengths, m_direction);
-    report.time_step = 2 * m_options.time_step;
-    while (!report.accepted && report.trials < max_trials) {
-      report.time_step /= 2;
-      ++report.trials;
-      report.accepted = try_step(report);
-    }
-    report.stop = report.accepted ? accept(report) : Curve_flow_stop::step_failed;
-    report.energy = energy();
-    return report;
-  }
+  Curve_step_report step();
 
   /// Steps until there is a reason to stop. \param visitor a model of `CurveFlowVisitor`
   template <class Visitor>
@@ -121,67 +80,11 @@ class Isometric_curve_flow {
   static constexpr double energy_noise = 1e-11;  // of the first energy
 
   static const Plane_points& required(const Plane_points& points, bool is_closed,
-                                      const std::string& function)
-  {
-    require_polygon(points, is_closed, function);
-    return points;
-  }
-
-  // Puts the next polygon into m_new_points and its curvatures into m_new_curvatures; false where
-  // it will not do.
-  bool try_step(Curve_step_report& report)
-  {
-    m_new_curvatures = m_curvatures + report.time_step * m_direction;
-    const Eigen::Vector2d first_edge = m_points.col(1) - m_points.col(0);
-    if (!integrate(std::atan2(first_edge.y(), first_edge.x()), report)) return false;
-    report.gap = integrate_tangents(m_tangents, m_lengths, m_new_points).norm() / m_lengths.total();
-    if (report.newton_iterations == 0) report.first_gap = (std::max)(report.first_gap, report.gap);
-    align(m_points, m_lengths.duals(), m_new_points);
-    return has_same_turns() && bending_energy(m_new_curvatures, m_lengths) <=
-                                   m_energy + energy_noise * m_initial_energy;
-  }
-
-  bool integrate(double angle, Curve_step_report& report)
-  {
-    if (!is_closed() || m_options.closing == Curve_closing::least_squares) {
-      integrate_curvature(m_new_curvatures, m_lengths, angle, m_tangents);
-      return true;
-    }
-    const Closing_result closing = close_polygon(m_lengths, m_turning_number, angle, m_points,
-                                                 m_new_curvatures, m_tangents, m_new_points);
-    report.first_gap = closing.first_gap;
-    report.newton_iterations = closing.iterations;
-    return closing.is_closed;
-  }
-
-  // Whether no vertex turns by pi or more. Where lengths have changed, so have the angles.
-  bool has_same_turns()
-  {
-    const auto duals = m_lengths.duals().array();
-    const double largest = two_pi / 2 - half_turn_tolerance;
-    if (!is_closed() || m_options.closing == Curve_closing::exact)
-      return (m_new_curvatures.array() * duals).abs().maxCoeff() < largest;
-    turning_angles(m_new_points, is_closed(), m_new_curvatures);
-    const bool same = turning_number(m_new_curvatures) == m_turning_number &&
-                      m_new_curvatures.cwiseAbs().maxCoeff() < largest;
-    m_new_curvatures.array() /= duals;
-    return same;
-  }
-
-  Curve_flow_stop accept(Curve_step_report& report)
-  {
-    m_points.swap(m_new_points);
-    m_curvatures.swap(m_new_curvatures);
-    m_frame.from_frame(m_points, m_output);
-    ++m_steps;
-    const double before = m_energy;
-    m_energy = bending_energy(m_curvatures, m_lengths);
-    report.length_distortion = length_distortion(m_points, m_lengths);
-    const double scale = (std::max)(m_energy, m_initial_energy / 100);
-    const bool is_settled =
-        std::abs(before - m_energy) <= m_options.energy_tolerance * report.time_step * scale;
-    return is_settled ? Curve_flow_stop::energy_settled : Curve_flow_stop::none;
-  }
+                                      const std::string& function);
+  bool try_step(Curve_step_report& report);
+  bool integrate(double angle, Curve_step_report& report);
+  bool has_same_turns();
+  Curve_flow_stop accept(Curve_step_report& report);
 
   Curve_flow_options m_options;
   Curve_frame m_frame;
@@ -195,5 +98,9 @@ class Isometric_curve_flow {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/curves/Isometric_curve_flow_impl.h>
+#endif
 
 #endif

@@ -5,9 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-
 namespace Conformal_geometry_processing {
 
 /// one point or vector of the plane per column
@@ -24,20 +21,7 @@ class Polygon_lengths {
   Polygon_lengths() = default;
 
   /// \param points the vertices, 2 x m, m > 1
-  Polygon_lengths(const Plane_points& points, bool is_closed)
-      : m_edges(points.cols() - (is_closed ? 0 : 1)),
-        m_duals(Eigen::VectorXd::Zero(points.cols())),
-        m_is_closed(is_closed)
-  {
-    const Eigen::Index m = points.cols();
-    for (Eigen::Index i = 0; i < m_edges.size(); ++i) {
-      const Eigen::Index next = i + 1 < m ? i + 1 : 0;
-      m_edges[i] = (points.col(next) - points.col(i)).norm();
-      m_duals[i] += m_edges[i] / 2;
-      m_duals[next] += m_edges[i] / 2;
-    }
-    m_total = m_edges.sum();
-  }
+  Polygon_lengths(const Plane_points& points, bool is_closed);
 
   bool is_closed() const { return m_is_closed; }
   Eigen::Index size_of_vertices() const { return m_duals.size(); }
@@ -57,17 +41,12 @@ class Polygon_lengths {
 
 /// \relates Polygon_lengths
 /// the largest change of length of an edge, relative to what it was
-inline double length_distortion(const Plane_points& points, const Polygon_lengths& original)
-{
-  double worst = 0;
-  for (Eigen::Index i = 0; i < original.size_of_edges(); ++i) {
-    const Eigen::Index next = i + 1 < points.cols() ? i + 1 : 0;
-    const double length = (points.col(next) - points.col(i)).norm();
-    worst = (std::max)(worst, std::abs(length / original.edges()[i] - 1));
-  }
-  return worst;
-}
+double length_distortion(const Plane_points& points, const Polygon_lengths& original);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/curves/Polygon_lengths_impl.h>
+#endif
 
 #endif

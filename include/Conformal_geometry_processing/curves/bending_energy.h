@@ -15,11 +15,12 @@ namespace Conformal_geometry_processing {
 /// In 1/length; times the length of the curve it does not depend on scale, and is 4 pi^2 k^2 for a
 /// circle run through k times.
 /// \param curvatures the turning angles by the dual lengths, one per vertex
-inline double bending_energy(const Eigen::VectorXd& curvatures, const Polygon_lengths& lengths)
-{
-  return (curvatures.array().square() * lengths.duals().array()).sum();
-}
+double bending_energy(const Eigen::VectorXd& curvatures, const Polygon_lengths& lengths);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/curves/bending_energy_impl.h>
+#endif
 
 #endif

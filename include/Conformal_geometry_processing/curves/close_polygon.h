@@ -5,13 +5,9 @@
 
 #include <Conformal_geometry_processing/curves/Closing_functions.h>
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
-#include <Conformal_geometry_processing/curves/integrate_curvature.h>
 #include <Conformal_geometry_processing/curves/turning_number.h>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
-
-#include <cmath>
 
 namespace Conformal_geometry_processing {
 
@@ -27,38 +23,14 @@ namespace internal {
 
 /// The gap of the edges, and the vertices: the first one where the last edge ends, as the
 /// derivative of the gap wants it.
-inline Eigen::Vector2d end_to_end(const Plane_points& tangents, Plane_points& points)
-{
-  Eigen::Vector2d p = tangents.col(0);
-  for (Eigen::Index i = 1; i < tangents.cols(); ++i) {
-    points.col(i) = p;
-    p += tangents.col(i);
-  }
-  points.col(0) = p;
-  return p;
-}
+Eigen::Vector2d end_to_end(const Plane_points& tangents, Plane_points& points);
 
 /// One step of Newton's method: the change of curvature, a combination of the functions at the
 /// vertices of `shape`, that closes the gap and brings the total turning to `turning`, to first
 /// order.
-inline void correct_curvatures(const Eigen::Vector2d& gap, double turning,
-                               const Plane_points& points, const Closing_functions& functions,
-                               const Plane_points& shape, const Polygon_lengths& lengths,
-                               Eigen::VectorXd& curvatures)
-{
-  // What turns at vertex i by d_i k_i turns the end p about f_i: the gap changes by
-  // J (p - f_i) d_i k_i. So moments, d_i k_i (1, f_i), tell all; p, which is the gap away from 0,
-  // matters to second order only.
-  const Eigen::VectorXd& d = lengths.duals();
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (Eigen::Index i = 0; i < d.size(); ++i)
-    moments += d[i] * Eigen::Vector3d(1, points(0, i), points(1, i)) *
-               functions.values(shape.col(i)).transpose();
-  const Eigen::Vector3d wanted(turning - d.dot(curvatures), gap.y(), -gap.x());
-  const Eigen::Vector3d share = moments.fullPivLu().solve(wanted);
-  for (Eigen::Index i = 0; i < d.size(); ++i)
-    curvatures[i] += share.dot(functions.values(shape.col(i)));
-}
+void correct_curvatures(const Eigen::Vector2d& gap, double turning, const Plane_points& points,
+                        const Closing_functions& functions, const Plane_points& shape,
+                        const Polygon_lengths& lengths, Eigen::VectorXd& curvatures);
 
 }  // namespace internal
 
@@ -72,30 +44,14 @@ inline void correct_curvatures(const Eigen::Vector2d& gap, double turning,
 /// \param curvatures one per vertex; closed afterwards, if the result says so
 /// \param tangents receives its edges, 2 x m \param points is overwritten, 2 x m
 /// \returns `is_closed` where the gap is below 1e-13 of the length
-inline Closing_result close_polygon(const Polygon_lengths& lengths, int turning_number,
-                                    double angle, const Plane_points& shape,
-                                    Eigen::VectorXd& curvatures, Plane_points& tangents,
-                                    Plane_points& points)
-{
-  constexpr int max_iterations = 20;
-  constexpr double tolerance = 1e-13;
-  const double turning = turning_number * two_pi;
-  const Closing_functions functions(shape, lengths.duals());
-  points.resize(2, lengths.size_of_vertices());
-  Closing_result result;
-  for (; result.iterations <= max_iterations; ++result.iterations) {
-    integrate_curvature(curvatures, lengths, angle, tangents);
-    const Eigen::Vector2d gap = internal::end_to_end(tangents, points);
-    const double excess = std::abs(lengths.duals().dot(curvatures) - turning);
-    result.gap = gap.norm() / lengths.total();
-    if (result.iterations == 0) result.first_gap = result.gap;
-    result.is_closed = result.gap <= tolerance && excess <= tolerance * two_pi;
-    if (result.is_closed || !std::isfinite(result.gap)) break;
-    internal::correct_curvatures(gap, turning, points, functions, shape, lengths, curvatures);
-  }
-  return result;
-}
+Closing_result close_polygon(const Polygon_lengths& lengths, int turning_number, double angle,
+                             const Plane_points& shape, Eigen::VectorXd& curvatures,
+                             Plane_points& tangents, Plane_points& points);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/curves/close_polygon_impl.h>
+#endif
 
 #endif

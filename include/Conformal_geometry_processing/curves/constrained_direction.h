@@ -3,7 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CONSTRAINED_DIRECTION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CONSTRAINED_DIRECTION_H
 
-#include <Conformal_geometry_processing/curves/Closing_functions.h>
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
 
 #include <Eigen/Core>
@@ -18,20 +17,13 @@ namespace Conformal_geometry_processing {
 /// sum d_i v_i = 0 and sum d_i v_i f_i = 0. O(m).
 /// \param curvatures kappa, one per vertex \param points the vertices, 2 x m
 /// \param direction receives m numbers
-inline void constrained_direction(const Eigen::VectorXd& curvatures, const Plane_points& points,
-                                  const Polygon_lengths& lengths, Eigen::VectorXd& direction)
-{
-  direction = -2 * curvatures;
-  if (!lengths.is_closed()) return;
-  const Closing_functions functions(points, lengths.duals());
-  Eigen::Vector3d products = Eigen::Vector3d::Zero();
-  for (Eigen::Index i = 0; i < direction.size(); ++i)
-    products += lengths.duals()[i] * direction[i] * functions.values(points.col(i));
-  const Eigen::Vector3d share = functions.combination(products);
-  for (Eigen::Index i = 0; i < direction.size(); ++i)
-    direction[i] -= share.dot(functions.values(points.col(i)));
-}
+void constrained_direction(const Eigen::VectorXd& curvatures, const Plane_points& points,
+                           const Polygon_lengths& lengths, Eigen::VectorXd& direction);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/curves/constrained_direction_impl.h>
+#endif
 
 #endif

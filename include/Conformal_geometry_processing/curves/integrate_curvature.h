@@ -7,8 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
@@ -19,17 +17,13 @@ namespace Conformal_geometry_processing {
 /// no say: it turns the last edge of a closed polygon into the first.
 /// \param curvatures one per vertex \param angle of edge 0, theta_0
 /// \param tangents receives an edge per column, 2 x number of edges
-inline void integrate_curvature(const Eigen::VectorXd& curvatures, const Polygon_lengths& lengths,
-                                double angle, Plane_points& tangents)
-{
-  tangents.resize(2, lengths.size_of_edges());
-  for (Eigen::Index i = 0; i < lengths.size_of_edges(); ++i) {
-    if (i > 0) angle += lengths.duals()[i] * curvatures[i];
-    tangents(0, i) = lengths.edges()[i] * std::cos(angle);
-    tangents(1, i) = lengths.edges()[i] * std::sin(angle);
-  }
-}
+void integrate_curvature(const Eigen::VectorXd& curvatures, const Polygon_lengths& lengths,
+                         double angle, Plane_points& tangents);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/curves/integrate_curvature_impl.h>
+#endif
 
 #endif

@@ -3,7 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_INTEGRATE_TANGENTS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_CURVES_INTEGRATE_TANGENTS_H
 
-#include <Conformal_geometry_processing/curves/Compensated_sum.h>
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
 
 #include <Eigen/Core>
@@ -25,25 +24,13 @@ namespace Conformal_geometry_processing {
 ///
 /// \param tangents an edge per column \param points receives the vertices, the first one at 0
 /// \returns the sum of the edges of a closed polygon: the gap that was distributed
-inline Eigen::Vector2d integrate_tangents(const Plane_points& tangents,
-                                          const Polygon_lengths& lengths, Plane_points& points)
-{
-  Compensated_sum sum;
-  if (lengths.is_closed())
-    for (Eigen::Index i = 0; i < tangents.cols(); ++i) sum.add(tangents.col(i));
-  const Eigen::Vector2d gap = sum.value();
-  const Eigen::Vector2d share = gap / lengths.total();
-  const Eigen::Index m = lengths.size_of_vertices();
-  points.resize(2, m);
-  points.col(0).setZero();
-  Compensated_sum point;
-  for (Eigen::Index i = 0; i + 1 < m; ++i) {
-    point.add(tangents.col(i) - lengths.edges()[i] * share);
-    points.col(i + 1) = point.value();
-  }
-  return gap;
-}
+Eigen::Vector2d integrate_tangents(const Plane_points& tangents, const Polygon_lengths& lengths,
+                                   Plane_points& points);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/curves/integrate_tangents_impl.h>
+#endif
 
 #endif

@@ -5,8 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
-
 namespace Conformal_geometry_processing {
 
 /// a full turn
@@ -16,11 +14,12 @@ inline constexpr double two_pi = 6.283185307179586476925286766559;
 /// \brief how often the tangent of a closed polygon turns around, counterclockwise: 1 for a convex
 /// one, 0 for a figure eight [CGP 4.2].
 /// \param angles of `turning_angles()`
-inline int turning_number(const Eigen::VectorXd& angles)
-{
-  return static_cast<int>(std::lround(angles.sum() / two_pi));
-}
+int turning_number(const Eigen::VectorXd& angles);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/curves/turning_number_impl.h>
+#endif
 
 #endif

@@ -13,8 +13,10 @@
 #include <Conformal_geometry_processing/flow/Willmore_direction.h>
 #include <Conformal_geometry_processing/flow/step_fault.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_convergence.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>

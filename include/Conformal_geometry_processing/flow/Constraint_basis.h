@@ -3,12 +3,13 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINT_BASIS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINT_BASIS_H
 
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/weighted_orthonormalization.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -22,28 +23,17 @@ namespace Conformal_geometry_processing {
 class Constraint_basis {
  public:
   /// \param areas M_V, |V| positive numbers
-  explicit Constraint_basis(Eigen::VectorXd areas)
-      : m_areas(std::move(areas)), m_basis(m_areas.size(), 0)
-  {}
+  explicit Constraint_basis(Eigen::VectorXd areas);
 
   /// \param functions |V| x k, one per column
   /// \throw Precondition_error if the number of rows is another, or a value is not finite
-  void add(const Eigen::MatrixXd& functions)
-  {
-    const Eigen::MatrixXd group = weighted_orthonormalization(functions, m_areas);
-    Eigen::MatrixXd both(m_basis.rows(), m_basis.cols() + group.cols());
-    both << m_basis, group;
-    m_basis = weighted_orthonormalization(both, m_areas);
-  }
+  void add(const Eigen::MatrixXd& functions);
 
   /// the number of independent constraints
   Eigen::Index rank() const { return m_basis.cols(); }
 
   /// v without its part in their span
-  Eigen::VectorXd project_out(Eigen::VectorXd v) const
-  {
-    return Conformal_geometry_processing::project_out(m_basis, m_areas, std::move(v));
-  }
+  Eigen::VectorXd project_out(Eigen::VectorXd v) const;
 
   /// root of sum_i M_V,i v_i^2
   double norm(const Eigen::VectorXd& v) const { return std::sqrt(m_areas.dot(v.cwiseAbs2())); }
@@ -54,5 +44,9 @@ class Constraint_basis {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Constraint_basis_impl.h>
+#endif
 
 #endif

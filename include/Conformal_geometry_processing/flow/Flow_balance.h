@@ -3,13 +3,12 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_BALANCE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_BALANCE_H
 
+#include <Conformal_geometry_processing/algebra/Moebius_map.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Moebius_balancing.h>
 #include <Conformal_geometry_processing/flow/canonical_metric.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
@@ -45,31 +44,14 @@ class Flow_balance {
   /// balance is not kept in this way.
   ///
   /// Not to be multiplied by the time step: the surface can go all the way back at once.
-  Eigen::VectorXd potential(const Mesh_view& mesh) const
-  {
-    if (!m_balancing || m_way != Balancing::potential)
-      return Eigen::VectorXd::Zero(mesh.size_of_vertices());
-    return Moebius_balancing::curvature_change(m_balancing->step(mesh),
-                                               vertex_normals(mesh, Normal_weight::angle));
-  }
+  Eigen::VectorXd potential(const Mesh_view& mesh) const;
 
   /// whether `inverted()` is to be applied after a step
   bool is_by_inversion() const { return m_balancing && m_way == Balancing::inversion; }
 
   /// \brief the balanced image of the surface under sphere inversions, with its area and centroid.
   /// \pre `is_by_inversion()`
-  Points inverted(Mesh_view mesh) const
-  {
-    const int most_inversions = 8;
-    const double worthwhile = 1e-3;  // share of the imbalance
-    double before = m_balancing->imbalance(mesh), now = before;
-    for (int i = 0; i < most_inversions; ++i, before = now) {
-      mesh.set_positions(m_balancing->balanced(mesh));
-      now = m_balancing->imbalance(mesh);
-      if (now > (1 - worthwhile) * before) break;
-    }
-    return mesh.positions();
-  }
+  Points inverted(Mesh_view mesh) const;
 
  private:
   template <class Laplacian>
@@ -87,5 +69,9 @@ class Flow_balance {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Flow_balance_impl.h>
+#endif
 
 #endif

@@ -7,7 +7,6 @@
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -27,26 +26,7 @@ enum class Flow_stop {
 
 /// \relates Flow_report
 /// the reason in words
-inline const char* to_string(Flow_stop stop)
-{
-  switch (stop) {
-    case Flow_stop::none:
-      return "not stopped";
-    case Flow_stop::energy_settled:
-      return "the energy has settled";
-    case Flow_stop::direction_vanished:
-      return "nothing is left of the direction";
-    case Flow_stop::steps_done:
-      return "all steps are done";
-    case Flow_stop::cancelled:
-      return "cancelled";
-    case Flow_stop::time_step_too_small:
-      return "the time step became too small";
-    case Flow_stop::step_failed:
-      return "the step failed";
-  }
-  return "unknown";
-}
+const char* to_string(Flow_stop stop);
 
 /// \ingroup PkgFlow
 /// \brief one step of a flow in numbers, which are its proof.
@@ -78,10 +58,7 @@ struct [[nodiscard]] Flow_report {
   double seconds = 0;         ///< wall clock
 
   /// whether the flow has arrived
-  bool converged() const
-  {
-    return stop == Flow_stop::energy_settled || stop == Flow_stop::direction_vanished;
-  }
+  bool converged() const;
 
   /// whether it has arrived, or made the steps it was asked for
   explicit operator bool() const { return converged() || stop == Flow_stop::steps_done; }
@@ -90,15 +67,12 @@ struct [[nodiscard]] Flow_report {
 /// \relates Flow_report
 /// \brief adds a step if it was accepted, and takes over whether it is the last and why.
 /// \returns whether it was accepted
-inline bool append(Flow_report& report, Flow_step_report step)
-{
-  report.stop = step.stop;
-  report.message = step.message;
-  const bool is_accepted = step.accepted;
-  if (is_accepted) report.steps.push_back(std::move(step));
-  return is_accepted;
-}
+bool append(Flow_report& report, Flow_step_report step);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Flow_report_impl.h>
+#endif
 
 #endif

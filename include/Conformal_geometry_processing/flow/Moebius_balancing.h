@@ -3,18 +3,12 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_MOEBIUS_BALANCING_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_MOEBIUS_BALANCING_H
 
-#include <Conformal_geometry_processing/algebra/Moebius_map.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -40,110 +34,48 @@ class Moebius_balancing {
   /// \param function named in exceptions
   /// \throw Precondition_error if one is not positive
   explicit Moebius_balancing(Eigen::VectorXd target_areas,
-                             std::string function = "Moebius_balancing")
-      : m_target(std::move(target_areas)), m_function(std::move(function))
-  {
-    for (Eigen::Index v = 0; v < m_target.size(); ++v)
-      if (!(m_target[v] > 0) || !std::isfinite(m_target[v]))
-        throw Precondition_error(m_function, "the target area of vertex " + std::to_string(v) +
-                                                 " is " + std::to_string(m_target[v]) +
-                                                 "; positive areas are needed");
-  }
+                             std::string function = "Moebius_balancing");
 
   /// \brief u, half the logarithm of area over target area, |V| numbers of mean zero over the
   /// surface: positive where it is too large.
   /// \throw Precondition_error, as all below, if the mesh has another number of vertices
-  Eigen::VectorXd log_length_scale(const Mesh_view& mesh) const
-  {
-    return log_length_scale(areas_of(mesh));
-  }
+  Eigen::VectorXd log_length_scale(const Mesh_view& mesh) const;
 
   /// the root of the mean of u^2 over the surface: zero exactly if the areas are those wanted
-  double imbalance(const Mesh_view& mesh) const
-  {
-    const Eigen::VectorXd areas = areas_of(mesh);
-    return std::sqrt(areas.dot(log_length_scale(areas).cwiseAbs2()) / areas.sum());
-  }
+  double imbalance(const Mesh_view& mesh) const;
 
   /// \brief a, in 1/length.
   ///
   /// Shortened where needed, so that the pole of the inversion is twice as far from the centroid as
   /// any vertex; then no length changes by more than a factor of 4.
-  Eigen::Vector3d step(const Mesh_view& mesh) const
-  {
-    const Eigen::VectorXd areas = areas_of(mesh);
-    const Points f = mesh.positions().colwise() - centroid(mesh, areas);
-    const Eigen::Matrix3d inertia = f * areas.asDiagonal() * f.transpose();
-    const Eigen::Vector3d moment = f * areas.cwiseProduct(log_length_scale(areas));
-    const Eigen::Vector3d a = inertia.ldlt().solve(moment) / 2;
-    const double nearness_of_pole = a.norm() * f.colwise().norm().maxCoeff();
-    return a / (std::max)(1., 2 * nearness_of_pole);
-  }
+  Eigen::Vector3d step(const Mesh_view& mesh) const;
 
   /// \brief -2<a, N>, |V| numbers in 1/length: what the inversion adds to the curvature potential
   /// rho to first order; not to be multiplied by a time step.
   /// \param a `step(mesh)` \param normals 3 x |V| unit normals
-  static Eigen::VectorXd curvature_change(const Eigen::Vector3d& a, const Points& normals)
-  {
-    return -2 * normals.transpose() * a;
-  }
+  static Eigen::VectorXd curvature_change(const Eigen::Vector3d& a, const Points& normals);
 
   /// \brief the image of the surface under the inversion by `step(mesh)`, with the centroid and the
   /// area of the surface; 3 x |V|.
   ///
   /// Goes back to half the step until the imbalance falls, so that it never rises; returns the
   /// surface as it is where no step helps, as it does when balanced up to rounding.
-  Points balanced(const Mesh_view& mesh) const
-  {
-    const int most_halvings = 6;
-    const double before = imbalance(mesh);
-    Eigen::Vector3d a = step(mesh);
-    Mesh_view image = mesh;
-    for (int trial = 0; trial <= most_halvings && a != Eigen::Vector3d::Zero(); ++trial, a /= 2) {
-      image.set_positions(inverted(mesh, a));
-      if (imbalance(image) < before) return image.positions();
-    }
-    return mesh.positions();
-  }
+  Points balanced(const Mesh_view& mesh) const;
 
  private:
-  static Points inverted(const Mesh_view& mesh, const Eigen::Vector3d& a)
-  {
-    const Eigen::VectorXd areas = vertex_areas(mesh);
-    const Eigen::Vector3d center = centroid(mesh, areas);
-    Mesh_view image = mesh;
-    image.set_positions(
-        Moebius_map::sphere_inversion(a).transform(mesh.positions().colwise() - center));
-    const Eigen::VectorXd new_areas = vertex_areas(image);
-    const Eigen::Vector3d new_center = centroid(image, new_areas);
-    const double scale = std::sqrt(areas.sum() / new_areas.sum());
-    return (scale * (image.positions().colwise() - new_center)).colwise() + center;
-  }
-
-  Eigen::VectorXd areas_of(const Mesh_view& mesh) const
-  {
-    if (mesh.size_of_vertices() != m_target.size())
-      throw Precondition_error(m_function, std::to_string(m_target.size()) +
-                                               " target areas, one per vertex is needed: " +
-                                               std::to_string(mesh.size_of_vertices()));
-    return vertex_areas(mesh);
-  }
-
-  Eigen::VectorXd log_length_scale(const Eigen::VectorXd& areas) const
-  {
-    const Eigen::VectorXd u = (areas.array() / m_target.array()).log() / 2;
-    return u.array() - areas.dot(u) / areas.sum();
-  }
-
-  static Eigen::Vector3d centroid(const Mesh_view& mesh, const Eigen::VectorXd& areas)
-  {
-    return mesh.positions() * areas / areas.sum();
-  }
+  static Points inverted(const Mesh_view& mesh, const Eigen::Vector3d& a);
+  Eigen::VectorXd areas_of(const Mesh_view& mesh) const;
+  Eigen::VectorXd log_length_scale(const Eigen::VectorXd& areas) const;
+  static Eigen::Vector3d centroid(const Mesh_view& mesh, const Eigen::VectorXd& areas);
 
   Eigen::VectorXd m_target;  // |V|
   std::string m_function;
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Moebius_balancing_impl.h>
+#endif
 
 #endif

@@ -15,19 +15,12 @@ namespace Conformal_geometry_processing {
 class Time_step {
  public:
   /// \pre 0 < smallest <= largest
-  Time_step(double largest, double smallest)
-      : m_largest(largest), m_smallest(smallest), m_value(largest)
-  {}
+  Time_step(double largest, double smallest);
 
   double value() const { return m_value; }
 
   /// after a step that failed; returns false, and stays, where half the step would be too small
-  bool halve()
-  {
-    if (m_value / 2 < m_smallest) return false;
-    m_value /= 2;
-    return true;
-  }
+  bool halve();
 
   /// after a step that succeeded
   void grow() { m_value = (std::min)(1.5 * m_value, m_largest); }
@@ -37,5 +30,9 @@ class Time_step {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Time_step_impl.h>
+#endif
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_WILLMORE_DIRECTION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_WILLMORE_DIRECTION_H
 
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>

@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
 
@@ -25,17 +24,8 @@ namespace Conformal_geometry_processing {
 /// \param basis that of a closed surface
 /// \param function named in the exception
 /// \throw Precondition_error on a sphere, which has no harmonic forms
-inline Eigen::VectorXd canonical_area_density(
-    const Harmonic_basis& basis, const std::string& function = "canonical_area_density")
-{
-  if (basis.size() == 0)
-    throw Precondition_error(function,
-                             "the surface is a sphere, which has no canonical metric; "
-                             "genus 1 or more is needed");
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(basis.fields.front().cols());
-  for (const Points& v : basis.fields) u += v.colwise().squaredNorm().transpose() / 2;
-  return u;
-}
+Eigen::VectorXd canonical_area_density(const Harmonic_basis& basis,
+                                       const std::string& function = "canonical_area_density");
 
 /// \ingroup PkgFlow
 /// \brief the area of each vertex in the canonical metric, a third of the faces around it: |V|
@@ -43,15 +33,12 @@ inline Eigen::VectorXd canonical_area_density(
 ///
 /// Found once for a flow, for it does not change under conformal deformation.
 /// \param density `canonical_area_density()`
-inline Eigen::VectorXd canonical_vertex_areas(const Mesh_view& mesh, const Eigen::VectorXd& density)
-{
-  const Eigen::VectorXd areas = face_areas(mesh).cwiseProduct(density);
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    for (int v : mesh.corners(f)) sum[v] += areas[f] / 3;
-  return sum;
-}
+Eigen::VectorXd canonical_vertex_areas(const Mesh_view& mesh, const Eigen::VectorXd& density);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/canonical_metric_impl.h>
+#endif
 
 #endif

@@ -16,21 +16,12 @@ namespace Conformal_geometry_processing {
 /// \param report of the spin transformation of the step
 /// \param is_turning whether the boundary is still on its way to prescribed directions. Tangents
 /// that are merely kept need not be realizable: where they are not planar, no curvature is.
-inline std::string step_fault(const Spin_report& report, bool is_turning,
-                              const Flow_options& options)
-{
-  if (!report.converged) return "the Dirac equation is not solved";
-  if (report.boundary_fault == Boundary_fault::not_realizable && is_turning)
-    return to_string(report.boundary_fault);
-  if (!options.backtracking) return {};
-  const double distortion = report.conformality.quasi_conformal.mean;
-  if (!(distortion < options.max_step_distortion))
-    return "the mean quasi-conformal error is " + std::to_string(distortion);
-  if (!(report.closure_residual < options.max_step_closure))
-    return "the closure residual is " + std::to_string(report.closure_residual);
-  return {};
-}
+std::string step_fault(const Spin_report& report, bool is_turning, const Flow_options& options);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/step_fault_impl.h>
+#endif
 
 #endif

@@ -5,16 +5,13 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
+#include <Conformal_geometry_processing/forms/tangent_field.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
-
-#include <array>
-#include <cstddef>
 
 namespace Conformal_geometry_processing {
 
@@ -44,58 +41,19 @@ Block<Quaternion<double>> adjoint_sources(const Surface& mesh, const Harmonic_ba
 }
 
 /// a column for each column of sources and each axis of space
-inline Block<Quaternion<double>> sources_along_axes(const Block<Quaternion<double>>& sources)
-{
-  const std::array<Quaternion<double>, 3> axes = {{{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-  Block<Quaternion<double>> c(sources.rows(), 3 * sources.cols());
-  for (Eigen::Index i = 0; i < c.cols(); ++i)
-    for (Eigen::Index v = 0; v < c.rows(); ++v)
-      c(v, i) = sources(v, i / 3) * conjugate(axes[static_cast<std::size_t>(i % 3)]);
-  return c;
-}
+Block<Quaternion<double>> sources_along_axes(const Block<Quaternion<double>>& sources);
 
 /// the same for D Z = v in the sense of least squares: D^H M_F v
-inline Block<Quaternion<double>> field_sources(const Mesh_view& mesh, const Harmonic_basis& basis)
-{
-  const Quaternionic_sparse_matrix<double> D = dirac(mesh);
-  const Eigen::VectorXd areas = face_areas(mesh);
-  Block<Quaternion<double>> c(mesh.size_of_vertices(), basis.size());
-  Quaternion_vector<double> Av(mesh.size_of_faces());
-  for (int i = 0; i < basis.size(); ++i) {
-    const Points& v = basis.fields[static_cast<std::size_t>(i)];
-    for (int f = 0; f < mesh.size_of_faces(); ++f) Av[f] = imaginary(areas[f] * v.col(f));
-    c.col(i) = D.adjoint_times(Av);
-  }
-  return c;
-}
+Block<Quaternion<double>> field_sources(const Mesh_view& mesh, const Harmonic_basis& basis);
 
 /// the imaginary parts, n x 3
-inline Eigen::MatrixX3d imaginary_columns(const Quaternion_vector<double>& z)
-{
-  return components(z).bottomRows<3>().transpose();
-}
+Eigen::MatrixX3d imaginary_columns(const Quaternion_vector<double>& z);
 
 /// the mean of the corners of each face, |F| x k
-inline Eigen::MatrixXd face_means(const Mesh_view& mesh, const Eigen::MatrixXd& values)
-{
-  Eigen::MatrixXd means(mesh.size_of_faces(), values.cols());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const auto& v = mesh.corners(f);
-    means.row(f) = (values.row(v[0]) + values.row(v[1]) + values.row(v[2])) / 3;
-  }
-  return means;
-}
+Eigen::MatrixXd face_means(const Mesh_view& mesh, const Eigen::MatrixXd& values);
 
 /// M_V^-1 B^T M_F: the mean of the faces around each vertex, weighted by area, |V| x k
-inline Eigen::MatrixXd vertex_means(const Mesh_view& mesh, const Eigen::MatrixXd& values)
-{
-  const Eigen::VectorXd areas = face_areas(mesh);
-  Eigen::MatrixXd means = Eigen::MatrixXd::Zero(mesh.size_of_vertices(), values.cols());
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    for (int v : mesh.corners(f)) means.row(v) += areas[f] / 3 * values.row(f);
-  means.array().colwise() /= vertex_areas(mesh).array();
-  return means;
-}
+Eigen::MatrixXd vertex_means(const Mesh_view& mesh, const Eigen::MatrixXd& values);
 
 }  // namespace internal
 
@@ -165,5 +123,9 @@ Eigen::MatrixXd bounded_exactness_constraints(const Mesh_view& mesh, const Harmo
 }
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/forms/Exactness_constraints_impl.h>
+#endif
 
 #endif

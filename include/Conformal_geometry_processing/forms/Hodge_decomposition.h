@@ -4,12 +4,14 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FORMS_HODGE_DECOMPOSITION_H
 
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
+#include <Conformal_geometry_processing/forms/tangent_field.h>
 #include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/divergence.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <Eigen/Core>
 

@@ -3,19 +3,13 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_CONFORMAL_MODULUS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FORMS_CONFORMAL_MODULUS_H
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
-#include <Conformal_geometry_processing/forms/tree_cotree.h>
+#include <Conformal_geometry_processing/forms/tangent_field.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
-#include <cmath>
 #include <complex>
-#include <string>
 
 namespace Conformal_geometry_processing {
 
@@ -41,15 +35,7 @@ double wedge_product(const Mesh_view& mesh, const Eigen::MatrixBase<A>& a,
 ///
 /// On the boundary of this domain, where there are two, rounding decides.
 /// \pre Im tau > 0
-inline std::complex<double> reduced_modulus(std::complex<double> tau)
-{
-  const double rounding = 1e-12;
-  for (;;) {
-    tau -= std::round(tau.real());
-    if (std::norm(tau) >= 1 - rounding) return tau;
-    tau = -1. / tau;  // Im tau grows, so this ends
-  }
-}
+std::complex<double> reduced_modulus(std::complex<double> tau);
 
 /// \ingroup PkgForms
 /// \brief tau of a torus, which is conformally the plane modulo the lattice of 1 and tau.
@@ -61,20 +47,12 @@ inline std::complex<double> reduced_modulus(std::complex<double> tau)
 /// No solve: the harmonic parts of the generators are their coefficients in the basis.
 /// \pre `basis` is that of the mesh
 /// \throw Precondition_error if the surface has a boundary, or its genus is not one
-inline std::complex<double> conformal_modulus(const Mesh_view& mesh, const Harmonic_basis& basis)
-{
-  require_closed(mesh, "conformal_modulus");
-  if (basis.genus() != 1)
-    throw Precondition_error(
-        "conformal_modulus",
-        "the surface has genus " + std::to_string(basis.genus()) + "; a torus is needed");
-  Eigen::MatrixXd generators = closed_generators(mesh);
-  if (wedge_product(mesh, generators.col(0), generators.col(1)) < 0) generators.col(0) *= -1;
-  const Eigen::Matrix2d periods = basis.coefficients(cotan_weights(mesh), generators);
-  const Eigen::Matrix2d G = periods.transpose() * periods;
-  return reduced_modulus({-G(0, 1) / G(1, 1), std::abs(periods.determinant()) / G(1, 1)});
-}
+std::complex<double> conformal_modulus(const Mesh_view& mesh, const Harmonic_basis& basis);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/forms/conformal_modulus_impl.h>
+#endif
 
 #endif

@@ -3,14 +3,10 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_LOOPS_OF_FACES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FORMS_LOOPS_OF_FACES_H
 
-#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -26,50 +22,17 @@ using Face_loop = std::vector<int>;
 ///
 /// O(|V| + |F|) and the lengths of the loops.
 /// \pre the surface is closed, and `require_surface(mesh)` holds
-inline std::vector<Face_loop> loops_of_faces(const Mesh_view& mesh)
-{
-  const internal::Tree_cotree trees(mesh);
-  std::vector<Face_loop> loops;
-  for (const int k : trees.leftover_edges()) {
-    // Through the edge and on to the root of the tree, and from there to where it began.
-    Face_loop there, back;
-    trees.for_each_crossing(
-        k, [&](int h, int sign) { sign > 0 ? there.push_back(h) : back.push_back(h); });
-    for (; !there.empty() && !back.empty() && there.back() == back.back(); there.pop_back())
-      back.pop_back();
-    std::reverse(back.begin(), back.end());
-    for (const int h : back) there.push_back(mesh.twin(h));
-    loops.push_back(std::move(there));
-  }
-  return loops;
-}
+std::vector<Face_loop> loops_of_faces(const Mesh_view& mesh);
 
 /// \ingroup PkgForms
 /// \brief how often loops of faces cross each other, modulo 2: a symmetric matrix with zeros on the
 /// diagonal, of odd determinant if the loops are a basis of the homology.
-inline Eigen::MatrixXi crossings_modulo_2(const Mesh_view& mesh,
-                                          const std::vector<Face_loop>& loops)
-{
-  const auto n = static_cast<Eigen::Index>(loops.size());
-  Eigen::MatrixXi crossings = Eigen::MatrixXi::Zero(n, n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    std::vector<char> is_crossed(static_cast<std::size_t>(mesh.size_of_edges()), 0);
-    for (const int h : loops[static_cast<std::size_t>(j)])
-      is_crossed[static_cast<std::size_t>(mesh.edge(h))] = 1;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      // Pushed to its left, the loop runs along edges: those of its faces that it leaves there.
-      const Face_loop& loop = loops[static_cast<std::size_t>(i)];
-      for (std::size_t k = 0; k < loop.size(); ++k) {
-        const int in = mesh.twin(loop[k]), out = loop[(k + 1) % loop.size()];
-        if (Mesh_view::next_in_face(in) == out)
-          crossings(i, j) ^=
-              is_crossed[static_cast<std::size_t>(mesh.edge(Mesh_view::previous_in_face(in)))];
-      }
-    }
-  }
-  return crossings;
-}
+Eigen::MatrixXi crossings_modulo_2(const Mesh_view& mesh, const std::vector<Face_loop>& loops);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/forms/loops_of_faces_impl.h>
+#endif
 
 #endif

@@ -8,7 +8,6 @@
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -20,11 +19,7 @@ namespace internal {
 /// boundary.
 class Tree_cotree {
  public:
-  explicit Tree_cotree(const Mesh_view& mesh) : m_mesh(mesh)
-  {
-    grow_cotree();
-    grow_tree();
-  }
+  explicit Tree_cotree(const Mesh_view& mesh);
 
   /// the edges that are left over, ascending
   const std::vector<int>& leftover_edges() const { return m_leftover; }
@@ -57,11 +52,7 @@ class Tree_cotree {
   int outside() const { return m_mesh.size_of_faces(); }
 
   /// the face on the other side of a halfedge
-  int beyond(int h) const
-  {
-    const int g = m_mesh.twin(h);
-    return g < 0 ? outside() : Mesh_view::face(g);
-  }
+  int beyond(int h) const;
 
   /// the halfedges by which faces around f reach it
   template <class Visitor>
@@ -74,43 +65,8 @@ class Tree_cotree {
         if (m_mesh.twin(h) < 0) visit(h);
   }
 
-  void grow_cotree()
-  {
-    m_exit.assign(at(m_mesh.size_of_faces() + 1), -1);
-    m_is_crossed.assign(at(m_mesh.size_of_edges()), 0);
-    std::vector<char> is_met(m_exit.size(), 0);
-    std::vector<int> queue = {0};
-    is_met[0] = 1;
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      const int here = queue[i];
-      for_each_halfedge_around(here, [&](int h) {
-        const int f = here == outside() ? Mesh_view::face(h) : beyond(h);
-        if (is_met[at(f)]) return;
-        is_met[at(f)] = 1;
-        m_exit[at(f)] = m_mesh.twin(h) < 0 ? h : m_mesh.twin(h);
-        m_is_crossed[at(m_mesh.edge(h))] = 1;
-        queue.push_back(f);
-      });
-    }
-  }
-
-  void grow_tree()
-  {
-    std::vector<int> root(at(m_mesh.size_of_vertices()));
-    std::iota(root.begin(), root.end(), 0);
-    const auto find = [&](int v) {
-      while (root[at(v)] != v) v = root[at(v)] = root[at(root[at(v)])];
-      return v;
-    };
-    for (int k = 0; k < m_mesh.size_of_edges(); ++k) {
-      if (m_is_crossed[at(k)]) continue;
-      const int a = find(m_mesh.ends(k)[0]), b = find(m_mesh.ends(k)[1]);
-      if (a == b)
-        m_leftover.push_back(k);
-      else
-        root[at(b)] = a;
-    }
-  }
+  void grow_cotree();
+  void grow_tree();
 
   const Mesh_view& m_mesh;
   // |F| + 1, the last one the outside: the halfedge towards the root, -1 at the root. Boundary
@@ -138,19 +94,12 @@ class Tree_cotree {
 ///
 /// O(|V| + |F|) and the lengths of the loops.
 /// \pre `require_surface(mesh)` holds
-inline Eigen::MatrixXd closed_generators(const Mesh_view& mesh)
-{
-  const internal::Tree_cotree trees(mesh);
-  const auto count = static_cast<Eigen::Index>(trees.leftover_edges().size());
-  Eigen::MatrixXd forms = Eigen::MatrixXd::Zero(mesh.size_of_edges(), count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    trees.for_each_crossing(trees.leftover_edges()[static_cast<std::size_t>(i)],
-                            [&](int h, int sign) {
-                              forms(mesh.edge(h), i) += mesh.from(h) < mesh.to(h) ? sign : -sign;
-                            });
-  return forms;
-}
+Eigen::MatrixXd closed_generators(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/forms/tree_cotree_impl.h>
+#endif
 
 #endif

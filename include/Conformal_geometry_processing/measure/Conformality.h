@@ -7,7 +7,6 @@
 #include <Conformal_geometry_processing/measure/area_distortion.h>
 #include <Conformal_geometry_processing/measure/flipped_faces.h>
 #include <Conformal_geometry_processing/measure/length_cross_ratio.h>
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 namespace Conformal_geometry_processing {
@@ -25,13 +24,13 @@ struct Conformality {
 /// \ingroup PkgMeasure
 /// \param positions the new ones, 3 x |V|
 /// \param expected_normals 3 x |F|, to tell which faces have flipped (`flipped_faces()`)
-inline Conformality conformality(const Mesh_view& mesh, const Points& positions,
-                                 const Points& expected_normals)
-{
-  return {quasi_conformal_error(mesh, positions), length_cross_ratio_change(mesh, positions),
-          area_distortion(mesh, positions), flipped_faces(mesh, positions, expected_normals)};
-}
+Conformality conformality(const Mesh_view& mesh, const Points& positions,
+                          const Points& expected_normals);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/measure/Conformality_impl.h>
+#endif
 
 #endif

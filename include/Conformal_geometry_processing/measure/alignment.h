@@ -3,14 +3,9 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MEASURE_ALIGNMENT_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_ALIGNMENT_H
 
-#include <Conformal_geometry_processing/algebra/Quaternion.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
-
-#include <cmath>
 
 namespace Conformal_geometry_processing {
 
@@ -23,55 +18,17 @@ struct Alignment {
   double rms, max;  ///< distances left, relative to the diagonal of the target's bounding box
 
   /// scale * rotation * p + translation for every column p
-  Points apply(const Points& points) const
-  {
-    return ((scale * rotation) * points).colwise() + translation;
-  }
+  Points apply(const Points& points) const;
 };
-
-namespace internal {
-
-// The rotation R of the largest sum of <R a_k, b_k>, where S is the sum of a_k b_k^T. With a unit
-// quaternion, R a = conjugate(q) a q, that is the sum of <a q, q b>, a quadratic form in q
-// [B. K. P. Horn, Closed-form solution of absolute orientation using unit quaternions, 1987].
-inline Eigen::Matrix3d best_rotation(const Eigen::Matrix3d& S)
-{
-  const Quaternion<double> units[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-  Block<double> form = Block<double>::Zero(4, 4);
-  for (int r = 0; r < 4; ++r)
-    for (int c = 0; c < 4; ++c)
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          form(r, c) -= S(i, j) * dot(units[i + 1] * units[r], units[c] * units[j + 1]);
-  const Eigen::Vector4d q = hermitian_jacobi(form).vectors.col(0);
-  return Eigen::Quaterniond(q[0], -q[1], -q[2], -q[3]).toRotationMatrix();  // Eigen has q a q^-1
-}
-
-}  // namespace internal
 
 /// \ingroup PkgMeasure
 /// \brief the best similarity from `source` to `target`, both 3 x n, in the sense of least squares.
-inline Alignment align(const Points& source, const Points& target)
-{
-  const Eigen::Vector3d from = source.rowwise().mean(), to = target.rowwise().mean();
-  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
-  double size = 0;
-  for (Eigen::Index k = 0; k < source.cols(); ++k) {
-    const Eigen::Vector3d p = source.col(k) - from;
-    S += p * (target.col(k) - to).transpose();
-    size += p.squaredNorm();
-  }
-  Alignment a;
-  a.rotation = internal::best_rotation(S);
-  a.scale = a.rotation.cwiseProduct(S.transpose()).sum() / size;
-  a.translation = to - a.scale * (a.rotation * from);
-  const Eigen::RowVectorXd distance = (a.apply(source) - target).colwise().norm();
-  const double diagonal = (target.rowwise().maxCoeff() - target.rowwise().minCoeff()).norm();
-  a.rms = distance.norm() / std::sqrt(static_cast<double>(source.cols())) / diagonal;
-  a.max = distance.maxCoeff() / diagonal;
-  return a;
-}
+Alignment align(const Points& source, const Points& target);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/measure/alignment_impl.h>
+#endif
 
 #endif

@@ -7,9 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
-#include <vector>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMeasure
@@ -18,19 +15,7 @@ namespace Conformal_geometry_processing {
 ///
 /// Two meshes of the same connectivity are discretely conformally equivalent exactly if theirs
 /// agree; Moebius transformations of the vertices keep it.
-inline Eigen::VectorXd log_length_cross_ratios(const Mesh_view& mesh, const Points& positions)
-{
-  Eigen::VectorXd log_length(mesh.size_of_edges());
-  for (int k = 0; k < mesh.size_of_edges(); ++k)
-    log_length[k] =
-        std::log((positions.col(mesh.ends(k)[1]) - positions.col(mesh.ends(k)[0])).norm());
-  Eigen::VectorXd ratio = Eigen::VectorXd::Zero(mesh.size_of_edges());
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
-    if (mesh.twin(h) >= 0)  // from the left and from the right, the same quotient l_jk / l_ki
-      ratio[mesh.edge(h)] += log_length[mesh.edge(Mesh_view::next_in_face(h))] -
-                             log_length[mesh.edge(Mesh_view::previous_in_face(h))];
-  return ratio;
-}
+Eigen::VectorXd log_length_cross_ratios(const Mesh_view& mesh, const Points& positions);
 
 /// \ingroup PkgMeasure
 /// how far a map is from discretely conformal; zero for Moebius transformations
@@ -41,18 +26,12 @@ struct Length_cross_ratio_change {
 
 /// \ingroup PkgMeasure
 /// the change of the log length cross-ratios from the mesh to the new positions, 3 x |V|
-inline Length_cross_ratio_change length_cross_ratio_change(const Mesh_view& mesh,
-                                                           const Points& positions)
-{
-  const Eigen::VectorXd change =
-      log_length_cross_ratios(mesh, positions) - log_length_cross_ratios(mesh, mesh.positions());
-  int interior = 0;
-  for (int k = 0; k < mesh.size_of_edges(); ++k)
-    interior += mesh.halfedges_end(k) - mesh.halfedges_begin(k) == 2;
-  if (interior == 0) return {};
-  return {change.norm() / std::sqrt(interior), change.cwiseAbs().maxCoeff()};
-}
+Length_cross_ratio_change length_cross_ratio_change(const Mesh_view& mesh, const Points& positions);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/measure/length_cross_ratio_impl.h>
+#endif
 
 #endif

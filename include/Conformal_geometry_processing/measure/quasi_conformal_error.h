@@ -5,12 +5,10 @@
 
 #include <Conformal_geometry_processing/measure/Distribution.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
 
 #include <array>
-#include <cmath>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -20,13 +18,7 @@ struct Flat_triangle {
   double length, x, y;
 };
 
-inline Flat_triangle flattened(const Points& positions, const std::array<int, 3>& corners)
-{
-  const Eigen::Vector3d u = positions.col(corners[1]) - positions.col(corners[0]);
-  const Eigen::Vector3d v = positions.col(corners[2]) - positions.col(corners[0]);
-  const double length = u.norm();
-  return {length, u.dot(v) / length, u.cross(v).norm() / length};
-}
+Flat_triangle flattened(const Points& positions, const std::array<int, 3>& corners);
 
 }  // namespace internal
 
@@ -37,28 +29,16 @@ inline Flat_triangle flattened(const Points& positions, const std::array<int, 3>
 /// Infinite where the new triangle has area zero. Of first order in the edge length also for
 /// exactly conformal maps; `length_cross_ratio_change()` is the discretely exact yardstick.
 /// \param positions the new ones, 3 x |V|
-inline Eigen::VectorXd quasi_conformal_errors(const Mesh_view& mesh, const Points& positions)
-{
-  Eigen::VectorXd Q(mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const auto s = internal::flattened(mesh.positions(), mesh.corners(f));
-    const auto t = internal::flattened(positions, mesh.corners(f));
-    // The map is the upper triangular matrix (a b; 0 d).
-    const double a = t.length / s.length, b = (t.x - a * s.x) / s.y, d = t.y / s.y;
-    const double largest = (std::hypot(a + d, b) + std::hypot(a - d, b)) / 2;
-    Q[f] = largest / (a * d / largest);  // the smaller one from the determinant: no cancellation
-    if (std::isnan(Q[f])) Q[f] = HUGE_VAL;
-  }
-  return Q;
-}
+Eigen::VectorXd quasi_conformal_errors(const Mesh_view& mesh, const Points& positions);
 
 /// \ingroup PkgMeasure
 /// their distribution, weighted by the areas of the old faces
-inline Distribution quasi_conformal_error(const Mesh_view& mesh, const Points& positions)
-{
-  return distribution(quasi_conformal_errors(mesh, positions), face_areas(mesh));
-}
+Distribution quasi_conformal_error(const Mesh_view& mesh, const Points& positions);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/measure/quasi_conformal_error_impl.h>
+#endif
 
 #endif

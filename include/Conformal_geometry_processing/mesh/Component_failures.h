@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -19,9 +18,7 @@ class Component_failures {
  public:
   /// \param size how many components there are
   /// \param function named in the exception
-  Component_failures(std::size_t size, std::string function)
-      : m_size(size), m_function(std::move(function))
-  {}
+  Component_failures(std::size_t size, std::string function);
 
   /// \brief Carries out the work on component c, and keeps why it failed.
   ///
@@ -45,21 +42,10 @@ class Component_failures {
   /// \throw Precondition_error if one was caught, else Solver_error if one was; the message tells
   /// how many components failed, and each reason with the first of them; their elements have
   /// numbers of their own there
-  void throw_if_any() const
-  {
-    if (m_reasons.size() == 0) return;
-    const std::string all =
-        std::to_string(m_reasons.size()) + " of " + std::to_string(m_size) +
-        " components failed (their elements are counted in each): " + m_reasons.text();
-    if (m_is_of_data) throw Precondition_error(m_function, all);
-    throw Solver_error(m_function, all);
-  }
+  void throw_if_any() const;
 
  private:
-  static std::string name_of(std::size_t c, int first_vertex)
-  {
-    return "component " + std::to_string(c) + " (from vertex " + std::to_string(first_vertex) + ")";
-  }
+  static std::string name_of(std::size_t c, int first_vertex);
 
   std::size_t m_size;
   std::string m_function;
@@ -68,5 +54,9 @@ class Component_failures {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/Component_failures_impl.h>
+#endif
 
 #endif

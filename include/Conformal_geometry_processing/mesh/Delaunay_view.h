@@ -6,19 +6,12 @@
 #include <Conformal_geometry_processing/mesh/Common_subdivision.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Transported_forms.h>
-#include <Conformal_geometry_processing/mesh/boundary_caps.h>
 #include <Conformal_geometry_processing/mesh/boundary_loops.h>
-#include <Conformal_geometry_processing/mesh/intrinsic_delaunay.h>
-#include <Conformal_geometry_processing/mesh/mollified_lengths.h>
-
-#include <cassert>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -54,27 +47,7 @@ class Delaunay_view {
   /// \param forms closed 1-forms of the mesh, |E| x k, to be taken along: three times their memory
   /// for a while, and O(k) for every flip; empty: none
   explicit Delaunay_view(const Mesh_view& mesh, double mollification = 1e-6,
-                         const Eigen::MatrixXd& forms = {})
-      : m_positions(mesh.positions()),
-        m_size_of_faces(mesh.size_of_faces()),
-        m_loops(Conformal_geometry_processing::boundary_loops(mesh))
-  {
-    assert(forms.cols() == 0 || forms.rows() == mesh.size_of_edges());
-    const Mollified_lengths mollified = mollified_lengths(mesh, mollification);
-    m_thin_faces = mollified.thin_faces;
-    m_added_length = mollified.added;
-    Intrinsic_triangulation triangles(mesh, mollified.lengths);
-    Common_subdivision subdivision(mesh, triangles);
-    Transported_forms transported(mesh, forms);
-    m_flips = flip_to_delaunay(triangles, [&](int h) {
-      subdivision.before_flip(triangles, h);
-      transported.before_flip(triangles, h);
-    });
-    const std::vector<int> caps = boundary_caps(triangles);
-    for (int t = 0; t < triangles.size_of_faces(); ++t)
-      add_face(triangles, t, caps[index(t)], subdivision.pieces(t));
-    add_edges(triangles, caps, transported);
-  }
+                         const Eigen::MatrixXd& forms = {});
 
   int size_of_vertices() const { return static_cast<int>(m_positions.cols()); }
   int size_of_triangles() const { return static_cast<int>(m_corners.size()); }
@@ -124,80 +97,18 @@ class Delaunay_view {
 
   /// \param cap the halfedge opposite the angle of a cap, or -1
   void add_face(const Intrinsic_triangulation& triangles, int t, int cap,
-                const std::vector<Common_subdivision::Piece>& pieces)
-  {
-    Eigen::Matrix<double, 2, 3> p;
-    p << triangles.apex_in_plane(3 * t), Eigen::Vector2d::Zero(),
-        Eigen::Vector2d(triangles.length(3 * t), 0);
-    const std::array<int, 3> v = {triangles.apex(3 * t), triangles.apex(3 * t + 1),
-                                  triangles.apex(3 * t + 2)};
-    if (cap < 0) {
-      const Eigen::Vector3d cotangents(triangles.cotangent(3 * t), triangles.cotangent(3 * t + 1),
-                                       triangles.cotangent(3 * t + 2));
-      return add_triangle(v, p, triangles.area(t), cotangents, pieces);
-    }
-    const int c = cap % 3, a = (c + 1) % 3, b = (c + 2) % 3;
-    const Eigen::Vector2d apex = triangles.apex_in_plane(cap),
-                          direction = (p.col(b) - p.col(a)).normalized(),
-                          foot = p.col(a) + apex.x() * direction;
-    const double x = apex.x(), y = apex.y(), rest = triangles.length(cap) - x;
-    Eigen::Matrix<double, 2, 3> left, right;
-    left << p.col(a), foot, p.col(c);
-    right << foot, p.col(b), p.col(c);
-    add_triangle({v[index(a)], v[index(c)], v[index(c)]}, left, x * y / 2, {x / y, 0, y / x},
-                 pieces);
-    add_triangle({v[index(c)], v[index(b)], v[index(c)]}, right, rest * y / 2,
-                 {0, rest / y, y / rest}, pieces);
-  }
+                const std::vector<Common_subdivision::Piece>& pieces);
 
   /// \param p the corners in the plane of the intrinsic face
   void add_triangle(const std::array<int, 3>& corners, const Eigen::Matrix<double, 2, 3>& p,
                     double area, const Eigen::Vector3d& cotangents,
-                    const std::vector<Common_subdivision::Piece>& pieces)
-  {
-    const int t = size_of_triangles();
-    m_corners.push_back(corners);
-    m_areas.push_back(area);
-    m_cotangents.insert(m_cotangents.end(), cotangents.begin(), cotangents.end());
-    Eigen::Matrix<double, 2, 3> edges;
-    edges << p.col(2) - p.col(1), p.col(0) - p.col(2), p.col(1) - p.col(0);
-    double total = 0;
-    for (const auto& piece : pieces) total += piece.weight;
-    for (const auto& piece : pieces)
-      m_sheets.push_back({t, piece.face, piece.weight / total, piece.to_space * edges});
-  }
+                    const std::vector<Common_subdivision::Piece>& pieces);
 
   /// What a triangle contributes to the weight of the edge of h: where it is a cap, its two halves
   /// have their right angles at the long edge, which is none of theirs.
-  static double half_weight(const Intrinsic_triangulation& triangles, int h, int cap)
-  {
-    if (cap < 0) return triangles.cotangent(h) / 2;
-    if (h == cap) return 0;
-    const Eigen::Vector2d apex = triangles.apex_in_plane(cap);
-    const bool is_left = h == Mesh_view::previous_in_face(cap);  // from the apex to `from(cap)`
-    return apex.y() / (is_left ? apex.x() : triangles.length(cap) - apex.x()) / 2;
-  }
-
+  static double half_weight(const Intrinsic_triangulation& triangles, int h, int cap);
   void add_edges(const Intrinsic_triangulation& triangles, const std::vector<int>& caps,
-                 const Transported_forms& forms)
-  {
-    std::vector<int> halfedges;
-    for (int h = 0; h < triangles.size_of_halfedges(); ++h) {
-      const bool is_gone = triangles.twin(h) < 0 && caps[index(h / 3)] == h;
-      if (h > triangles.twin(h) && !is_gone) halfedges.push_back(h);
-    }
-    const auto size = static_cast<Eigen::Index>(halfedges.size());
-    m_weights.resize(size);
-    m_forms.resize(size, forms.size());
-    for (Eigen::Index k = 0; k < size; ++k) {
-      const int h = halfedges[static_cast<std::size_t>(k)], t = triangles.twin(h);
-      const int i = triangles.from(h), j = triangles.to(h);
-      m_ends.push_back({(std::min)(i, j), (std::max)(i, j)});
-      m_weights[k] = half_weight(triangles, h, caps[index(h / 3)]) +
-                     (t < 0 ? 0 : half_weight(triangles, t, caps[index(t / 3)]));
-      m_forms.row(k) = (i < j ? 1 : -1) * forms.along(h);
-    }
-  }
+                 const Transported_forms& forms);
 
   Points m_positions;
   int m_size_of_faces;
@@ -213,5 +124,9 @@ class Delaunay_view {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/Delaunay_view_impl.h>
+#endif
 
 #endif

@@ -3,7 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_FAILURE_REASONS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_FAILURE_REASONS_H
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -22,38 +21,14 @@ class Failure_reasons {
   static constexpr std::size_t max_reasons = 5, max_names = 5;
 
   /// \param name of the component, as messages tell it
-  void add(const std::string& name, const std::string& reason)
-  {
-    ++m_size;
-    auto group = std::find_if(m_groups.begin(), m_groups.end(),
-                              [&](const Group& known) { return known.reason == reason; });
-    if (group == m_groups.end()) {
-      if (m_groups.size() == max_reasons) return;
-      group = m_groups.insert(group, {reason, "", 0});
-    }
-    if (group->size > 0 && group->size < max_names) group->names += ", ";
-    if (group->size++ < max_names) group->names += name;
-  }
+  void add(const std::string& name, const std::string& reason);
 
   /// how many components failed
   std::size_t size() const { return m_size; }
 
   /// `NAME, NAME and 7 more: REASON; NAME: REASON; 9 more for other reasons`, in the order in which
   /// they came
-  std::string text() const
-  {
-    std::string text;
-    std::size_t told = 0;
-    for (const Group& group : m_groups) {
-      if (told > 0) text += "; ";
-      told += group.size;
-      text += group.names;
-      if (group.size > max_names) text += " and " + more(group.size - max_names);
-      text += ": " + group.reason;
-    }
-    if (told < m_size) text += "; " + more(m_size - told) + " for other reasons";
-    return text;
-  }
+  std::string text() const;
 
  private:
   struct Group {
@@ -68,5 +43,9 @@ class Failure_reasons {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/Failure_reasons_impl.h>
+#endif
 
 #endif

@@ -3,11 +3,11 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALIZED_FRAME_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALIZED_FRAME_H
 
-#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
+#include <Eigen/Core>
+
 #include <cmath>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -20,14 +20,7 @@ namespace Conformal_geometry_processing {
 class Normalized_frame {
  public:
   /// \pre `positions` has a column, all are finite
-  explicit Normalized_frame(const Points& positions)
-  {
-    const Eigen::Vector3d low = positions.rowwise().minCoeff();
-    const Eigen::Vector3d high = positions.rowwise().maxCoeff();
-    m_center = low / 2 + high / 2;
-    const double radius = stable_norm(high / 2 - low / 2);
-    m_exponent = radius > 0 ? std::ilogb(radius) : 0;
-  }
+  explicit Normalized_frame(const Points& positions);
 
   const Eigen::Vector3d& center() const { return m_center; }
 
@@ -35,32 +28,22 @@ class Normalized_frame {
   double unit() const { return std::ldexp(1., m_exponent); }
 
   /// positions of the mesh in the frame
-  Points to_frame(Points positions) const
-  {
-    positions.colwise() -= m_center;
-    return scaled(std::move(positions), -m_exponent);
-  }
+  Points to_frame(Points positions) const;
 
   /// positions in the frame back to the mesh
-  Points from_frame(Points positions) const
-  {
-    positions = scaled(std::move(positions), m_exponent);
-    positions.colwise() += m_center;
-    return positions;
-  }
+  Points from_frame(Points positions) const;
 
  private:
-  static Points scaled(Points positions, int exponent)
-  {
-    for (Eigen::Index i = 0; i < positions.size(); ++i)
-      positions.data()[i] = std::ldexp(positions.data()[i], exponent);
-    return positions;
-  }
+  static Points scaled(Points positions, int exponent);
 
   Eigen::Vector3d m_center;
   int m_exponent;
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/Normalized_frame_impl.h>
+#endif
 
 #endif

@@ -18,12 +18,7 @@ namespace Conformal_geometry_processing {
 class Transported_forms {
  public:
   /// \param forms |E| x k, along each edge i -> j of the mesh, i < j; closed. Empty: none.
-  Transported_forms(const Mesh_view& mesh, const Eigen::MatrixXd& forms)
-      : m_values(mesh.size_of_halfedges(), forms.cols()), m_sides(4, forms.cols())
-  {
-    for (int h = 0; forms.cols() > 0 && h < mesh.size_of_halfedges(); ++h)
-      m_values.row(h) = (mesh.from(h) < mesh.to(h) ? 1 : -1) * forms.row(mesh.edge(h));
-  }
+  Transported_forms(const Mesh_view& mesh, const Eigen::MatrixXd& forms);
 
   /// along halfedge h, from its first vertex to its second; k numbers
   auto along(int h) const { return m_values.row(h); }
@@ -31,21 +26,7 @@ class Transported_forms {
   Eigen::Index size() const { return m_values.cols(); }
 
   /// \pre the edge of h will be flipped, and has not been yet
-  void before_flip(const Intrinsic_triangulation& triangles, int h)
-  {
-    if (size() == 0) return;
-    const int t = triangles.twin(h), a = 3 * (h / 3), b = 3 * (t / 3);
-    m_sides << along(Mesh_view::next_in_face(h)), along(Mesh_view::previous_in_face(h)),
-        along(Mesh_view::next_in_face(t)), along(Mesh_view::previous_in_face(t));
-    const auto jk = m_sides.row(0), ki = m_sides.row(1), il = m_sides.row(2), lj = m_sides.row(3);
-    // the new faces (k, i, l) and (l, j, k)
-    m_values.row(a) = il;
-    m_values.row(a + 1) = -(ki + il);
-    m_values.row(a + 2) = ki;
-    m_values.row(b) = jk;
-    m_values.row(b + 1) = ki + il;
-    m_values.row(b + 2) = lj;
-  }
+  void before_flip(const Intrinsic_triangulation& triangles, int h);
 
  private:
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -55,5 +36,9 @@ class Transported_forms {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/Transported_forms_impl.h>
+#endif
 
 #endif

@@ -5,7 +5,6 @@
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -16,39 +15,16 @@ namespace Conformal_geometry_processing {
 /// A loop starts at its vertex of smallest number; loops are sorted by it. O(|V| + |E|).
 /// \pre `require_manifold_edges(mesh)` and `require_manifold_vertices(mesh)` hold: from every
 /// boundary vertex one boundary edge goes out
-inline std::vector<std::vector<int>> boundary_loops(const Mesh_view& mesh)
-{
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  std::vector<int> successor(at(mesh.size_of_vertices()), -1);
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
-    if (mesh.twin(h) < 0) successor[at(mesh.from(h))] = mesh.to(h);
-  std::vector<std::vector<int>> loops;
-  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
-    if (successor[at(v)] < 0) continue;
-    loops.emplace_back();
-    for (int i = v; successor[at(i)] >= 0;) {
-      loops.back().push_back(i);
-      const int next = successor[at(i)];
-      successor[at(i)] = -1;
-      i = next;
-    }
-  }
-  return loops;
-}
+std::vector<std::vector<int>> boundary_loops(const Mesh_view& mesh);
 
 /// \ingroup PkgMesh
 /// for each vertex, whether it lies on the boundary
-inline std::vector<char> boundary_vertices(const Mesh_view& mesh)
-{
-  std::vector<char> is_boundary(static_cast<std::size_t>(mesh.size_of_vertices()), 0);
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
-    if (mesh.twin(h) < 0) {
-      is_boundary[static_cast<std::size_t>(mesh.from(h))] = 1;
-      is_boundary[static_cast<std::size_t>(mesh.to(h))] = 1;
-    }
-  return is_boundary;
-}
+std::vector<char> boundary_vertices(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/boundary_loops_impl.h>
+#endif
 
 #endif

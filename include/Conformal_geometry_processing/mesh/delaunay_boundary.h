@@ -3,15 +3,12 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_DELAUNAY_BOUNDARY_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_DELAUNAY_BOUNDARY_H
 
-#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
 /// \file delaunay_boundary.h
@@ -21,46 +18,25 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
 /// those of the mesh
-inline std::vector<std::vector<int>> boundary_loops(const Delaunay_view& mesh)
-{
-  return mesh.boundary_loops();
-}
+std::vector<std::vector<int>> boundary_loops(const Delaunay_view& mesh);
 
 /// \ingroup PkgMesh
 /// the mean length h of the edges of the triangulation, straight
-inline double mean_edge_length(const Delaunay_view& mesh)
-{
-  double sum = 0;
-  for (int k = 0; k < mesh.size_of_edges(); ++k)
-    sum += (mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0])).norm();
-  return sum / mesh.size_of_edges();
-}
+double mean_edge_length(const Delaunay_view& mesh);
 
 /// \ingroup PkgMesh
 /// \brief the unit normals of the vertices, weighted by the angles of the triangles and by the
 /// shares of their sheets, 3 x |V|.
-inline Points vertex_normals(const Delaunay_view& mesh)
-{
-  Points normals = Points::Zero(3, mesh.size_of_vertices());
-  for (const Delaunay_view::Sheet& sheet : mesh.sheets()) {
-    const Eigen::Vector3d n =
-        stable_normalized(Eigen::Vector3d(sheet.edges.col(0)).cross(sheet.edges.col(1)));
-    for (int c = 0; c < 3; ++c)
-      normals.col(mesh.corners(sheet.triangle)[static_cast<std::size_t>(c)]) +=
-          sheet.share * std::atan2(1, mesh.cotangent(sheet.triangle, c)) * n;
-  }
-  for (Eigen::Index v = 0; v < normals.cols(); ++v)
-    normals.col(v) = stable_normalized(normals.col(v));
-  return normals;
-}
+Points vertex_normals(const Delaunay_view& mesh);
 
 /// \ingroup PkgMesh
 /// the frames of all boundary vertices
-inline Boundary_frames boundary_frames(const Delaunay_view& mesh)
-{
-  return boundary_frames(mesh.positions(), vertex_normals(mesh), mesh.boundary_loops());
-}
+Boundary_frames boundary_frames(const Delaunay_view& mesh);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/delaunay_boundary_impl.h>
+#endif
 
 #endif

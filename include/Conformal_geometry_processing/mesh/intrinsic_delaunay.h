@@ -5,7 +5,6 @@
 
 #include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
 
-#include <cmath>
 #include <deque>
 
 namespace Conformal_geometry_processing {
@@ -15,12 +14,7 @@ namespace Conformal_geometry_processing {
 /// weight is not negative; so are those of the boundary.
 ///
 /// An excess of 1e-10 is let pass, where rounding could flip for ever.
-inline bool is_delaunay(const Intrinsic_triangulation& triangles, int h)
-{
-  const double pi = std::acos(-1.), tolerance = 1e-10;
-  const int t = triangles.twin(h);
-  return t < 0 || triangles.angle(h) + triangles.angle(t) <= pi + tolerance;
-}
+bool is_delaunay(const Intrinsic_triangulation& triangles, int h);
 
 /// \ingroup PkgMesh
 /// \brief flips edges until all are Delaunay [Bobenko and Springborn 2007]: the Dirichlet energy
@@ -51,11 +45,12 @@ int flip_to_delaunay(Intrinsic_triangulation& triangles, BeforeFlip before_flip)
 
 /// \ingroup PkgMesh
 /// the same for lengths alone
-inline int flip_to_delaunay(Intrinsic_triangulation& triangles)
-{
-  return flip_to_delaunay(triangles, [](int) {});
-}
+int flip_to_delaunay(Intrinsic_triangulation& triangles);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/intrinsic_delaunay_impl.h>
+#endif
 
 #endif

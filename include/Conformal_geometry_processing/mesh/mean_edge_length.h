@@ -10,14 +10,12 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgMesh
 /// the mean length h of the edges
 /// \pre there is an edge
-inline double mean_edge_length(const Mesh_view& mesh)
-{
-  double sum = 0;
-  for (int k = 0; k < mesh.size_of_edges(); ++k)
-    sum += (mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0])).norm();
-  return sum / mesh.size_of_edges();
-}
+double mean_edge_length(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/mean_edge_length_impl.h>
+#endif
 
 #endif

@@ -6,21 +6,12 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
-
-#include <algorithm>
 
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
 /// the lengths of the edges, |E|
-inline Eigen::VectorXd edge_lengths(const Mesh_view& mesh)
-{
-  Eigen::VectorXd lengths(mesh.size_of_edges());
-  for (int k = 0; k < mesh.size_of_edges(); ++k)
-    lengths[k] = (mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0])).stableNorm();
-  return lengths;
-}
+Eigen::VectorXd edge_lengths(const Mesh_view& mesh);
 
 /// \ingroup PkgMesh
 /// lengths of edges with which no triangle is degenerate, and what that took
@@ -39,22 +30,12 @@ struct Mollified_lengths {
 /// without such triangles keeps its lengths to the bit. A triangle of three points on a line
 /// becomes about as high as the root of `share` times its length, two points in one as distant as
 /// `share`. \param share positive; rounding decides on the shape of triangles below some 1e-12
-inline Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share)
-{
-  Mollified_lengths result;
-  result.lengths = edge_lengths(mesh);
-  const double slack = share * result.lengths.mean();
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    Eigen::Vector3d l;
-    for (int c = 0; c < 3; ++c) l[c] = result.lengths[mesh.edge(3 * f + c)];
-    const double missing = slack + 2 * l.maxCoeff() - l.sum();
-    result.thin_faces += missing > 0;
-    result.added = (std::max)(result.added, missing);
-  }
-  result.lengths.array() += result.added;
-  return result;
-}
+Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/mollified_lengths_impl.h>
+#endif
 
 #endif

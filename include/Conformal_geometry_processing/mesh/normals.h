@@ -3,12 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALS_H
 
-#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-
-#include <Eigen/Geometry>
-
-#include <cmath>
 
 namespace Conformal_geometry_processing {
 
@@ -23,49 +18,20 @@ enum class Normal_weight {
 /// \ingroup PkgMesh
 /// the unit normals of the faces, 3 x |F|, outward on a counter-clockwise oriented surface
 /// \pre no face has area zero
-inline Points face_normals(const Mesh_view& mesh)
-{
-  Points normals(3, mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    normals.col(f) = stable_normalized(mesh.double_area_vector(f));
-  return normals;
-}
+Points face_normals(const Mesh_view& mesh);
 
 /// \ingroup PkgMesh
 /// the angle of face f at its corner c, in (0, pi)
-inline double corner_angle(const Mesh_view& mesh, int f, int c)
-{
-  const Eigen::Vector3d a = mesh.vector(3 * f + (c + 2) % 3), b = -mesh.vector(3 * f + (c + 1) % 3);
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
+double corner_angle(const Mesh_view& mesh, int f, int c);
 
 /// \ingroup PkgMesh
 /// the unit normals of the vertices, 3 x |V|; zero where the faces around a vertex cancel out
-inline Points vertex_normals(const Mesh_view& mesh, Normal_weight weight = Normal_weight::area)
-{
-  Points normals = Points::Zero(3, mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const Eigen::Vector3d a = mesh.double_area_vector(f), n = stable_normalized(a);
-    for (int c = 0; c < 3; ++c) {
-      auto sum = normals.col(mesh.corners(f)[static_cast<std::size_t>(c)]);
-      switch (weight) {
-        case Normal_weight::area:
-          sum += a;
-          break;
-        case Normal_weight::angle:
-          sum += corner_angle(mesh, f, c) * n;
-          break;
-        case Normal_weight::uniform:
-          sum += n;
-          break;
-      }
-    }
-  }
-  for (Eigen::Index v = 0; v < normals.cols(); ++v)
-    normals.col(v) = stable_normalized(normals.col(v));
-  return normals;
-}
+Points vertex_normals(const Mesh_view& mesh, Normal_weight weight = Normal_weight::area);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/normals_impl.h>
+#endif
 
 #endif

@@ -5,12 +5,9 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternionic_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
 
-#include <array>
-#include <cstddef>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -26,27 +23,16 @@ struct Curvature_potential {
   On on;
   Eigen::VectorXd values;  ///< |V| or |F|
 
-  static Curvature_potential on_vertices(Eigen::VectorXd rho)
-  {
-    return {On::vertices, std::move(rho)};
-  }
+  static Curvature_potential on_vertices(Eigen::VectorXd rho);
   static Curvature_potential on_faces(Eigen::VectorXd rho) { return {On::faces, std::move(rho)}; }
 
   /// its values at the three corners of face f
-  Eigen::Vector3d at_corners(const Mesh_view& mesh, int f) const
-  {
-    if (on == On::faces) return Eigen::Vector3d::Constant(values[f]);
-    const std::array<int, 3>& v = mesh.corners(f);
-    return {values[v[0]], values[v[1]], values[v[2]]};
-  }
+  Eigen::Vector3d at_corners(const Mesh_view& mesh, int f) const;
 };
 
 /// \ingroup PkgOperators
 /// rho = 0, on the vertices
-inline Curvature_potential no_potential(const Mesh_view& mesh)
-{
-  return Curvature_potential::on_vertices(Eigen::VectorXd::Zero(mesh.size_of_vertices()));
-}
+Curvature_potential no_potential(const Mesh_view& mesh);
 
 /// \ingroup PkgOperators
 /// \brief R: |F| x |V|, multiplication by rho [CGP 5.3]; in 1/length.
@@ -54,26 +40,17 @@ inline Curvature_potential no_potential(const Mesh_view& mesh)
 /// R = P B for rho on faces and R = B P for rho on vertices, with P = diag(rho): the latter
 /// interpolates the product rho lambda linearly.
 /// \param mesh must outlive the matrix
-inline Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
-                                                           const Curvature_potential& rho)
-{
-  Quaternionic_sparse_matrix<double> R(mesh.corners(), mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const Eigen::Vector3d r = rho.at_corners(mesh, f);
-    for (int c = 0; c < 3; ++c) R.value(f, c) = {r[c] / 3, 0, 0, 0};
-  }
-  return R;
-}
+Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
+                                                    const Curvature_potential& rho);
 
 /// \ingroup PkgOperators
 /// the mean of rho over the surface, weighted by area
-inline double mean(const Mesh_view& mesh, const Curvature_potential& rho)
-{
-  const Eigen::VectorXd areas =
-      rho.on == Curvature_potential::On::faces ? face_areas(mesh) : vertex_areas(mesh);
-  return areas.dot(rho.values) / areas.sum();
-}
+double mean(const Mesh_view& mesh, const Curvature_potential& rho);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/Curvature_potential_impl.h>
+#endif
 
 #endif

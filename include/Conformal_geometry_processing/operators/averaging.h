@@ -11,14 +11,12 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgOperators
 /// \brief B: |F| x |V|, the mean of the three corners of each face [CGP 5.3]. Dimensionless.
 /// \param mesh must outlive the matrix
-inline Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh)
-{
-  Quaternionic_sparse_matrix<double> B(mesh.corners(), mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    for (int c = 0; c < 3; ++c) B.value(f, c) = {1. / 3, 0, 0, 0};
-  return B;
-}
+Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/averaging_impl.h>
+#endif
 
 #endif

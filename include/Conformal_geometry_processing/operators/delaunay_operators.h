@@ -9,6 +9,7 @@
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/delaunay_laplacian.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
 

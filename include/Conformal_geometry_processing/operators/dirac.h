@@ -16,16 +16,12 @@ namespace Conformal_geometry_processing {
 /// is Hermitian on a closed surface. In 1/length.
 /// \param mesh must outlive the matrix
 /// \pre no face has area zero
-inline Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh)
-{
-  Quaternionic_sparse_matrix<double> D(mesh.corners(), mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const double double_area = mesh.double_area_vector(f).norm();
-    for (int c = 0; c < 3; ++c) D.value(f, c) = imaginary(mesh.vector(3 * f + c)) / -double_area;
-  }
-  return D;
-}
+Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/dirac_impl.h>
+#endif
 
 #endif

@@ -4,65 +4,37 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_EXTERIOR_DERIVATIVE_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
-
-#include <cstddef>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
 /// d0: |E| x |V|, the difference along each edge i -> j, i < j; the kernel of a connected mesh are
 /// the constants [CGP 5.6]
-inline Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_0(const Mesh_view& mesh)
-{
-  Eigen::SparseMatrix<double, Eigen::RowMajor> d(mesh.size_of_edges(), mesh.size_of_vertices());
-  d.reserve(Eigen::VectorXi::Constant(mesh.size_of_edges(), 2));
-  for (int k = 0; k < mesh.size_of_edges(); ++k) {
-    d.insert(k, mesh.ends(k)[0]) = -1;
-    d.insert(k, mesh.ends(k)[1]) = 1;
-  }
-  d.makeCompressed();
-  return d;
-}
+Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_0(const Mesh_view& mesh);
 
 /// \ingroup PkgOperators
 /// d1: |F| x |E|, the circulation around each face; d1 d0 = 0 exactly [CGP 5.6]
-inline Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_1(const Mesh_view& mesh)
-{
-  Eigen::SparseMatrix<double, Eigen::RowMajor> d(mesh.size_of_faces(), mesh.size_of_edges());
-  d.reserve(Eigen::VectorXi::Constant(mesh.size_of_faces(), 3));
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
-    d.insert(Mesh_view::face(h), mesh.edge(h)) = mesh.from(h) < mesh.to(h) ? 1 : -1;
-  d.makeCompressed();
-  return d;
-}
+Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_1(const Mesh_view& mesh);
 
 /// \ingroup PkgOperators
 /// the diagonal of the Hodge star on 0-forms: barycentric areas, |V|
-inline Eigen::VectorXd hodge_star_0(const Mesh_view& mesh)
-{
-  return vertex_areas(mesh);
-}
+Eigen::VectorXd hodge_star_0(const Mesh_view& mesh);
 
 /// \ingroup PkgOperators
 /// the diagonal of the Hodge star on 1-forms: cotan weights, |E|; not all positive
-inline Eigen::VectorXd hodge_star_1(const Mesh_view& mesh)
-{
-  return cotan_weights(mesh);
-}
+Eigen::VectorXd hodge_star_1(const Mesh_view& mesh);
 
 /// \ingroup PkgOperators
 /// the diagonal of the Hodge star on 2-forms: 1 / area, |F|
-inline Eigen::VectorXd hodge_star_2(const Mesh_view& mesh)
-{
-  return face_areas(mesh).cwiseInverse();
-}
+Eigen::VectorXd hodge_star_2(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/exterior_derivative_impl.h>
+#endif
 
 #endif

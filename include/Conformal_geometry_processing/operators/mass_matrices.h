@@ -7,31 +7,18 @@
 
 #include <Eigen/Core>
 
-#include <cstddef>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
 /// M_F: the area of each face, |F| numbers; the diagonal of a positive definite matrix [CGP 5.4]
 /// \pre no face has area zero
-inline Eigen::VectorXd face_areas(const Mesh_view& mesh)
-{
-  Eigen::VectorXd areas(mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) areas[f] = mesh.double_area_vector(f).norm() / 2;
-  return areas;
-}
+Eigen::VectorXd face_areas(const Mesh_view& mesh);
 
 /// \ingroup PkgOperators
 /// M_V: the barycentric area of each vertex, a third of the faces around it, |V| numbers; the
 /// diagonal of a positive definite matrix [CGP 5.4]
 /// \pre no face has area zero, no vertex is without a face
-inline Eigen::VectorXd vertex_areas(const Mesh_view& mesh)
-{
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    for (int v : mesh.corners(f)) areas[v] += mesh.double_area_vector(f).norm() / 6;
-  return areas;
-}
+Eigen::VectorXd vertex_areas(const Mesh_view& mesh);
 
 /// \ingroup PkgOperators
 /// the mixed Voronoi area of each vertex: the part of each non-obtuse face that is nearest to the
@@ -39,27 +26,12 @@ inline Eigen::VectorXd vertex_areas(const Mesh_view& mesh)
 ///
 /// Pointwise curvatures need these (`mean_curvature()`): with barycentric areas H is wrong by 15 %
 /// at vertices of valence 5, on however fine a mesh.
-inline Eigen::VectorXd voronoi_areas(const Mesh_view& mesh)
-{
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const double double_area = mesh.double_area_vector(f).norm();
-    Eigen::Vector3d squared, inner;  // |e_c|^2, and <edge, edge> at corner c, negative if obtuse
-    for (int c = 0; c < 3; ++c) {
-      squared[c] = mesh.vector(3 * f + c).squaredNorm();
-      inner[c] = -mesh.vector(3 * f + (c + 1) % 3).dot(mesh.vector(3 * f + (c + 2) % 3));
-    }
-    const bool is_obtuse = inner.minCoeff() < 0;
-    for (int c = 0; c < 3; ++c) {
-      const int a = (c + 1) % 3, b = (c + 2) % 3;
-      areas[mesh.corners(f)[static_cast<std::size_t>(c)]] +=
-          is_obtuse ? double_area / (inner[c] < 0 ? 4 : 8)
-                    : (squared[a] * inner[a] + squared[b] * inner[b]) / (8 * double_area);
-    }
-  }
-  return areas;
-}
+Eigen::VectorXd voronoi_areas(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/mass_matrices_impl.h>
+#endif
 
 #endif

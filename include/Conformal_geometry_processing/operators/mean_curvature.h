@@ -4,43 +4,15 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_MEAN_CURVATURE_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
-#include <Conformal_geometry_processing/mesh/normals.h>
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
-
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 namespace internal {
 
 /// Gives each boundary vertex the mean of its interior neighbours, ring by ring from the inside
 /// for boundary vertices that have none; leaves the values where there is no interior at all.
-inline void fill_boundary(const Mesh_view& mesh, Eigen::VectorXd& values)
-{
-  std::vector<char> is_unknown = boundary_vertices(mesh);
-  const auto unknown = [&](int v) -> char& { return is_unknown[static_cast<std::size_t>(v)]; };
-  for (bool has_changed = true; has_changed;) {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(values.size()), count = sum;
-    for (int k = 0; k < mesh.size_of_edges(); ++k)
-      for (int end = 0; end < 2; ++end) {
-        const int v = mesh.ends(k)[end == 0], u = mesh.ends(k)[end == 1];
-        if (unknown(v) && !unknown(u)) sum[v] += values[u], count[v] += 1;
-      }
-    has_changed = false;
-    for (int v = 0; v < mesh.size_of_vertices(); ++v) {
-      if (count[v] == 0) continue;
-      values[v] = sum[v] / count[v];
-      unknown(v) = 0;
-      has_changed = true;
-    }
-  }
-}
+void fill_boundary(const Mesh_view& mesh, Eigen::VectorXd& values);
 
 }  // namespace internal
 
@@ -50,29 +22,17 @@ inline void fill_boundary(const Mesh_view& mesh, Eigen::VectorXd& values)
 /// H_i = <N_i, (L f)_i> / (2 V_i), from Delta f = 2 H N, with mixed Voronoi areas V_i and angle-
 /// weighted normals. At boundary vertices L f also holds the curvature of the boundary curve, so
 /// there H is the mean of the interior neighbours instead.
-inline Eigen::VectorXd mean_curvature(const Mesh_view& mesh)
-{
-  const Eigen::VectorXd w = cotan_weights(mesh), areas = voronoi_areas(mesh);
-  const Points normals = vertex_normals(mesh, Normal_weight::angle);
-  Eigen::MatrixX3d edges(mesh.size_of_edges(), 3);
-  for (int k = 0; k < mesh.size_of_edges(); ++k)
-    edges.row(k) = (mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0])).transpose();
-  const Eigen::MatrixX3d Lf = codifferential(mesh, w, edges);
-  Eigen::VectorXd H(mesh.size_of_vertices());
-  for (int v = 0; v < mesh.size_of_vertices(); ++v)
-    H[v] = Lf.row(v).dot(normals.col(v)) / (2 * areas[v]);
-  internal::fill_boundary(mesh, H);
-  return H;
-}
+Eigen::VectorXd mean_curvature(const Mesh_view& mesh);
 
 /// \ingroup PkgOperators
 /// \brief H |df|, the mean curvature half-density: H times the square root of the area, |V|
 /// dimensionless numbers [CGP 4.4]. Spin transformations add rho |df| to it [CGP (4.6)].
-inline Eigen::VectorXd mean_curvature_half_density(const Mesh_view& mesh)
-{
-  return mean_curvature(mesh).cwiseProduct(voronoi_areas(mesh).cwiseSqrt());
-}
+Eigen::VectorXd mean_curvature_half_density(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/mean_curvature_impl.h>
+#endif
 
 #endif

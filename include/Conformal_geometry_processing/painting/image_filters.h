@@ -3,80 +3,29 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_PAINTING_IMAGE_FILTERS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_PAINTING_IMAGE_FILTERS_H
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/painting/Curvature_band.h>
 #include <Conformal_geometry_processing/painting/Gray_image.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <utility>
-
 namespace Conformal_geometry_processing {
-namespace internal {
-
-/// The Gauss function of that standard deviation at 0, 1, 2, ..., as far as it counts: of its
-/// integral, 6e-7 lie beyond.
-inline Eigen::VectorXd gauss_weights(double radius)
-{
-  const int reach = radius > 0 ? static_cast<int>(std::ceil(5 * radius)) : 0;
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(reach + 1);
-  for (int k = 1; k <= reach; ++k) weights[k] = std::exp(-k * k / (2 * radius * radius));
-  return weights;
-}
-
-/// Every column becomes the weighted mean of the columns around it, of those that there are.
-inline Eigen::ArrayXXd blurred_across(const Eigen::ArrayXXd& pixels, const Eigen::VectorXd& weights)
-{
-  const Eigen::Index reach = weights.size() - 1, last = pixels.cols() - 1;
-  Eigen::ArrayXXd blurred = Eigen::ArrayXXd::Zero(pixels.rows(), pixels.cols());
-  for (Eigen::Index c = 0; c <= last; ++c) {
-    double sum = 0;
-    for (Eigen::Index k = (std::max<Eigen::Index>)(0, c - reach); k <= (std::min)(last, c + reach);
-         ++k) {
-      const double weight = weights[k < c ? c - k : k - c];
-      blurred.col(c) += weight * pixels.col(k);
-      sum += weight;
-    }
-    blurred.col(c) /= sum;
-  }
-  return blurred;
-}
-
-}  // namespace internal
-
 /// \ingroup PkgPainting
 /// \brief G * g: every pixel becomes the mean of those around it, weighted by a Gauss function.
 ///
 /// At the border the weights of the pixels that there are add up to one, so a constant picture
 /// stays as it is. O(pixels x radius). \param radius the standard deviation in pixels; 0 changes
 /// nothing \throw Precondition_error if it is negative, not finite, or more than a million
-inline Gray_image blurred(const Gray_image& image, double radius)
-{
-  if (!(radius >= 0 && radius <= 1e6))
-    throw Precondition_error("blurred", "a radius of " + std::to_string(radius) +
-                                            " pixels; a number from 0 to 1000000 is needed");
-  const Eigen::VectorXd weights = internal::gauss_weights(radius);
-  const Eigen::ArrayXXd rows = internal::blurred_across(image.pixels(), weights).transpose();
-  return Gray_image(internal::blurred_across(rows, weights).transpose());
-}
+Gray_image blurred(const Gray_image& image, double radius);
 
 /// \ingroup PkgPainting
 /// \brief the usual filters of pictures [CGP 6.2]: low-pass G * g, high-pass 1/2 + g - G * g, which
 /// is gray where nothing happens, and unsharp mask g + amount (g - G * g). Values may leave [0, 1].
 /// \param radius the standard deviation of the Gauss function G in pixels
 /// \throw Precondition_error as of `blurred()`
-inline Gray_image filtered(const Gray_image& image, Curvature_band band, double radius,
-                           double amount = 1)
-{
-  const Eigen::ArrayXXd high = image.pixels() - blurred(image, radius).pixels();
-  Eigen::ArrayXXd pixels = band_of(image.pixels(), high, band, amount);
-  if (band == Curvature_band::high) pixels += 0.5;
-  return Gray_image(std::move(pixels));
-}
+Gray_image filtered(const Gray_image& image, Curvature_band band, double radius, double amount = 1);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/painting/image_filters_impl.h>
+#endif
 
 #endif

@@ -31,12 +31,13 @@ Eigen::Matrix<double, Rows, Eigen::Dynamic> means_of_corners(
 /// changes nothing and bright bulges along the normals.
 /// \param places (u, v) of the middle of each face in the picture, 2 x |F|
 /// \param amplitude in 1/length
-inline Curvature_potential painted_curvature(const Gray_image& image,
-                                             const Eigen::Matrix2Xd& places, double amplitude = 1)
-{
-  return Curvature_potential::on_faces(amplitude * (image(places).array() - 0.5));
-}
+Curvature_potential painted_curvature(const Gray_image& image, const Eigen::Matrix2Xd& places,
+                                      double amplitude = 1);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/painting/painted_curvature_impl.h>
+#endif
 
 #endif

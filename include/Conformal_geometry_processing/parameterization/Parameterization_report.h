@@ -39,21 +39,12 @@ struct [[nodiscard]] Parameterization_report {
 
 /// \relates Parameterization_report
 /// the certificate in words, a line per fact, each ended
-inline std::ostream& operator<<(std::ostream& out, const Parameterization_report& r)
-{
-  const Conformality& c = r.conformality;
-  return out << "eigenvector            " << (r.converged ? "found" : "NOT found") << ", residual "
-             << r.residual << " after " << r.iterations << " iterations\n"
-             << "eigenvalue             " << r.eigenvalue << " (next one " << r.next_eigenvalue
-             << ")\nquasi-conformal error  " << c.quasi_conformal.mean << " mean, "
-             << c.quasi_conformal.p99 << " for 99 %, " << c.quasi_conformal.max
-             << " at most (1 is conformal)\n"
-             << "length cross-ratios    changed by " << c.length_cross_ratio.rms << " rms, "
-             << c.length_cross_ratio.max << " at most (0 is conformal)\n"
-             << "lengths                scaled by " << c.scale.min_scale << " to "
-             << c.scale.max_scale << "\nflipped faces          " << c.flipped_faces << '\n';
-}
+std::ostream& operator<<(std::ostream& out, const Parameterization_report& r);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/parameterization/Parameterization_report_impl.h>
+#endif
 
 #endif

@@ -5,14 +5,9 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/vertex_graph.h>
-
-#include <Eigen/Core>
 
 #include <complex>
 #include <memory>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -26,30 +21,17 @@ namespace Conformal_geometry_processing {
 /// the image changes nothing. Its real part is the cotan Laplacian, its imaginary part +-1/2 on the
 /// edges of the boundary. Dimensionless.
 /// \param pattern `vertex_graph(mesh)`
-inline Hermitian_sparse_matrix<std::complex<double>> conformal_energy(
-    const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern)
-{
-  Hermitian_sparse_matrix<std::complex<double>> L(std::move(pattern));
-  const Eigen::VectorXd w = cotan_weights(mesh);
-  for (int k = 0; k < mesh.size_of_edges(); ++k) {
-    L.value(edge_position(mesh, k)) -= w[k];
-    for (const int v : mesh.ends(k)) L.value(diagonal_position(L.pattern(), v)) += w[k];
-  }
-  // Twice the area is the sum of Im(conjugate(z_i) z_j) along the boundary; row i gets i/2.
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
-    if (mesh.twin(h) < 0)
-      L.value(edge_position(mesh, mesh.edge(h))) +=
-          std::complex<double>(0, mesh.from(h) > mesh.to(h) ? 0.5 : -0.5);
-  return L;
-}
+Hermitian_sparse_matrix<std::complex<double>> conformal_energy(
+    const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern);
 
 /// \ingroup PkgParameterization
 /// the same on a pattern of its own
-inline Hermitian_sparse_matrix<std::complex<double>> conformal_energy(const Mesh_view& mesh)
-{
-  return conformal_energy(mesh, vertex_graph(mesh));
-}
+Hermitian_sparse_matrix<std::complex<double>> conformal_energy(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/parameterization/conformal_energy_impl.h>
+#endif
 
 #endif

@@ -5,11 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <vector>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
@@ -21,27 +16,12 @@ namespace Conformal_geometry_processing {
 /// \param sizes width and height of each, 2 x n
 /// \param gap between them
 /// \returns the lower left corner of each, 2 x n. O(n log n)
-inline Eigen::Matrix2Xd pack_in_rows(const Eigen::Matrix2Xd& sizes, double gap)
-{
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(sizes.cols()));
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Eigen::Index a, Eigen::Index b) { return sizes(1, a) > sizes(1, b); });
-  const double area = ((sizes.row(0).array() + gap) * (sizes.row(1).array() + gap)).sum();
-  Eigen::Matrix2Xd corners(2, sizes.cols());
-  double x = 0, y = 0, height = 0;
-  for (const Eigen::Index i : order) {
-    if (x > 0 && x + sizes(0, i) / 2 > std::sqrt(area)) {
-      x = 0;
-      y += height + gap;
-    }
-    if (x == 0) height = sizes(1, i);  // none in the row is higher
-    corners.col(i) << x, y;
-    x += sizes(0, i) + gap;
-  }
-  return corners;
-}
+Eigen::Matrix2Xd pack_in_rows(const Eigen::Matrix2Xd& sizes, double gap);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/parameterization/pack_in_rows_impl.h>
+#endif
 
 #endif

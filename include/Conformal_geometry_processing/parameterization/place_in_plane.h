@@ -4,45 +4,28 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PLACE_IN_PLANE_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
 
-#include <cmath>
-#include <complex>
 #include <vector>
 
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
 /// points of the plane as points of space with z = 0, 3 x n
-inline Points in_space(const Eigen::VectorXcd& z)
-{
-  Points p = Points::Zero(3, z.size());
-  p.row(0) = z.real().transpose();
-  p.row(1) = z.imag().transpose();
-  return p;
-}
+Points in_space(const Eigen::VectorXcd& z);
 
 /// \ingroup PkgParameterization
 /// \brief of all similar images of a map the one where the areas of the faces have the sum that
 /// they have on the surface, the mean of the loop is the origin, and its first vertex on the
 /// positive real axis. \param z |V| \param loop some vertices, at least one
-inline Eigen::VectorXcd place_in_plane(const Mesh_view& mesh, Eigen::VectorXcd z,
-                                       const std::vector<int>& loop)
-{
-  std::complex<double> mean = 0;
-  for (const int v : loop) mean += z[v];
-  z.array() -= mean / static_cast<double>(loop.size());
-  double area = 0;
-  for (const auto& v : mesh.corners())
-    area += std::abs(std::imag(std::conj(z[v[1]] - z[v[0]]) * (z[v[2]] - z[v[0]]))) / 2;
-  if (area > 0) z *= std::sqrt(face_areas(mesh).sum() / area);
-  const std::complex<double> first = z[loop.front()];
-  if (std::abs(first) > 0) z *= std::conj(first) / std::abs(first);
-  return z;
-}
+Eigen::VectorXcd place_in_plane(const Mesh_view& mesh, Eigen::VectorXcd z,
+                                const std::vector<int>& loop);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/parameterization/place_in_plane_impl.h>
+#endif
 
 #endif

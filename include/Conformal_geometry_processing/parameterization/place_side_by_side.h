@@ -3,14 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PLACE_SIDE_BY_SIDE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PLACE_SIDE_BY_SIDE_H
 
-#include <Conformal_geometry_processing/parameterization/pack_in_rows.h>
-
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstddef>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -21,23 +15,12 @@ namespace Conformal_geometry_processing {
 /// components
 /// \param component of each vertex, numbered from 0 without gaps, as `connected_components()` does
 /// \param z u + i v of each vertex, finite
-inline void place_side_by_side(const std::vector<int>& component, Eigen::VectorXcd& z)
-{
-  if (component.empty()) return;
-  const auto of = [&](Eigen::Index v) { return component[static_cast<std::size_t>(v)]; };
-  const int count = 1 + *std::max_element(component.begin(), component.end());
-  Eigen::Matrix2Xd low = Eigen::Matrix2Xd::Constant(2, count, HUGE_VAL), high = -low;
-  for (Eigen::Index v = 0; v < z.size(); ++v) {
-    const Eigen::Vector2d p(z[v].real(), z[v].imag());
-    low.col(of(v)) = low.col(of(v)).cwiseMin(p);
-    high.col(of(v)) = high.col(of(v)).cwiseMax(p);
-  }
-  const Eigen::Matrix2Xd sizes = high - low;
-  const Eigen::Matrix2Xd moves = pack_in_rows(sizes, 0.01 * sizes.maxCoeff()) - low;
-  for (Eigen::Index v = 0; v < z.size(); ++v)
-    z[v] += std::complex<double>(moves(0, of(v)), moves(1, of(v)));
-}
+void place_side_by_side(const std::vector<int>& component, Eigen::VectorXcd& z);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/parameterization/place_side_by_side_impl.h>
+#endif
 
 #endif

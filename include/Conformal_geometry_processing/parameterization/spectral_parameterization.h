@@ -6,11 +6,8 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
-#include <Conformal_geometry_processing/measure/Conformality.h>
-#include <Conformal_geometry_processing/measure/Distribution.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/parameterization/Least_energy_map.h>
@@ -54,13 +51,7 @@ struct Parameterization_result {
 
 /// \ingroup PkgParameterization
 /// at least one edge has a face on one side only
-inline void require_boundary(const Mesh_view& mesh, const std::string& function)
-{
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
-    if (mesh.twin(h) < 0) return;
-  throw Precondition_error(function,
-                           "the surface is closed; one with a boundary is needed, cut it open");
-}
+void require_boundary(const Mesh_view& mesh, const std::string& function);
 
 namespace internal {
 
@@ -84,18 +75,7 @@ Eigen::VectorXcd least_energy_map(const Mesh_view& mesh, const std::vector<Verte
   return Least_energy_map<SolverTraits>(mesh, loops, function).find(energy, subspace, report);
 }
 
-inline void certify(const Mesh_view& mesh, const Eigen::VectorXcd& z,
-                    Parameterization_report& report)
-{
-  const Points positions = in_space(z);
-  Points upward = Points::Zero(3, mesh.size_of_faces());
-  upward.row(2).setOnes();
-  report.boundary_loops = static_cast<int>(boundary_loops(mesh).size());
-  report.conformality = conformality(mesh, positions, upward);
-  report.uniform_quasi_conformal = distribution(quasi_conformal_errors(mesh, positions),
-                                                Eigen::VectorXd::Ones(mesh.size_of_faces()));
-  report.converged = report.converged && z.allFinite();
-}
+void certify(const Mesh_view& mesh, const Eigen::VectorXcd& z, Parameterization_report& report);
 
 }  // namespace internal
 
@@ -153,5 +133,9 @@ Parameterization_result spectral_parameterization(
 }
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/parameterization/spectral_parameterization_impl.h>
+#endif
 
 #endif

@@ -7,8 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <utility>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
@@ -40,31 +38,20 @@ struct Boundary_condition {
 
   static Boundary_condition free() { return {}; }
 
-  static Boundary_condition tangents(Points targets = Points(3, 0))
-  {
-    return directions({1, 0, 0}, std::move(targets));
-  }
-
-  static Boundary_condition binormals(Points targets = Points(3, 0))
-  {
-    return directions({0, 0, 1}, std::move(targets));
-  }
-
+  static Boundary_condition tangents(Points targets = Points(3, 0));
+  static Boundary_condition binormals(Points targets = Points(3, 0));
   static Boundary_condition directions(const Eigen::Vector3d& direction,
-                                       Points targets = Points(3, 0))
-  {
-    return {Kind::directions, direction, std::move(targets), Points(3, 0)};
-  }
-
-  static Boundary_condition positions(Points targets, Points normals)
-  {
-    return {Kind::positions, {1, 0, 0}, std::move(targets), std::move(normals)};
-  }
+                                       Points targets = Points(3, 0));
+  static Boundary_condition positions(Points targets, Points normals);
 
   /// whether D is self-adjoint with this condition, so that gamma is a true eigenvalue
   bool is_self_adjoint() const { return kind == Kind::directions && direction.x() == 0; }
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Boundary_condition_impl.h>
+#endif
 
 #endif

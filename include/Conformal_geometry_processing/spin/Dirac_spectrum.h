@@ -7,8 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -54,20 +52,13 @@ struct Multiple_eigenvalue {
 /// \ingroup PkgSpin
 /// \brief eigenvalues that differ from the next one by less than a given distance, as one;
 /// ascending. \param resolution what the discretisation takes apart is nearer to each other
-inline std::vector<Multiple_eigenvalue> with_multiplicities(const Eigen::VectorXd& eigenvalues,
-                                                            double resolution)
-{
-  Eigen::VectorXd sorted = eigenvalues;
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<Multiple_eigenvalue> groups;
-  for (Eigen::Index i = 0; i < sorted.size(); ++i) {
-    if (i == 0 || sorted[i] - sorted[i - 1] >= resolution) groups.push_back({0, 0});
-    Multiple_eigenvalue& group = groups.back();
-    group.value += (sorted[i] - group.value) / ++group.multiplicity;
-  }
-  return groups;
-}
+std::vector<Multiple_eigenvalue> with_multiplicities(const Eigen::VectorXd& eigenvalues,
+                                                     double resolution);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Dirac_spectrum_impl.h>
+#endif
 
 #endif

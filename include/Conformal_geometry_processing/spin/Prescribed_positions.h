@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_PRESCRIBED_POSITIONS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PRESCRIBED_POSITIONS_H
 
+#include <Conformal_geometry_processing/algebra/rotor.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>

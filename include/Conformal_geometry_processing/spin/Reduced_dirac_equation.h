@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_REDUCED_DIRAC_EQUATION_H
 
 #include <Conformal_geometry_processing/algebra/random_quaternions.h>
+#include <Conformal_geometry_processing/algebra/rotor.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/reduced_operators.h>

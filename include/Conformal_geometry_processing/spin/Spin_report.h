@@ -5,8 +5,6 @@
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
 
-#include <algorithm>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
@@ -19,20 +17,7 @@ enum class Boundary_fault {
 };
 
 /// \relates Spin_report
-inline const char* to_string(Boundary_fault fault)
-{
-  switch (fault) {
-    case Boundary_fault::not_realizable:
-      return "no surface conformally equivalent to this one has this curvature and this boundary";
-    case Boundary_fault::does_not_close:
-      return "the edges of the new surface do not fit together";
-    case Boundary_fault::degenerate:
-      return "the new surface shrinks to a point somewhere";
-    case Boundary_fault::none:
-      break;
-  }
-  return "none";
-}
+const char* to_string(Boundary_fault fault);
 
 /// \ingroup PkgSpin
 /// \brief the result of a spin transformation in numbers, which are its proof.
@@ -90,25 +75,12 @@ struct [[nodiscard]] Spin_report {
 
   /// whether the transformation was carried out: solved, every number of it finite, and what was
   /// asked for at a boundary possible
-  explicit operator bool() const
-  {
-    return converged && !cancelled && boundary_fault == Boundary_fault::none;
-  }
+  explicit operator bool() const;
 };
 
 namespace internal {
 
-inline void append(Spin_report::Mollification& all, const Spin_report::Mollification& next)
-{
-  const bool is_first = all.share == 0;  // where the conformality of the whole way is measured
-  if (is_first) all.measured_faces = next.measured_faces;
-  if (is_first) all.measured_area = next.measured_area;
-  all.share = next.share;
-  all.thin_faces = (std::max)(all.thin_faces, next.thin_faces);
-  all.longer_edges = (std::max)(all.longer_edges, next.longer_edges);
-  all.added_length = (std::max)(all.added_length, next.added_length);
-  all.flipped_edges = (std::max)(all.flipped_edges, next.flipped_edges);
-}
+void append(Spin_report::Mollification& all, const Spin_report::Mollification& next);
 
 }  // namespace internal
 
@@ -116,33 +88,12 @@ inline void append(Spin_report::Mollification& all, const Spin_report::Mollifica
 /// \brief the report of two transformations, one after the other, out of theirs: sums of what was
 /// spent, and of evidence the worse. What is measured from end to end (conformality, spins) is left
 /// to the caller.
-inline void append(Spin_report& all, const Spin_report& next)
-{
-  all.converged = next.converged;
-  all.cancelled = next.cancelled;
-  all.eigenvalue = next.eigenvalue;
-  all.residual = (std::max)(all.residual, next.residual);
-  all.gap = all.steps == 0 ? next.gap : (std::min)(all.gap, next.gap);
-  all.overlap = all.steps == 0 ? next.overlap : (std::min)(all.overlap, next.overlap);
-  all.iterations += next.iterations;
-  all.substeps = (std::max)(all.substeps, next.substeps);
-  all.spectral_shift = next.spectral_shift;
-  all.is_generalized = next.is_generalized;
-  all.generalized_eigenvalue = next.generalized_eigenvalue;
-  all.steps += next.steps;
-  all.direction_error = next.direction_error;
-  all.boundary_fault = next.boundary_fault;
-  internal::append(all.mollification, next.mollification);
-  all.closure_residual = (std::max)(all.closure_residual, next.closure_residual);
-  all.period_defect += next.period_defect;
-  all.seconds.setup = next.seconds.setup;
-  all.seconds.assembly += next.seconds.assembly;
-  all.seconds.factorization += next.seconds.factorization;
-  all.seconds.eigenvectors += next.seconds.eigenvectors;
-  all.seconds.reconstruction += next.seconds.reconstruction;
-  all.seconds.certificate += next.seconds.certificate;
-}
+void append(Spin_report& all, const Spin_report& next);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Spin_report_impl.h>
+#endif
 
 #endif

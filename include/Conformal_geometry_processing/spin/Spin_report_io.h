@@ -11,32 +11,12 @@ namespace Conformal_geometry_processing {
 
 /// \relates Spin_report
 /// the certificate in words, a line per fact, each ended
-inline std::ostream& operator<<(std::ostream& out, const Spin_report& r)
-{
-  const Conformality& c = r.conformality;
-  out << "Dirac equation         " << (r.converged ? "solved" : "NOT solved") << ", residual "
-      << r.residual << " after " << r.iterations << " iterations";
-  if (r.substeps > 1) out << " in " << r.substeps << " substeps";
-  out << "\neigenvalue             " << r.eigenvalue << " (next one " << r.gap
-      << " away, overlap with the identity " << r.overlap << ")\n"
-      << "closure                " << r.closure_residual << " of the edge lengths\n";
-  if (r.steps != 1 || r.missing_share > 0)
-    out << "handles kept closed    in " << r.steps << " steps, " << 100 * r.reached
-        << " % of the way, " << 100 * r.missing_share << " % of rho left out\n";
-  if (r.mollification.share > 0)
-    out << "mollification          " << r.mollification.thin_faces << " thin faces, "
-        << r.mollification.longer_edges << " edges longer by " << r.mollification.added_length
-        << ", " << r.mollification.flipped_edges << " flips, "
-        << 100 * r.mollification.measured_area << " % of the area measured\n";
-  out << "quasi-conformal error  " << c.quasi_conformal.mean << " mean, " << c.quasi_conformal.p99
-      << " for 99 %, " << c.quasi_conformal.max << " at most (1 is conformal)\n"
-      << "length cross-ratios    changed by " << c.length_cross_ratio.rms << " rms, "
-      << c.length_cross_ratio.max << " at most (0 is conformal)\n"
-      << "lengths                scaled by " << c.scale.min_scale << " to " << c.scale.max_scale
-      << "\nflipped faces          " << c.flipped_faces << '\n';
-  return out;
-}
+std::ostream& operator<<(std::ostream& out, const Spin_report& r);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Spin_report_io_impl.h>
+#endif
 
 #endif

@@ -3,13 +3,10 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_BEST_TURN_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BEST_TURN_H
 
-#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
-
-#include <algorithm>
 
 namespace Conformal_geometry_processing {
 
@@ -17,31 +14,12 @@ namespace Conformal_geometry_processing {
 /// \brief the one rotation that turns directions U into V as well as a single one can: a unit
 /// quaternion q of least sum |U q - q V|^2, and of those that fit about as well (all U may lie on a
 /// line, or nearly so) the nearest to 1. \param U, V unit vectors, 3 x n with n > 0
-inline Quaternion<double> best_turn(const Points& U, const Points& V)
-{
-  const Quaternion<double> units[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-  Block<double> M = Block<double>::Zero(4, 4);  // of the mean of |U q - q V|^2, in [0, 4]
-  for (Eigen::Index k = 0; k < U.cols(); ++k) {
-    Quaternion<double> image[4];
-    for (int c = 0; c < 4; ++c)
-      image[c] = imaginary(U.col(k)) * units[c] - units[c] * imaginary(V.col(k));
-    for (int c = 0; c < 4; ++c)
-      for (int r = 0; r < 4; ++r)
-        M(r, c) += dot(image[r], image[c]) / static_cast<double>(U.cols());
-  }
-  const auto eigen = hermitian_jacobi<double>(M);
-  const auto vector = [&](int c) -> Eigen::Vector4d { return eigen.vectors.col(c); };
-  // Where even the best turn does not fit, others that miss up to three times as much are as good:
-  // binormals of a hemisphere, all nearly parallel, that shall tilt inward ask for no half turn.
-  const double as_good = (std::max)(0.02, 2 * eigen.values[0]), nothing = 1e-3;
-  Eigen::Vector4d best = Eigen::Vector4d::Zero();
-  for (int c = 0; c < 4; ++c)
-    if (eigen.values[c] <= eigen.values[0] + as_good) best += vector(c)[0] * vector(c);
-  if (best.norm() < nothing) best = vector(0);
-  best.normalize();
-  return {best[0], best[1], best[2], best[3]};
-}
+Quaternion<double> best_turn(const Points& U, const Points& V);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/best_turn_impl.h>
+#endif
 
 #endif

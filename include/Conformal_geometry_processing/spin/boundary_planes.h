@@ -4,12 +4,10 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_PLANES_H
 
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
-#include <Conformal_geometry_processing/algebra/rotor.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 
 #include <Eigen/Core>
 
-#include <cstddef>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -23,15 +21,8 @@ namespace Conformal_geometry_processing {
 /// given axis.
 /// \param axis not parallel to U; need not be orthogonal to it
 /// \pre U and V are unit vectors
-inline Reduced_basis<double>::Plane boundary_plane(const Eigen::Vector3d& U,
-                                                   const Eigen::Vector3d& V,
-                                                   const Eigen::Vector3d& axis)
-{
-  const double almost_antipodal = 1e-8;
-  Quaternion<double> q = rotor(U, V);
-  if ((U + V).norm() < almost_antipodal) q = imaginary((axis - axis.dot(U) * U).normalized());
-  return {q, -(q * imaginary(V))};
-}
+Reduced_basis<double>::Plane boundary_plane(const Eigen::Vector3d& U, const Eigen::Vector3d& V,
+                                            const Eigen::Vector3d& axis);
 
 /// \ingroup PkgSpin
 /// \brief gives quaternions along loops the signs with which they turn least from one to the next,
@@ -41,25 +32,8 @@ inline Reduced_basis<double>::Plane boundary_plane(const Eigen::Vector3d& U,
 /// \returns for each loop whether the signs agree where it closes; if not, lambda would have to
 /// turn by a full turn somewhere, as on a surface of another spin structure
 /// \param values one for each vertex, loop after loop
-inline std::vector<char> make_continuous(const std::vector<std::vector<int>>& loops,
-                                         std::vector<Quaternion<double>>& values)
-{
-  std::vector<char> closes;
-  std::size_t first = 0;
-  for (const std::vector<int>& loop : loops) {
-    const std::size_t end = first + loop.size();
-    double sum = values[first].w;
-    for (std::size_t k = first + 1; k < end; ++k) {
-      if (dot(values[k], values[k - 1]) < 0) values[k] *= -1;
-      sum += values[k].w;
-    }
-    closes.push_back(dot(values[end - 1], values[first]) >= 0);
-    if (sum < 0)
-      for (std::size_t k = first; k < end; ++k) values[k] *= -1;
-    first = end;
-  }
-  return closes;
-}
+std::vector<char> make_continuous(const std::vector<std::vector<int>>& loops,
+                                  std::vector<Quaternion<double>>& values);
 
 /// \ingroup PkgSpin
 /// \brief the spins at the boundary that turn frames into target frames and stretch the boundary
@@ -67,12 +41,13 @@ inline std::vector<char> make_continuous(const std::vector<std::vector<int>>& lo
 ///
 /// [CGP 6.3.2] leaves |lambda|^2 open, with which positions would be missed by a fixed error.
 /// The signs may jump; see `make_continuous()`.
-inline Quaternion<double> boundary_spin(const Boundary_frame& source, const Boundary_frame& target,
-                                        double ratio)
-{
-  return spin_of(Eigen::Matrix3d(target * source.transpose()), ratio);
-}
+Quaternion<double> boundary_spin(const Boundary_frame& source, const Boundary_frame& target,
+                                 double ratio);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/boundary_planes_impl.h>
+#endif
 
 #endif

@@ -4,11 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CERTIFY_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 #include <Conformal_geometry_processing/spin/boundary_fault.h>
-#include <Conformal_geometry_processing/spin/rotated_normals.h>
 
 #include <Eigen/Core>
 
@@ -21,14 +19,8 @@ namespace internal {
 /// between which lengths its spins are; one with a position that is not finite has not converged.
 /// \param measured the surface, or the part of it that has areas
 /// \param f 3 x |V| \param lambda |V|
-inline void certify(const Mesh_view& measured, const Points& f,
-                    const Quaternion_vector<double>& lambda, Spin_report& report)
-{
-  report.conformality = conformality(measured, f, rotated_normals(measured, lambda));
-  const auto size = components(lambda).colwise().norm();
-  report.min_spin_ratio = size.minCoeff() / size.maxCoeff();
-  report.converged = report.converged && f.allFinite();
-}
+void certify(const Mesh_view& measured, const Points& f, const Quaternion_vector<double>& lambda,
+             Spin_report& report);
 
 /// \brief Enters what came of the condition at the boundary.
 /// \param surface before, `Mesh_view` or `Delaunay_view`, in the frame of the Dirac equation
@@ -51,5 +43,9 @@ void judge_boundary(const Surface& surface, const Moved& moved, bool is_finite,
 
 }  // namespace internal
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/certify_impl.h>
+#endif
 
 #endif

@@ -3,15 +3,10 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_DIFFERENCE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_DIFFERENCE_H
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/operators/mean_curvature.h>
 
 #include <Eigen/Core>
-
-#include <string>
 
 namespace Conformal_geometry_processing {
 
@@ -25,30 +20,19 @@ namespace Conformal_geometry_processing {
 /// rho comes back to the other surface up to a similarity and O(h^2).
 /// \param positions of the other surface, 3 x |V|
 /// \throw Precondition_error if their number is another
-inline Curvature_potential curvature_difference(const Mesh_view& mesh, const Points& positions)
-{
-  if (positions.cols() != mesh.size_of_vertices())
-    throw Precondition_error("curvature_difference", std::to_string(positions.cols()) +
-                                                         " positions, one per vertex is needed: " +
-                                                         std::to_string(mesh.size_of_vertices()));
-  const Mesh_view other(positions, mesh.corners());
-  const Eigen::VectorXd change =
-      mean_curvature_half_density(other) - mean_curvature_half_density(mesh);
-  return Curvature_potential::on_vertices(change.cwiseQuotient(voronoi_areas(mesh).cwiseSqrt()));
-}
+Curvature_potential curvature_difference(const Mesh_view& mesh, const Points& positions);
 
 /// \ingroup PkgSpin
 /// \brief the rho of one surface as that of another of the same connectivity: with the same
 /// half-density rho |df|; on vertices.
 /// \pre rho is on the vertices of `from`
-inline Curvature_potential transferred(const Curvature_potential& rho, const Mesh_view& from,
-                                       const Mesh_view& to)
-{
-  const Eigen::VectorXd shrinking =
-      voronoi_areas(from).cwiseQuotient(voronoi_areas(to)).cwiseSqrt();
-  return Curvature_potential::on_vertices(rho.values.cwiseProduct(shrinking));
-}
+Curvature_potential transferred(const Curvature_potential& rho, const Mesh_view& from,
+                                const Mesh_view& to);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/curvature_difference_impl.h>
+#endif
 
 #endif

@@ -3,19 +3,10 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_OF_DISPLACEMENT_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_OF_DISPLACEMENT_H
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
-#include <Conformal_geometry_processing/operators/exterior_derivative.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/operators/mean_curvature.h>
 
 #include <Eigen/Core>
-
-#include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -33,21 +24,12 @@ namespace Conformal_geometry_processing {
 /// neighbours.
 /// \param height |V| numbers, in the units of the mesh
 /// \throw Precondition_error if their number is another
-inline Curvature_potential curvature_of_displacement(const Mesh_view& mesh,
-                                                     const Eigen::VectorXd& height)
-{
-  if (height.size() != mesh.size_of_vertices())
-    throw Precondition_error(
-        "curvature_of_displacement",
-        std::to_string(height.size()) +
-            " heights, one per vertex is needed: " + std::to_string(mesh.size_of_vertices()));
-  const Eigen::VectorXd slope = exterior_derivative_0(mesh) * height;
-  const Eigen::VectorXd Lh = codifferential(mesh, cotan_weights(mesh), slope);
-  Eigen::VectorXd rho = Lh.cwiseQuotient(2 * vertex_areas(mesh));
-  internal::fill_boundary(mesh, rho);
-  return Curvature_potential::on_vertices(std::move(rho));
-}
+Curvature_potential curvature_of_displacement(const Mesh_view& mesh, const Eigen::VectorXd& height);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/curvature_of_displacement_impl.h>
+#endif
 
 #endif

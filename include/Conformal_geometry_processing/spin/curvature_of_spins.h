@@ -6,12 +6,6 @@
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
-#include <Conformal_geometry_processing/operators/averaging.h>
-#include <Conformal_geometry_processing/operators/dirac.h>
-
-#include <Eigen/Core>
-
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -21,18 +15,12 @@ namespace Conformal_geometry_processing {
 ///
 /// Where mu solves a Dirac equation it is that one's rho + gamma.
 /// \param mu |V|
-inline Curvature_potential curvature_of_spins(const Mesh_view& mesh,
-                                              const Quaternion_vector<double>& mu)
-{
-  const Quaternion_vector<double> image = dirac(mesh) * mu, average = averaging(mesh) * mu;
-  Eigen::VectorXd rho(mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const double square = squared_norm(average[f]);
-    rho[f] = square > 0 ? dot(average[f], image[f]) / square : 0;
-  }
-  return Curvature_potential::on_faces(std::move(rho));
-}
+Curvature_potential curvature_of_spins(const Mesh_view& mesh, const Quaternion_vector<double>& mu);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/curvature_of_spins_impl.h>
+#endif
 
 #endif

@@ -7,8 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
@@ -18,25 +16,12 @@ namespace Conformal_geometry_processing {
 /// So a constant lambda becomes 1 and the surface neither turns nor grows on the whole. Where the
 /// mean vanishes (it has no direction) the largest value is made real instead.
 /// \param areas the weights of the mean, |V| positive numbers
-inline void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas)
-{
-  const double vanishing = 1e-6;  // of the root of the mean square
-  Quaternion<double> direction;
-  double square = 0;
-  for (Eigen::Index i = 0; i < lambda.size(); ++i) {
-    direction += areas[i] * lambda[i];
-    square += areas[i] * squared_norm(lambda[i]);
-  }
-  const double length = std::sqrt(square / areas.sum());
-  if (norm(direction) < vanishing * length * areas.sum()) {
-    Eigen::Index largest;
-    components(lambda).colwise().squaredNorm().maxCoeff(&largest);
-    direction = lambda[largest];
-  }
-  const Quaternion<double> q = conjugate(direction) / (norm(direction) * length);
-  for (Eigen::Index i = 0; i < lambda.size(); ++i) lambda[i] = lambda[i] * q;
-}
+void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/gauge_impl.h>
+#endif
 
 #endif

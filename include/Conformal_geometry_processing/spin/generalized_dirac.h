@@ -3,7 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_GENERALIZED_DIRAC_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_GENERALIZED_DIRAC_H
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
@@ -18,12 +17,7 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgSpin
 /// \throw Precondition_error if rho is on vertices: the K of the generalized problem is not
 /// Hermitian then
-inline void require_on_faces(const Curvature_potential& rho)
-{
-  if (rho.on != Curvature_potential::On::faces)
-    throw Precondition_error("Dirac_equation",
-                             "the generalized eigenproblem (5.2) needs rho on faces");
-}
+void require_on_faces(const Curvature_potential& rho);
 
 /// \ingroup PkgSpin
 /// \brief replaces a solution of the standard problem by that of the generalized one,
@@ -80,5 +74,9 @@ void solve_generalized_dirac(const Problem& problem, const Curvature_potential& 
 }
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/generalized_dirac_impl.h>
+#endif
 
 #endif

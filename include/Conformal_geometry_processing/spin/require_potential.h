@@ -5,10 +5,8 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 
-#include <cmath>
 #include <string>
 
 namespace Conformal_geometry_processing {
@@ -16,22 +14,13 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgSpin
 /// \throw Precondition_error if rho has the wrong length or a value that is not finite, also when
 /// counted in 1/`unit`
-inline void require_potential(const Mesh_view& mesh, const Curvature_potential& rho, double unit,
-                              const std::string& function)
-{
-  const bool on_faces = rho.on == Curvature_potential::On::faces;
-  const int size = on_faces ? mesh.size_of_faces() : mesh.size_of_vertices();
-  const std::string element = on_faces ? "face" : "vertex";
-  if (rho.values.size() != size)
-    throw Precondition_error(function, "rho has " + std::to_string(rho.values.size()) +
-                                           " values, one per " + element +
-                                           " is needed: " + std::to_string(size));
-  internal::refuse_if_any(
-      size, [&](int i) { return !std::isfinite(rho.values[i] * unit); },
-      [&](int i) { return element + " " + std::to_string(i); }, function,
-      "#value of rho not finite", "finite values are needed");
-}
+void require_potential(const Mesh_view& mesh, const Curvature_potential& rho, double unit,
+                       const std::string& function);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/require_potential_impl.h>
+#endif
 
 #endif

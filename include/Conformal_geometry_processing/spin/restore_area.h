@@ -5,43 +5,26 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
-
-#include <cmath>
 
 namespace Conformal_geometry_processing {
 
 namespace internal {
 
-inline Eigen::Vector3d centroid(const Mesh_view& mesh, const Points& f,
-                                const Eigen::VectorXd& areas)
-{
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int i = 0; i < mesh.size_of_faces(); ++i)
-    for (int v : mesh.corners(i)) sum += areas[i] / 3 * f.col(v);
-  return sum / areas.sum();
-}
+Eigen::Vector3d centroid(const Mesh_view& mesh, const Points& f, const Eigen::VectorXd& areas);
 
 }  // namespace internal
 
 /// \ingroup PkgSpin
 /// \brief scales new positions f and the spins that led to them together, so that the area is that
 /// of the mesh, and moves the centroid to that of the mesh.
-inline void restore_area(const Mesh_view& mesh, Points& f, Quaternion_vector<double>& lambda)
-{
-  const Eigen::VectorXd areas = face_areas(mesh);
-  Eigen::VectorXd new_areas(areas.size());
-  for (int i = 0; i < mesh.size_of_faces(); ++i)
-    new_areas[i] = mesh.double_area_vector(i, f).norm() / 2;
-  const double scale = std::sqrt(areas.sum() / new_areas.sum());
-  f *= scale;
-  components(lambda) *= std::sqrt(scale);
-  f.colwise() +=
-      internal::centroid(mesh, mesh.positions(), areas) - internal::centroid(mesh, f, new_areas);
-}
+void restore_area(const Mesh_view& mesh, Points& f, Quaternion_vector<double>& lambda);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/restore_area_impl.h>
+#endif
 
 #endif

@@ -11,16 +11,12 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgSpin
 /// \brief where the normals of the faces should point after a spin transformation: turned by the
 /// mean spin of their corners, 3 x |F|, not normalised.
-inline Points rotated_normals(const Mesh_view& mesh, const Quaternion_vector<double>& lambda)
-{
-  Points normals(3, mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const auto& v = mesh.corners(f);
-    normals.col(f) = spin(lambda[v[0]] + lambda[v[1]] + lambda[v[2]], mesh.double_area_vector(f));
-  }
-  return normals;
-}
+Points rotated_normals(const Mesh_view& mesh, const Quaternion_vector<double>& lambda);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/rotated_normals_impl.h>
+#endif
 
 #endif

@@ -3,13 +3,9 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SEPARATE_SIGNS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SEPARATE_SIGNS_H
 
-#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace Conformal_geometry_processing {
 
@@ -26,10 +22,7 @@ inline constexpr double visible_mixture = 0.06;
 /// A mixture of eigenvectors +-g of D - rho by the angle t has the signed quotient g cos 2t, and
 /// the energy g^2 plus the error of discretisation: a small difference leaves no room for t.
 /// \param gamma its signed quotient \param mu its eigenvalue of X
-inline bool is_surely_unmixed(double gamma, double mu)
-{
-  return mu - gamma * gamma <= internal::visible_mixture * internal::visible_mixture * mu;
-}
+bool is_surely_unmixed(double gamma, double mu);
 
 /// \ingroup PkgSpin
 /// \brief whether X has mixed two eigenvectors of D - rho of opposite sign.
@@ -41,26 +34,12 @@ inline bool is_surely_unmixed(double gamma, double mu)
 /// those of a double eigenvalue on a symmetric surface, need no separation: theirs are
 /// eigenvectors of D - rho too.
 /// \param forms those of two vectors
-inline bool has_mixed_signs(const Dirac_forms& forms)
-{
-  const auto& S = forms.dirac;
-  const double a = S(0, 0).w / forms.mass(0, 0).w, b = S(1, 1).w / forms.mass(1, 1).w;
-  const double s = norm(S(0, 1)) / std::sqrt(forms.mass(0, 0).w * forms.mass(1, 1).w);
-  const bool are_opposite = a * b < s * s;  // the determinant of the form
-  return are_opposite && 2 * s > internal::visible_mixture * std::abs(a - b);
-}
+bool has_mixed_signs(const Dirac_forms& forms);
 
 /// \ingroup PkgSpin
 /// the eigenvalues of D - rho in the span of two vectors, ascending, where <B v_1, M_F B v_2> is
 /// small
-inline std::array<double, 2> signed_eigenvalues(const Dirac_forms& forms)
-{
-  const auto& S = forms.dirac;
-  const double a = S(0, 0).w / forms.mass(0, 0).w, b = S(1, 1).w / forms.mass(1, 1).w;
-  const double s = norm(S(0, 1)) / std::sqrt(forms.mass(0, 0).w * forms.mass(1, 1).w);
-  const double mean = (a + b) / 2, radius = std::hypot((a - b) / 2, s);
-  return {mean - radius, mean + radius};
-}
+std::array<double, 2> signed_eigenvalues(const Dirac_forms& forms);
 
 /// \ingroup PkgSpin
 /// \brief whether X has mixed two eigenvectors of D - rho so that a shift by one of their
@@ -70,26 +49,18 @@ inline std::array<double, 2> signed_eigenvalues(const Dirac_forms& forms)
 /// (|a| + |b|)^2, which is (|b| + |a|) / (|b| - |a|) times as much. Where |a| is small against |b|
 /// already, what looks like a mixture is the error of a coarse mesh.
 /// \param forms those of two vectors
-inline bool separation_pays(const Dirac_forms& forms)
-{
-  if (!has_mixed_signs(forms)) return false;
-  const auto [a, b] = signed_eigenvalues(forms);
-  return 5 * (std::min)(std::abs(a), std::abs(b)) >= (std::max)(std::abs(a), std::abs(b));
-}
+bool separation_pays(const Dirac_forms& forms);
 
 /// \ingroup PkgSpin
 /// the vectors in the span of `vectors` on which the signed form is diagonal: Rayleigh-Ritz for
 /// D - rho itself; |V| x k, normalised to <B v, M_F B v> = 1, ascending in their signed eigenvalue
-inline Block<Quaternion<double>> separate_signs(const Block<Quaternion<double>>& vectors,
-                                                const Dirac_forms& forms)
-{
-  const auto mass = hermitian_jacobi(forms.mass);
-  Block<Quaternion<double>> C = mass.vectors;  // C^H mass C = 1
-  for (Eigen::Index j = 0; j < C.cols(); ++j) scale_column(C, j, 1 / std::sqrt(mass.values[j]));
-  const auto S = gram_matrix(C, combination(forms.dirac, C));
-  return combination(vectors, combination(C, hermitian_jacobi(S).vectors));
-}
+Block<Quaternion<double>> separate_signs(const Block<Quaternion<double>>& vectors,
+                                         const Dirac_forms& forms);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/separate_signs_impl.h>
+#endif
 
 #endif

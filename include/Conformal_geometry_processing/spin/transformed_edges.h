@@ -16,13 +16,8 @@ namespace Conformal_geometry_processing {
 ///     e~ = 1/3 l_i^ e l_i + 1/6 l_i^ e l_j + 1/6 l_j^ e l_i + 1/3 l_j^ e l_j,   l^ = conjugate(l),
 ///
 /// which is imaginary by itself. Constant lambda gives conjugate(lambda) e lambda exactly.
-inline Eigen::Vector3d transformed_edge(const Eigen::Vector3d& e, const Quaternion<double>& l_i,
-                                        const Quaternion<double>& l_j)
-{
-  // The two mixed terms are minus conjugates of each other: their sum is twice Im(mixed).
-  const Quaternion<double> mixed = conjugate(l_i) * imaginary(e) * l_j;
-  return (spin(l_i, e) + imaginary_part(mixed) + spin(l_j, e)) / 3;
-}
+Eigen::Vector3d transformed_edge(const Eigen::Vector3d& e, const Quaternion<double>& l_i,
+                                 const Quaternion<double>& l_j);
 
 /// \ingroup PkgSpin
 /// \brief the edge vectors of the spin transformed surface, df~ = conjugate(lambda) df lambda
@@ -42,5 +37,9 @@ Eigen::MatrixX3d transformed_edges(const Surface& mesh, const Quaternion_vector<
 }
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/transformed_edges_impl.h>
+#endif
 
 #endif

@@ -13,48 +13,16 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
 #include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {
 
-namespace internal {
-
-/// The centre of the sphere nearest to some points, in the sense of |p - c|^2 - r^2.
-inline Eigen::Vector3d center_of_sphere(const Points& positions)
-{
-  const Eigen::Vector3d mean = positions.rowwise().mean();
-  const Points p = positions.colwise() - mean;
-  const Eigen::RowVectorXd squares = p.colwise().squaredNorm();
-  // 2 <p, c> - squares is constant: the covariance of p with its squares tells c.
-  const Eigen::Matrix3d A = 2 * p * p.transpose();
-  const Eigen::Vector3d b = p * squares.transpose();
-  return mean + A.ldlt().solve(b);
-}
-
-}  // namespace internal
-
 /// \ingroup PkgSurfaces
 /// \brief the directions of the vertices of a round sphere from its centre, 3 x |V|.
 /// \throw Precondition_error if a vertex is farther from the sphere than a thousandth of its
 /// radius, or the normals point inward
-inline Points directions_on_sphere(const Mesh_view& mesh, const std::string& function)
-{
-  require_not_empty(mesh, function);
-  require_finite_positions(mesh, function);
-  const Eigen::Vector3d center = internal::center_of_sphere(mesh.positions());
-  Points directions = mesh.positions().colwise() - center;
-  const double radius = directions.colwise().norm().mean();
-  internal::refuse_if_any(
-      mesh.size_of_vertices(),
-      [&](int v) { return !(std::abs(directions.col(v).norm() - radius) <= 1e-3 * radius); },
-      internal::name_of_vertex, function, "#vertex away from the sphere",
-      "a round sphere is needed");
-  if (signed_volume(mesh) < 0)
-    throw Precondition_error(function, "the normals point inward; turn the faces around");
-  return directions / radius;
-}
+Points directions_on_sphere(const Mesh_view& mesh, const std::string& function);
 
 /// \ingroup PkgSurfaces
 /// \brief the surface of a spin, such as an eigenfunction that `Dirac_spectral_problem` finds; on
@@ -100,5 +68,9 @@ Spin_result spin_to_dirac_sphere(const Mesh_view& mesh, int kappa, int s,
 }
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/surfaces/dirac_sphere_impl.h>
+#endif
 
 #endif

@@ -4,18 +4,13 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_HOPF_TORUS_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
-#include <Conformal_geometry_processing/algebra/rotor.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/surfaces/stereographic_projection.h>
-#include <Conformal_geometry_processing/surfaces/torus_grid.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <cmath>
 #include <complex>
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -37,43 +32,16 @@ class Hopf_torus {
   /// first, by the shorter great arcs. They are scaled to length one.
   /// \throw Precondition_error if there are fewer than three points, one is zero or not finite, or
   /// two that follow each other are the same or opposite
-  explicit Hopf_torus(const Points& curve, const std::string& function = "Hopf_torus")
-  {
-    const auto m = curve.cols();
-    if (m < 3)
-      throw Precondition_error(
-          function, "the curve has " + std::to_string(m) + " points, wanted three at least");
-    Eigen::Vector3d last = direction(curve, 0, function);
-    m_lift.push_back(rotor<double>(Eigen::Vector3d::UnitZ(), last));
-    m_places.push_back(0);
-    for (Eigen::Index k = 1; k <= m; ++k) {
-      const Eigen::Vector3d next = direction(curve, k % m, function);
-      const double angle = std::atan2(last.cross(next).norm(), last.dot(next));
-      if (!(angle > 1e-12 && angle < 3.14159265))
-        throw Precondition_error(function, "point " + std::to_string(k % m) +
-                                               " is the last one again, or opposite to it");
-      m_lift.push_back(m_lift.back() * rotor(last, next));
-      m_places.push_back(m_places.back() + angle);
-      last = next;
-    }
-  }
+  explicit Hopf_torus(const Points& curve, const std::string& function = "Hopf_torus");
 
   /// L, the length of the curve
   double length() const { return m_places.back(); }
 
   /// A, the area on the left of the curve, in [0, 4 pi)
-  double area() const
-  {
-    const double whole = 16 * std::atan(1.), A = 2 * std::fmod(-holonomy(), whole / 2);
-    return A < 0 ? A + whole : A;
-  }
+  double area() const;
 
   /// (A/2 + i L/2) / (2 pi), not reduced
-  std::complex<double> modulus() const
-  {
-    const double turn = 8 * std::atan(1.);
-    return {area() / 2 / turn, length() / 2 / turn};
-  }
+  std::complex<double> modulus() const;
 
   /// \brief its image in space, a grid of m x n vertices: n on each circle, one circle over each
   /// point of the curve. The circle over (0, 0, 1) would go to the axis z.
@@ -82,48 +50,23 @@ class Hopf_torus {
   /// infinity is; the modulus of the mesh is then minus the conjugate of `modulus()`, reduced.
   /// \param n at least three; for squares, 4 pi m / L
   /// \throw Precondition_error if it is not, or the curve goes through (0, 0, 1)
-  Mesh_view mesh(int n, const std::string& function = "Hopf_torus") const
-  {
-    const double turn = 8 * std::atan(1.), columns = n / turn;
-    const int m = static_cast<int>(m_lift.size()) - 1;
-    // The grid comes back to itself at a whole number of columns: the rest is a shear, by less
-    // than half a column in all.
-    const int shift = static_cast<int>(std::round(holonomy() * columns));
-    const double shear = shift / columns - holonomy();
-    return torus_grid(m, n, shift, [&](int i, int j) {
-      const std::size_t row = static_cast<std::size_t>(i);
-      const double x = j / columns + shear * m_places[row] / length();
-      const Quaternion<double> q = Quaternion<double>{std::cos(x), 0, 0, std::sin(x)} * m_lift[row];
-      // That point's fibre is the one of quaternions without i and j.
-      if (!(q.x * q.x + q.y * q.y > 1e-20))
-        throw Precondition_error(function,
-                                 "the curve goes through (0, 0, 1), which is sent to "
-                                 "infinity; turn the curve");
-      return stereographic_projection(q);
-    });
-  }
+  Mesh_view mesh(int n, const std::string& function = "Hopf_torus") const;
 
  private:
-  static Eigen::Vector3d direction(const Points& curve, Eigen::Index k, const std::string& function)
-  {
-    const double size = curve.col(k).stableNorm();
-    if (!(size > 0) || !std::isfinite(size))
-      throw Precondition_error(
-          function, "point " + std::to_string(k) + " of the curve is zero or not finite");
-    return curve.col(k) / size;
-  }
+  static Eigen::Vector3d direction(const Points& curve, Eigen::Index k,
+                                   const std::string& function);
 
   /// x with e^(k x) times the first lift being the last
-  double holonomy() const
-  {
-    const Quaternion<double> e = m_lift.back() * conjugate(m_lift.front());
-    return std::atan2(e.z, e.w);
-  }
+  double holonomy() const;
 
   std::vector<Quaternion<double>> m_lift;  // m + 1: over the points, and again over the first
   std::vector<double> m_places;            // m + 1: lengths up to them
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/surfaces/hopf_torus_impl.h>
+#endif
 
 #endif

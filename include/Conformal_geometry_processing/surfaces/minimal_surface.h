@@ -4,13 +4,11 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_MINIMAL_SURFACE_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/mean_edge_length.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
-#include <cmath>
 #include <string>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -20,12 +18,7 @@ namespace Conformal_geometry_processing {
 ///
 /// On surfaces of revolution, rings between planes and catenoids are solutions for the same
 /// tangents; their singular values tend to zero with h.
-inline double minimal_kernel_tolerance(const Mesh_view& mesh)
-{
-  const double pi = std::acos(-1.);
-  return boundary_loops(mesh).size() > 1 ? 3 * mean_edge_length(mesh) * pi / face_areas(mesh).sum()
-                                         : 0;
-}
+double minimal_kernel_tolerance(const Mesh_view& mesh);
 
 /// \ingroup PkgSurfaces
 /// \brief the minimal surface conformally equivalent to a surface with boundary, by rho = -H in one
@@ -48,5 +41,9 @@ Spin_result spin_to_minimal_surface(
 }
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/surfaces/minimal_surface_impl.h>
+#endif
 
 #endif

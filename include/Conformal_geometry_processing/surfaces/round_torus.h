@@ -3,15 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_ROUND_TORUS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_ROUND_TORUS_H
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/surfaces/stereographic_projection.h>
-#include <Conformal_geometry_processing/surfaces/torus_grid.h>
-
-#include <Eigen/Core>
-
-#include <cmath>
-#include <string>
 
 namespace Conformal_geometry_processing {
 
@@ -26,33 +18,19 @@ namespace Conformal_geometry_processing {
 /// less [CGP 6.5.4].
 /// \param m, n how many vertices go around the axis, and around the tube
 /// \throw Precondition_error unless R > r > 0, and m and n are at least three
-inline Mesh_view round_torus(double R, double r, int m, int n)
-{
-  if (!(R > r && r > 0 && std::isfinite(R)))
-    throw Precondition_error("round_torus", "the radii are " + std::to_string(R) + " and " +
-                                                std::to_string(r) + ", wanted R > r > 0");
-  const double s = r / R, c = std::sqrt((1 - s) * (1 + s)), turn = 2 * std::acos(-1.);
-  return torus_grid(m, n, 0, [&](int i, int j) -> Eigen::Vector3d {
-    const double u = turn * i / m, v = turn * j / n;
-    return R * c *
-           stereographic_projection(
-               {s * std::cos(v), c * std::cos(u), c * std::sin(u), s * std::sin(v)});
-  });
-}
+Mesh_view round_torus(double R, double r, int m, int n);
 
 /// \ingroup PkgSurfaces
 /// \brief the homogeneous torus of modulus i b: the round one with r = 1 and R = sqrt(1 + b^2), in
 /// nearly square pairs of faces; b = 1 is the Clifford torus, of energy 2 pi^2.
 /// \param n how many vertices go around the tube; b n, rounded, go around the axis
 /// \throw Precondition_error unless b is positive, and n and b n are at least three
-inline Mesh_view homogeneous_torus(double b, int n)
-{
-  if (!(b > 0) || !(b * n < 1e6))
-    throw Precondition_error("homogeneous_torus",
-                             "the modulus is " + std::to_string(b) + " i, wanted b positive");
-  return round_torus(std::sqrt(1 + b * b), 1, static_cast<int>(std::round(b * n)), n);
-}
+Mesh_view homogeneous_torus(double b, int n);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/surfaces/round_torus_impl.h>
+#endif
 
 #endif

@@ -16,21 +16,16 @@ namespace Conformal_geometry_processing {
 /// To project from another point p, multiply by its conjugate: conjugate(p) q. All these images of
 /// a surface are Moebius transforms of each other.
 /// \pre q is of length one and not 1
-inline Eigen::Vector3d stereographic_projection(const Quaternion<double>& q)
-{
-  return imaginary_part(q) / (1 - q.w);
-}
+Eigen::Vector3d stereographic_projection(const Quaternion<double>& q);
 
 /// \ingroup PkgSurfaces
 /// the unit quaternion whose projection is p
-inline Quaternion<double> inverse_stereographic_projection(const Eigen::Vector3d& p)
-{
-  const double s = p.squaredNorm();
-  Quaternion<double> q = imaginary(2 * p);
-  q.w = s - 1;
-  return q / (s + 1);
-}
+Quaternion<double> inverse_stereographic_projection(const Eigen::Vector3d& p);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/surfaces/stereographic_projection_impl.h>
+#endif
 
 #endif

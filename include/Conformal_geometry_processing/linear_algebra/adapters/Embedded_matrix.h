@@ -5,16 +5,14 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Solver_embedding.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <new>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -23,13 +21,7 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-// The entries of a lower triangle of n diagonal blocks, stored as triangles, and of others below.
-inline int embedded_entries(std::int64_t n, std::int64_t blocks, std::int64_t width)
-{
-  const std::int64_t entries = width * (width + 1) / 2 * n + width * width * blocks;
-  if (entries > (std::numeric_limits<int>::max)()) throw std::bad_alloc();
-  return static_cast<int>(entries);
-}
+int embedded_entries(std::int64_t n, std::int64_t blocks, std::int64_t width);
 
 }  // namespace internal
 
@@ -158,5 +150,9 @@ class Embedded_matrix {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/adapters/Embedded_matrix_impl.h>
+#endif
 
 #endif

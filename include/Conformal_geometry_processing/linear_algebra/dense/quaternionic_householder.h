@@ -3,14 +3,9 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_QUATERNIONIC_HOUSEHOLDER_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_QUATERNIONIC_HOUSEHOLDER_H
 
-#include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-
-#include <cmath>
 
 namespace Conformal_geometry_processing {
 
@@ -31,43 +26,8 @@ struct Quaternionic_reflection {
   double scale = 0;                      // |v|^2 / 2; zero: nothing to do
   Quaternion<double> image{0, 0, 0, 0};  // the first entry of the reflected x
 
-  explicit Quaternionic_reflection(const Quaternion_vector<double>& x) : v(x)
-  {
-    const double length = std::sqrt(inner_product(x, x).w), first = norm(x[0]);
-    image = x[0];
-    if (!(length > first)) return;
-    const Quaternion<double> phase = first > 0 ? x[0] / first : Quaternion<double>{1, 0, 0, 0};
-    v[0] += phase * length;
-    scale = length * (length + first);
-    image = -phase * length;
-  }
+  explicit Quaternionic_reflection(const Quaternion_vector<double>& x);
 };
-
-// A becomes H A H on its rows and columns from k on.
-inline void reflect_both_sides(Block<Quaternion<double>>& A, Eigen::Index k,
-                               const Quaternionic_reflection& H)
-{
-  const Eigen::Index n = A.rows() - k;
-  Quaternion_vector<double> w = Quaternion_vector<double>::Constant(n, {});
-  for (Eigen::Index j = 0; j < n; ++j)
-    add_multiple(w, A.col(k + j).tail(n), Quaternion<double>(H.v[j] / H.scale));
-  const double half = inner_product(H.v, w).w / (2 * H.scale);
-  for (Eigen::Index j = 0; j < n; ++j) w[j] -= half * H.v[j];
-  for (Eigen::Index j = 0; j < n; ++j) {
-    add_multiple(A.col(k + j).tail(n), H.v, -conjugate(w[j]));
-    add_multiple(A.col(k + j).tail(n), w, -conjugate(H.v[j]));
-  }
-}
-
-// Q becomes Q H, where H acts on the columns from k on.
-inline void reflect_columns(Block<Quaternion<double>>& Q, Eigen::Index k,
-                            const Quaternionic_reflection& H)
-{
-  Quaternion_vector<double> q = Quaternion_vector<double>::Constant(Q.rows(), {});
-  for (Eigen::Index j = 0; j < H.v.size(); ++j) add_multiple(q, Q.col(k + j), H.v[j]);
-  for (Eigen::Index j = 0; j < H.v.size(); ++j)
-    add_multiple(Q.col(k + j), q, Quaternion<double>(-conjugate(H.v[j]) / H.scale));
-}
 
 }  // namespace internal
 
@@ -75,29 +35,7 @@ inline void reflect_columns(Block<Quaternion<double>>& Q, Eigen::Index k,
 /// \brief by Householder's reflections, of which each makes a column zero below the subdiagonal,
 /// and phases that make the subdiagonal real. About 7/3 d^3 quaternionic products.
 /// \pre A is Hermitian and finite
-inline Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<double>> A)
-{
-  const Eigen::Index d = A.rows();
-  Quaternionic_tridiagonalization T{Block<Quaternion<double>>::Constant(d, d, {}),
-                                    Vector<double>(d), Vector<double>(d > 0 ? d - 1 : 0)};
-  for (Eigen::Index i = 0; i < d; ++i) T.Q(i, i).w = 1;
-  Quaternion<double> phase{1, 0, 0, 0};  // of column k of Q
-  for (Eigen::Index k = 0; k + 1 < d; ++k) {
-    T.diagonal[k] = A(k, k).w;
-    const internal::Quaternionic_reflection H(A.col(k).tail(d - k - 1));
-    if (H.scale > 0) {
-      internal::reflect_both_sides(A, k + 1, H);
-      internal::reflect_columns(T.Q, k + 1, H);
-    }
-    const Quaternion<double> below = H.image * phase;
-    T.subdiagonal[k] = norm(below);
-    phase = T.subdiagonal[k] > 0 ? below / T.subdiagonal[k] : Quaternion<double>{1, 0, 0, 0};
-    // No later reflection changes this column.
-    for (Eigen::Index i = 0; i < d; ++i) T.Q(i, k + 1) = T.Q(i, k + 1) * phase;
-  }
-  if (d > 0) T.diagonal[d - 1] = A(d - 1, d - 1).w;
-  return T;
-}
+Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<double>> A);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief the eigenvalues and eigenvectors of a quaternionic Hermitian matrix, as
@@ -108,23 +46,13 @@ inline Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<double>>
 /// \pre A is Hermitian
 /// \throw Solver_error if the iteration for the tridiagonal matrix does not converge, as with
 /// values that are not finite
-inline Hermitian_eigen_decomposition<Quaternion<double>> quaternionic_householder(
-    Block<Quaternion<double>> A)
-{
-  const Eigen::Index d = A.rows();
-  const Quaternionic_tridiagonalization T = tridiagonalized(std::move(A));
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  if (!T.diagonal.allFinite() || !T.subdiagonal.allFinite() ||
-      solver.computeFromTridiagonal(T.diagonal, T.subdiagonal).info() != Eigen::Success)
-    throw Solver_error("quaternionic_householder", "no convergence");
-  Hermitian_eigen_decomposition<Quaternion<double>> result{solver.eigenvalues(),
-                                                           Block<Quaternion<double>>(d, d)};
-  const auto numbers = [d](auto* data) { return Eigen::Map<Eigen::MatrixXd>(data, 4 * d, d); };
-  numbers(&result.vectors.data()->w).noalias() =
-      Eigen::Map<const Eigen::MatrixXd>(&T.Q.data()->w, 4 * d, d) * solver.eigenvectors();
-  return result;
-}
+Hermitian_eigen_decomposition<Quaternion<double>> quaternionic_householder(
+    Block<Quaternion<double>> A);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/dense/quaternionic_householder_impl.h>
+#endif
 
 #endif

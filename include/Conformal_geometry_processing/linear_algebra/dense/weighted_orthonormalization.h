@@ -3,59 +3,9 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_WEIGHTED_ORTHONORMALIZATION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_WEIGHTED_ORTHONORMALIZATION_H
 
-#include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
-
 #include <Eigen/Core>
 
-#include <cmath>
-#include <string>
-
 namespace Conformal_geometry_processing {
-namespace internal {
-
-inline void require_weighted_functions(const Eigen::MatrixXd& functions,
-                                       const Eigen::VectorXd& weights)
-{
-  const std::string name = "weighted_orthonormalization";
-  if (functions.rows() != weights.size())
-    throw Precondition_error(name, std::to_string(weights.size()) +
-                                       " weights, one per row of the functions is needed: " +
-                                       std::to_string(functions.rows()));
-  for (Eigen::Index i = 0; i < weights.size(); ++i)
-    if (!(weights[i] > 0) || !std::isfinite(weights[i]))
-      throw Precondition_error(name, "weight " + std::to_string(i) + " is " +
-                                         std::to_string(weights[i]) +
-                                         "; positive numbers are needed");
-  for (Eigen::Index j = 0; j < functions.cols(); ++j)
-    if (!functions.col(j).allFinite())
-      throw Precondition_error(name,
-                               "function " + std::to_string(j) + " has a value that is not finite");
-}
-
-inline Eigen::MatrixXd weighted_gram_matrix(const Eigen::MatrixXd& functions,
-                                            const Eigen::VectorXd& weights)
-{
-  Eigen::MatrixXd gram(functions.cols(), functions.cols());
-  for (Eigen::Index j = 0; j < gram.cols(); ++j) {
-    const Eigen::VectorXd weighted = weights.cwiseProduct(functions.col(j));
-    for (Eigen::Index i = 0; i <= j; ++i) gram(i, j) = gram(j, i) = weighted.dot(functions.col(i));
-  }
-  return gram;
-}
-
-// Gram and Schmidt's process, for functions that are almost orthonormal.
-inline void orthonormalize_in_order(Eigen::MatrixXd& basis, const Eigen::VectorXd& weights)
-{
-  for (Eigen::Index j = 0; j < basis.cols(); ++j) {
-    for (Eigen::Index i = 0; i < j; ++i)
-      basis.col(j) -= weights.cwiseProduct(basis.col(i)).dot(basis.col(j)) * basis.col(i);
-    basis.col(j) /= std::sqrt(weights.cwiseProduct(basis.col(j)).dot(basis.col(j)));
-  }
-}
-
-}  // namespace internal
-
 /// \ingroup PkgLinearAlgebra
 /// \brief an orthonormal basis of the span of some functions, in the inner product
 /// sum_i w_i a_i b_i, without the directions in which they hardly extend.
@@ -74,39 +24,16 @@ inline void orthonormalize_in_order(Eigen::MatrixXd& basis, const Eigen::VectorX
 /// \param threshold at least 1e-7: the Gram matrix knows no smaller singular values
 /// \returns n x r, r <= k, in the order of decreasing singular values
 /// \throw Precondition_error if the sizes differ, a weight is not positive or a value not finite
-inline Eigen::MatrixXd weighted_orthonormalization(const Eigen::MatrixXd& functions,
-                                                   const Eigen::VectorXd& weights,
-                                                   double threshold = 1e-3)
-{
-  internal::require_weighted_functions(functions, weights);
-  if (functions.cols() == 0) return functions;
-  const auto gram = hermitian_jacobi(internal::weighted_gram_matrix(functions, weights));
-  const Eigen::VectorXd squared = gram.values.reverse();  // decreasing
-  const Eigen::Index rank =
-      squared[0] > 0 ? (squared.array() > threshold * threshold * squared[0]).count() : 0;
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(functions.rows(), rank);
-  for (Eigen::Index r = 0; r < rank; ++r)
-    for (Eigen::Index j = 0; j < functions.cols(); ++j)
-      basis.col(r) += gram.vectors(j, gram.vectors.cols() - 1 - r) * functions.col(j);
-  for (Eigen::Index r = 0; r < rank; ++r) basis.col(r) /= std::sqrt(squared[r]);
-  // Orthonormal up to rounding / threshold^2, so that taking out the rest does not mix the
-  // directions anew.
-  internal::orthonormalize_in_order(basis, weights);
-  return basis;
-}
+Eigen::MatrixXd weighted_orthonormalization(const Eigen::MatrixXd& functions,
+                                            const Eigen::VectorXd& weights,
+                                            double threshold = 1e-3);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief the singular values of some functions in the inner product sum_i w_i a_i b_i, decreasing;
 /// those below 1e-7 of the largest are rounding errors. 2 n k^2 operations.
 /// \throw Precondition_error as `weighted_orthonormalization()`
-inline Eigen::VectorXd weighted_singular_values(const Eigen::MatrixXd& functions,
-                                                const Eigen::VectorXd& weights)
-{
-  internal::require_weighted_functions(functions, weights);
-  if (functions.cols() == 0) return {};
-  const auto gram = hermitian_jacobi(internal::weighted_gram_matrix(functions, weights));
-  return gram.values.reverse().cwiseMax(0).cwiseSqrt();
-}
+Eigen::VectorXd weighted_singular_values(const Eigen::MatrixXd& functions,
+                                         const Eigen::VectorXd& weights);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief v without its part in the span of a basis that is orthonormal with the weights.
@@ -114,18 +41,13 @@ inline Eigen::VectorXd weighted_singular_values(const Eigen::MatrixXd& functions
 /// Projects twice, so that a v almost inside the span is left with rounding errors of its own size
 /// that are orthogonal all the same. 8 n k operations.
 /// \pre `basis` is what `weighted_orthonormalization()` returned for these weights
-inline Eigen::VectorXd project_out(const Eigen::MatrixXd& basis, const Eigen::VectorXd& weights,
-                                   Eigen::VectorXd v)
-{
-  Eigen::VectorXd coefficients(basis.cols());
-  for (int pass = 0; pass < 2; ++pass) {
-    const Eigen::VectorXd weighted = weights.cwiseProduct(v);
-    for (Eigen::Index j = 0; j < basis.cols(); ++j) coefficients[j] = basis.col(j).dot(weighted);
-    for (Eigen::Index j = 0; j < basis.cols(); ++j) v -= coefficients[j] * basis.col(j);
-  }
-  return v;
-}
+Eigen::VectorXd project_out(const Eigen::MatrixXd& basis, const Eigen::VectorXd& weights,
+                            Eigen::VectorXd v);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/dense/weighted_orthonormalization_impl.h>
+#endif
 
 #endif

@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_structure.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Task_pool.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <vector>
@@ -28,18 +27,7 @@ class Elimination_tasks {
   };
 
   /// \param share of all operations that makes a subtree too large for one task
-  explicit Elimination_tasks(const Supernodal_structure& S, double share = 1. / 32)
-  {
-    std::vector<double> work(at(S.size()), 0);
-    double all = 0;
-    for (int s = 0; s < S.size(); ++s) {
-      const double front = S.width(s) + S.height(s);
-      all += S.width(s) * front * front;
-      work[at(s)] += S.width(s) * front * front;
-      if (S.parent(s) >= 0) work[at(S.parent(s))] += work[at(s)];
-    }
-    cut(S, work, share * all);
-  }
+  explicit Elimination_tasks(const Supernodal_structure& S, double share = 1. / 32);
 
   int size() const { return static_cast<int>(m_tasks.size()); }
   const Task& operator[](int t) const { return m_tasks[at(t)]; }
@@ -81,59 +69,18 @@ class Elimination_tasks {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-  std::vector<int> leaves() const
-  {
-    std::vector<int> result;
-    for (int t = 0; t < size(); ++t)
-      if ((*this)[t].children == 0) result.push_back(t);
-    return result;
-  }
-
-  std::vector<std::atomic<int>> missing_children() const
-  {
-    std::vector<std::atomic<int>> result(at(size()));
-    for (int t = 0; t < size(); ++t) result[at(t)] = (*this)[t].children;
-    return result;
-  }
-
-  std::vector<std::vector<int>> lists_of_children() const
-  {
-    std::vector<std::vector<int>> result(at(size()));
-    for (int t = 0; t < size(); ++t)
-      if ((*this)[t].parent >= 0) result[at((*this)[t].parent)].push_back(t);
-    return result;
-  }
-
-  void cut(const Supernodal_structure& S, const std::vector<double>& work, double most)
-  {
-    std::vector<int> above(at(S.size()) + 1, -1), parent;  // the task of a supernode above the cut
-    double last = 0;
-    for (int s = 0; s < S.size(); ++s) {
-      const int up = S.parent(s);
-      const bool is_above = work[at(s)] > most;
-      if (!is_above && up >= 0 && work[at(up)] <= most) continue;  // inside of a subtree
-      const int begin = m_tasks.empty() ? 0 : m_tasks.back().end;
-      const bool joins =
-          !is_above && !m_tasks.empty() && parent.back() == up && last + work[at(s)] <= most;
-      last = joins ? last + work[at(s)] : (is_above ? most : work[at(s)]);
-      if (joins) {
-        m_tasks.back().end = s + 1;
-        continue;
-      }
-      if (is_above) above[at(s)] = size();
-      m_tasks.push_back({begin, s + 1, -1, 0});
-      parent.push_back(up);
-    }
-    for (int t = 0; t < size(); ++t)
-      if (const int up = parent[at(t)]; up >= 0) {
-        m_tasks[at(t)].parent = above[at(up)];
-        ++m_tasks[at(above[at(up)])].children;
-      }
-  }
+  std::vector<int> leaves() const;
+  std::vector<std::atomic<int>> missing_children() const;
+  std::vector<std::vector<int>> lists_of_children() const;
+  void cut(const Supernodal_structure& S, const std::vector<double>& work, double most);
 
   std::vector<Task> m_tasks;
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/direct/Elimination_tasks_impl.h>
+#endif
 
 #endif

@@ -3,7 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_ORDERING_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_ORDERING_H
 
-#include <cstddef>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -17,17 +16,12 @@ using Ordering = std::vector<int>;
 
 /// \relates Ordering
 /// the permutation from old to new numbers; empty if `order` is not a permutation of 0 ... n - 1
-inline std::vector<int> inverse_permutation(const Ordering& order)
-{
-  std::vector<int> inverse(order.size(), -1);
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const auto old = static_cast<std::size_t>(order[k]);
-    if (order[k] < 0 || old >= order.size() || inverse[old] >= 0) return {};
-    inverse[old] = static_cast<int>(k);
-  }
-  return inverse;
-}
+std::vector<int> inverse_permutation(const Ordering& order);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering_impl.h>
+#endif
 
 #endif

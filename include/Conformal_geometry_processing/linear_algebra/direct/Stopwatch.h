@@ -12,13 +12,7 @@ namespace Conformal_geometry_processing {
 class Stopwatch {
  public:
   /// the seconds since the construction or the last lap
-  double lap()
-  {
-    const auto now = Clock::now();
-    const std::chrono::duration<double> seconds = now - m_start;
-    m_start = now;
-    return seconds.count();
-  }
+  double lap();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -26,5 +20,9 @@ class Stopwatch {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch_impl.h>
+#endif
 
 #endif

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Substitution_kernels.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/supernodes.h>
 
 #include <algorithm>
 #include <cstddef>

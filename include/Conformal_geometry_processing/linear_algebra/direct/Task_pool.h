@@ -6,13 +6,11 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
 #include <mutex>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -34,30 +32,10 @@ class Task_pool {
   /// \brief calls `action(task)` for the tasks given, first ones first, and for those pushed
   /// meanwhile; returns when all are done.
   /// \throw what an action threw first; tasks that have not begun by then are left out
-  void run(std::vector<int> tasks, const std::function<void(int)>& action)
-  {
-    m_tasks = std::move(tasks);
-    std::reverse(m_tasks.begin(), m_tasks.end());
-    m_action = &action;
-    m_failure = nullptr;
-    m_has_failed = false;
-    std::vector<std::thread> helpers;
-    try {
-      for (int i = 1; i < m_threads; ++i) helpers.emplace_back([this] { work(); });
-    } catch (...) {  // a thread that cannot be had is done without
-    }
-    work();
-    for (std::thread& t : helpers) t.join();
-    if (m_failure) std::rethrow_exception(m_failure);
-  }
+  void run(std::vector<int> tasks, const std::function<void(int)>& action);
 
   /// adds a task, which is begun before those that wait; called by an action
-  void push(int task)
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    m_tasks.push_back(task);
-    announce();
-  }
+  void push(int task);
 
   /// \brief calls `visit(i)` for 0 <= i < count, on this thread and those that have nothing else to
   /// do; called by an action. \throw what a visit threw
@@ -96,71 +74,13 @@ class Task_pool {
 
   static constexpr int patience = 200;  ///< looks around before a thread goes to sleep
 
-  // All of the following but work_on() and fail() are called with the mutex locked.
-  void announce()
-  {
-    ++m_events;
-    m_wake.notify_all();
-  }
-
-  void work()
-  {
-    std::unique_lock<std::mutex> lock(m_mutex);
-    for (;;) {
-      if (!m_tasks.empty())
-        begin_task(lock);
-      else if (m_running == 0)
-        return;
-      else if (Loop* const loop = find_loop())
-        help(*loop, lock);
-      else
-        wait(lock);
-    }
-  }
-
-  void begin_task(std::unique_lock<std::mutex>& lock)
-  {
-    const int task = m_tasks.back();
-    m_tasks.pop_back();
-    ++m_running;
-    lock.unlock();
-    attempt([&] { (*m_action)(task); });
-    lock.lock();
-    if (m_has_failed) m_tasks.clear();
-    if (--m_running == 0 && m_tasks.empty()) announce();
-  }
-
-  Loop* find_loop() const
-  {
-    for (Loop* loop : m_loops)
-      if (loop->next < loop->count) return loop;
-    return nullptr;
-  }
-
-  void help(Loop& loop, std::unique_lock<std::mutex>& lock)
-  {
-    ++loop.helpers;
-    lock.unlock();
-    work_on(loop);
-    --loop.helpers;  // the loop may be gone now
-    lock.lock();
-  }
-
-  void wait(std::unique_lock<std::mutex>& lock)
-  {
-    const std::int64_t seen = m_events;
-    lock.unlock();
-    for (int i = 0; i < patience && m_events == seen; ++i) std::this_thread::yield();
-    lock.lock();
-    m_wake.wait(lock, [&] { return m_events != seen; });
-  }
-
-  void work_on(Loop& loop)
-  {
-    attempt([&] {
-      for (int i = loop.next++; i < loop.count && !m_has_failed; i = loop.next++) loop.visit(i);
-    });
-  }
+  void announce();
+  void work();
+  void begin_task(std::unique_lock<std::mutex>& lock);
+  Loop* find_loop() const;
+  void help(Loop& loop, std::unique_lock<std::mutex>& lock);
+  void wait(std::unique_lock<std::mutex>& lock);
+  void work_on(Loop& loop);
 
   template <class Action>
   void attempt(const Action& action)
@@ -188,5 +108,9 @@ class Task_pool {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/direct/Task_pool_impl.h>
+#endif
 
 #endif

@@ -108,29 +108,17 @@ class Update_places {
     return region;
   }
 
-  // A single supernode: its update takes what one of the regions inside can spare, and more.
-  static void enclose(Region& own, std::int64_t update, const Region& roomiest)
-  {
-    own.padding = (std::max<std::int64_t>)(0, update - roomiest.spare());
-    own.size += own.padding;
-    own.kept = update;
-  }
-
-  // The region with most to spare lies where the update of the supernode around it goes.
-  static void put(Region& own, bool is_roomiest, Region& around, bool is_at_low_end)
-  {
-    if (is_roomiest)
-      own.begin = is_at_low_end ? around.begin + around.padding
-                                : around.begin + around.size - around.padding - own.size;
-    else
-      own.begin = around.next;
-    if (!is_roomiest) around.next += own.size;
-  }
+  static void enclose(Region& own, std::int64_t update, const Region& roomiest);
+  static void put(Region& own, bool is_roomiest, Region& around, bool is_at_low_end);
 
   std::vector<std::int64_t> m_begin;
   std::int64_t m_size = 0;
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/direct/Update_places_impl.h>
+#endif
 
 #endif

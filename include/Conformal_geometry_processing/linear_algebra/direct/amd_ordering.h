@@ -7,26 +7,17 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
 #include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
-
-#include <vector>
 
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
 /// the ordering of approximate minimum degree (Amestoy, Davis and Duff 1996), by Eigen
-inline Ordering amd_ordering(const Sparse_pattern& pattern)
-{
-  using Graph = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-  const std::vector<double> ones(pattern.indices.size(), 1.0);
-  const Eigen::Map<const Graph> lower(pattern.size(), pattern.size(), pattern.size_of_entries(),
-                                      pattern.offsets.data(), pattern.indices.data(), ones.data());
-  const Graph graph = lower.selfadjointView<Eigen::Lower>();
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-  Eigen::AMDOrdering<int>()(graph, permutation);
-  return Ordering(permutation.indices().data(), permutation.indices().data() + pattern.size());
-}
+Ordering amd_ordering(const Sparse_pattern& pattern);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering_impl.h>
+#endif
 
 #endif

@@ -4,12 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_CHOOSE_ORDERING_H
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_structure.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
 
 #include <Eigen/Core>
 
-#include <cmath>
 #include <memory>
 
 namespace Conformal_geometry_processing {
@@ -47,39 +44,12 @@ class Structure_choice {
   using Structure = std::shared_ptr<const Supernodal_structure>;
 
  public:
-  Structure_choice(const Sparse_pattern& pattern, int factorizations, const Ordering_costs& costs)
-      : m_pattern(pattern), m_costs(costs), m_factorizations(factorizations)
-  {}
-
-  Structure by_degree() const
-  {
-    return std::make_shared<const Supernodal_structure>(m_pattern, amd_ordering(m_pattern));
-  }
-
-  Structure by_dissection(const Eigen::Matrix3Xd& positions) const
-  {
-    return std::make_shared<const Supernodal_structure>(
-        m_pattern, sweep_nested_dissection(m_pattern, positions));
-  }
-
-  // A trial that takes so long per vertex may save more than it costs.
-  bool may_save(const Structure& other, double seconds_per_vertex) const
-  {
-    return m_costs.expected_saving * m_factorizations * other->operations() *
-               m_costs.seconds_per_operation >
-           seconds_per_vertex * m_pattern.size();
-  }
-
-  bool is_compact_surface(const Structure& by_dissection) const
-  {
-    const double constant = by_dissection->operations() / std::pow(m_pattern.size(), 1.5);
-    return m_costs.compact < constant && constant < m_costs.not_a_surface;
-  }
-
-  static Structure better(Structure a, Structure b)
-  {
-    return b->operations() < a->operations() ? b : a;
-  }
+  Structure_choice(const Sparse_pattern& pattern, int factorizations, const Ordering_costs& costs);
+  Structure by_degree() const;
+  Structure by_dissection(const Eigen::Matrix3Xd& positions) const;
+  bool may_save(const Structure& other, double seconds_per_vertex) const;
+  bool is_compact_surface(const Structure& by_dissection) const;
+  static Structure better(Structure a, Structure b);
 
  private:
   const Sparse_pattern& m_pattern;
@@ -99,33 +69,20 @@ class Structure_choice {
 /// with fewer operations is kept.
 /// \param positions 3 x n, or null: without positions the answer is minimum degree
 /// \param factorizations how many are expected to follow, each of the costs given
-inline std::shared_ptr<const Supernodal_structure> choose_structure(
-    const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions, int factorizations = 1,
-    const Ordering_costs& costs = {})
-{
-  const internal::Structure_choice choice(pattern, factorizations, costs);
-  if (positions == nullptr) return choice.by_degree();
-  if (pattern.size() < costs.large) {
-    const auto first = choice.by_degree();
-    return choice.may_save(first, costs.seconds_per_vertex)
-               ? choice.better(first, choice.by_dissection(*positions))
-               : first;
-  }
-  const auto first = choice.by_dissection(*positions);
-  return !choice.is_compact_surface(first) &&
-                 choice.may_save(first, costs.seconds_per_vertex_by_degree)
-             ? choice.better(first, choice.by_degree())
-             : first;
-}
+std::shared_ptr<const Supernodal_structure> choose_structure(const Sparse_pattern& pattern,
+                                                             const Eigen::Matrix3Xd* positions,
+                                                             int factorizations = 1,
+                                                             const Ordering_costs& costs = {});
 
 /// \ingroup PkgLinearAlgebra
 /// \brief the ordering of `choose_structure()`.
-inline Ordering choose_ordering(const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions,
-                                int factorizations = 1, const Ordering_costs& costs = {})
-{
-  return choose_structure(pattern, positions, factorizations, costs)->order();
-}
+Ordering choose_ordering(const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions,
+                         int factorizations = 1, const Ordering_costs& costs = {});
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering_impl.h>
+#endif
 
 #endif

@@ -4,9 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_ELIMINATION_TREE_H
 
 #include <Conformal_geometry_processing/algebra/Sparse_pattern.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -25,27 +23,11 @@ struct Permuted_graph {
   std::vector<int> offsets;  ///< size + 1
   std::vector<Entry> entries;
 
-  Permuted_graph(const Sparse_pattern& pattern, const std::vector<int>& new_of_old)
-  {
-    fill(pattern.size(), pattern.size_of_entries() - pattern.size(), [&](auto action) {
-      for (int j = 0; j < pattern.size(); ++j)
-        for (int k = pattern.offsets[at(j)] + 1; k < pattern.offsets[at(j) + 1]; ++k) {
-          const int a = new_of_old[at(pattern.indices[at(k)])], b = new_of_old[at(j)];
-          action((std::min)(a, b), Entry{(std::max)(a, b), a > b ? k : ~k});
-        }
-    });
-  }
+  Permuted_graph(const Sparse_pattern& pattern, const std::vector<int>& new_of_old);
 
   /// the same graph with new numbers
   /// \pre `place[i] > place[j]` for every row i of column j
-  Permuted_graph(const Permuted_graph& graph, const std::vector<int>& place)
-  {
-    fill(graph.size(), static_cast<int>(graph.entries.size()), [&](auto action) {
-      for (int j = 0; j < graph.size(); ++j)
-        for (const Entry* e = graph.begin(j); e != graph.end(j); ++e)
-          action(place[at(j)], Entry{place[at(e->row)], e->source});
-    });
-  }
+  Permuted_graph(const Permuted_graph& graph, const std::vector<int>& place);
 
   int size() const { return static_cast<int>(offsets.size()) - 1; }
   const Entry* begin(int j) const { return entries.data() + offsets[at(j)]; }
@@ -73,16 +55,7 @@ struct Graph_rows {
   std::vector<int> offsets;  ///< size + 1
   std::vector<int> columns;
 
-  explicit Graph_rows(const Permuted_graph& graph)
-      : offsets(graph.offsets.size(), 0), columns(graph.entries.size())
-  {
-    for (const auto& e : graph.entries) ++offsets[at(e.row) + 1];
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    std::vector<int> next(offsets.begin(), offsets.end() - 1);
-    for (int j = 0; j < graph.size(); ++j)
-      for (const auto* e = graph.begin(j); e != graph.end(j); ++e)
-        columns[at(next[at(e->row)]++)] = j;
-  }
+  explicit Graph_rows(const Permuted_graph& graph);
 
   int size() const { return static_cast<int>(offsets.size()) - 1; }
   const int* begin(int i) const { return columns.data() + offsets[at(i)]; }
@@ -95,105 +68,29 @@ struct Graph_rows {
 /// \ingroup PkgLinearAlgebra
 /// \brief the elimination tree: for each column of the Cholesky factor the row of its first entry
 /// below the diagonal, -1 at the roots (Liu 1990). Almost O(entries).
-inline std::vector<int> elimination_tree(const Graph_rows& graph)
-{
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  std::vector<int> parent(at(graph.size()), -1), ancestor(parent);
-  for (int i = 0; i < graph.size(); ++i)
-    for (const int* column = graph.begin(i); column != graph.end(i); ++column)
-      for (int j = *column; j != -1 && j < i;) {
-        const int up = ancestor[at(j)];
-        ancestor[at(j)] = i;  // path compression
-        if (up == -1) parent[at(j)] = i;
-        j = up;
-      }
-  return parent;
-}
+std::vector<int> elimination_tree(const Graph_rows& graph);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief 0, ..., n - 1 sorted by keys in [0, n], equal ones in their order. O(n)
-inline std::vector<int> sorted_by(const std::vector<int>& key)
-{
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  std::vector<int> next(key.size() + 2, 0), sorted(key.size());
-  for (int k : key) ++next[at(k) + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  for (std::size_t i = 0; i < key.size(); ++i) sorted[at(next[at(key[i])]++)] = static_cast<int>(i);
-  return sorted;
-}
+std::vector<int> sorted_by(const std::vector<int>& key);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief the nodes of a forest, children before parents and subtrees together; the heaviest of
 /// siblings stands last, next to the parent, where its supernode can be merged with the parent's.
 /// \param weight in [0, n]
-inline std::vector<int> postorder(const std::vector<int>& parent, const std::vector<int>& weight)
-{
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  const int n = static_cast<int>(parent.size());
-  const std::vector<int> by_weight = sorted_by(weight);
-  std::vector<int> child(parent.size(), -1), sibling(parent.size(), -1), order, path;
-  for (int k = n - 1; k >= 0; --k)  // the lightest ends up at the head of its list
-    if (const int j = by_weight[at(k)], p = parent[at(j)]; p >= 0) {
-      sibling[at(j)] = child[at(p)];
-      child[at(p)] = j;
-    }
-  order.reserve(parent.size());
-  for (int root = 0; root < n; ++root) {
-    if (parent[at(root)] >= 0) continue;
-    for (path.push_back(root); !path.empty();) {
-      const int j = path.back(), c = child[at(j)];
-      if (c >= 0) {
-        child[at(j)] = sibling[at(c)];
-        path.push_back(c);
-      } else {
-        order.push_back(j);
-        path.pop_back();
-      }
-    }
-  }
-  return order;
-}
+std::vector<int> postorder(const std::vector<int>& parent, const std::vector<int>& weight);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief the number of entries in each column of the factor, diagonal included (Gilbert, Ng and
 /// Peyton 1994). Almost O(entries), without forming the factor.
 /// \param parent the elimination tree of the graph
 /// \pre the numbering is a postorder: descendants of j are the numbers just below j
-inline std::vector<int> column_counts(const Permuted_graph& graph, const std::vector<int>& parent)
-{
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  const int n = graph.size();
-  std::vector<int> first(at(n)), last_leaf(at(n), -1), set(at(n)), count(at(n), 0);
-  std::iota(first.begin(), first.end(), 0);
-  std::iota(set.begin(), set.end(), 0);
-  std::vector<char> is_leaf(at(n), 1);
-  for (int j = 0; j < n; ++j)
-    if (parent[at(j)] >= 0) {
-      first[at(parent[at(j)])] = (std::min)(first[at(parent[at(j)])], first[at(j)]);
-      is_leaf[at(parent[at(j)])] = 0;
-    }
-  const auto find = [&](int j) {
-    while (set[at(j)] != j) j = set[at(j)] = set[at(set[at(j)])];
-    return j;
-  };
-  // Row i of the factor is a subtree with root i; its columns number as many as its leaves cover.
-  for (int j = 0; j < n; ++j) {
-    count[at(j)] += is_leaf[at(j)];
-    if (parent[at(j)] >= 0) --count[at(parent[at(j)])];
-    for (const auto* e = graph.begin(j); e != graph.end(j); ++e) {
-      int& leaf = last_leaf[at(e->row)];
-      if (leaf >= first[at(j)]) continue;  // a descendant of j is a neighbour too: j is no leaf
-      ++count[at(j)];
-      if (leaf >= 0) --count[at(find(leaf))];  // counted twice from the common ancestor upward
-      leaf = j;
-    }
-    if (parent[at(j)] >= 0) set[at(j)] = parent[at(j)];
-  }
-  for (int j = 0; j < n; ++j)
-    if (parent[at(j)] >= 0) count[at(parent[at(j)])] += count[at(j)];
-  return count;
-}
+std::vector<int> column_counts(const Permuted_graph& graph, const std::vector<int>& parent);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/direct/elimination_tree_impl.h>
+#endif
 
 #endif

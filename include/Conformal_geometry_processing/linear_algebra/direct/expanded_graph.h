@@ -6,8 +6,6 @@
 #include <Conformal_geometry_processing/algebra/Sparse_pattern.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
-#include <cstddef>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
@@ -17,37 +15,18 @@ namespace Conformal_geometry_processing {
 /// For matrices on the vertices of a mesh that are real-linear but not quaternionic: of width 4,
 /// factored by `Supernodal_cholesky<double>` with the `expanded_ordering()`. Vertex i has the rows
 /// width i ... width i + width - 1.
-inline Sparse_pattern expanded_pattern(const Sparse_pattern& pattern, int width)
-{
-  const std::size_t w = static_cast<std::size_t>(width);
-  Sparse_pattern expanded;
-  expanded.offsets.reserve(w * pattern.offsets.size());
-  expanded.indices.reserve(w * w * pattern.indices.size());
-  expanded.offsets.push_back(0);
-  for (std::size_t j = 0; j + 1 < pattern.offsets.size(); ++j)
-    for (int c = 0; c < width; ++c) {
-      const int diagonal = pattern.offsets[j];
-      for (int k = diagonal; k < pattern.offsets[j + 1]; ++k)
-        for (int r = k == diagonal ? c : 0; r < width; ++r)
-          expanded.indices.push_back(width * pattern.indices[static_cast<std::size_t>(k)] + r);
-      expanded.offsets.push_back(expanded.size_of_entries());
-    }
-  return expanded;
-}
+Sparse_pattern expanded_pattern(const Sparse_pattern& pattern, int width);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief an ordering of vertices as one of the rows of their blocks, which stay together.
 ///
 /// As good as an ordering of the larger graph, which takes `width` squared times as long to find.
-inline Ordering expanded_ordering(const Ordering& order, int width)
-{
-  Ordering expanded;
-  expanded.reserve(static_cast<std::size_t>(width) * order.size());
-  for (const int i : order)
-    for (int r = 0; r < width; ++r) expanded.push_back(width * i + r);
-  return expanded;
-}
+Ordering expanded_ordering(const Ordering& order, int width);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/direct/expanded_graph_impl.h>
+#endif
 
 #endif

@@ -5,25 +5,11 @@
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Graph_region.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace Conformal_geometry_processing {
-
-namespace internal {
-
-/// the number of ones
-inline int population_count(std::uint64_t x)
-{
-  x -= (x >> 1) & 0x5555555555555555u;
-  x = (x & 0x3333333333333333u) + ((x >> 2) & 0x3333333333333333u);
-  x = (x + (x >> 4)) & 0x0f0f0f0f0f0f0f0fu;
-  return static_cast<int>((x * 0x0101010101010101u) >> 56);
-}
-
-}  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
 /// \brief orders the vertices of a small region by minimum degree, aware of the separator vertices
@@ -35,76 +21,16 @@ inline int population_count(std::uint64_t x)
 class Minimum_degree_with_halo {
  public:
   /// the vertices of the region in the order of elimination, as numbers of the whole graph
-  const std::vector<int>& operator()(const Graph_region& region)
-  {
-    build(region);
-    m_remaining.resize(region.vertices.size());
-    for (std::size_t v = 0; v < m_remaining.size(); ++v) m_remaining[v] = static_cast<int>(v);
-    m_order.clear();
-    while (!m_remaining.empty()) {
-      const auto least =
-          std::min_element(m_remaining.begin(), m_remaining.end(),
-                           [&](int a, int b) { return m_degree[at(a)] < m_degree[at(b)]; });
-      const int v = *least;
-      m_remaining.erase(least);
-      m_order.push_back(region.vertices[at(v)]);
-      eliminate(v);
-    }
-    return m_order;
-  }
+  const std::vector<int>& operator()(const Graph_region& region);
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   std::uint64_t* row(int v) { return m_bits.data() + at(v) * m_words; }
   static std::uint64_t bit(int j) { return std::uint64_t(1) << (j & 63); }
 
-  // Columns are the vertices of the region, then those of the halo.
-  void build(const Graph_region& region)
-  {
-    m_halo.clear();
-    for (const auto& e : region.halo) m_halo.push_back(e[1]);
-    std::sort(m_halo.begin(), m_halo.end());
-    m_halo.erase(std::unique(m_halo.begin(), m_halo.end()), m_halo.end());
-    m_inner_words = (region.vertices.size() + 63) / 64;
-    m_words = (region.vertices.size() + m_halo.size() + 63) / 64;
-    m_bits.assign(region.vertices.size() * m_words, 0);
-    const auto connect = [&](int i, int j) { row(i)[j >> 6] |= bit(j); };
-    for (const auto& e : region.edges) {
-      connect(e[0], e[1]);
-      connect(e[1], e[0]);
-    }
-    for (const auto& e : region.halo) {
-      const auto place = std::lower_bound(m_halo.begin(), m_halo.end(), e[1]) - m_halo.begin();
-      connect(e[0], region.size() + static_cast<int>(place));
-    }
-    m_degree.resize(region.vertices.size());
-    for (int v = 0; v < region.size(); ++v) update_degree(v);
-  }
-
-  void update_degree(int v)
-  {
-    int degree = 0;
-    for (std::size_t k = 0; k < m_words; ++k) degree += internal::population_count(row(v)[k]);
-    m_degree[at(v)] = degree;
-  }
-
-  // The neighbours of v become neighbours of each other.
-  void eliminate(int v)
-  {
-    const int size = static_cast<int>(m_degree.size());
-    const std::uint64_t* const of_v = row(v);
-    for (std::size_t w = 0; w < m_inner_words; ++w)
-      for (std::uint64_t rest = of_v[w]; rest != 0; rest &= rest - 1) {
-        const int u =
-            static_cast<int>(64 * w) + internal::population_count((rest & (~rest + 1)) - 1);
-        if (u >= size) return;  // the rest is halo
-        std::uint64_t* const of_u = row(u);
-        for (std::size_t k = 0; k < m_words; ++k) of_u[k] |= of_v[k];
-        of_u[u >> 6] &= ~bit(u);
-        of_u[v >> 6] &= ~bit(v);
-        update_degree(u);
-      }
-  }
+  void build(const Graph_region& region);
+  void update_degree(int v);
+  void eliminate(int v);
 
   std::size_t m_words = 0, m_inner_words = 0;
   std::vector<std::uint64_t> m_bits;
@@ -112,5 +38,9 @@ class Minimum_degree_with_halo {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/direct/minimum_degree_with_halo_impl.h>
+#endif
 
 #endif

@@ -3,18 +3,15 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SWEEP_NESTED_DISSECTION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SWEEP_NESTED_DISSECTION_H
 
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Task_pool.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/minimum_degree_with_halo.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_cut.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/vertex_separator.h>
 
-#include <algorithm>
+#include <Eigen/Core>
+
 #include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -36,64 +33,16 @@ class Dissection {
   explicit Dissection(Ordering& order) : m_order(order) {}
 
   /// separator last, then the two parts
-  std::array<Dissection_part, 2> cut(const Dissection_part& part)
-  {
-    const Graph_region& region = part.region;
-    std::vector<Side> sides = m_cut(region);
-    thin_separator(region, sides);
-    int end = part.end;
-    for (int v = region.size() - 1; v >= 0; --v)
-      if (sides[static_cast<std::size_t>(v)] == Side::separator)
-        m_order[static_cast<std::size_t>(--end)] = region.vertices[static_cast<std::size_t>(v)];
-    std::array<Graph_region, 2> halves = split(region, sides);
-    const int middle = end - halves[1].size();
-    return {{{std::move(halves[0]), middle}, {std::move(halves[1]), end}}};
-  }
+  std::array<Dissection_part, 2> cut(const Dissection_part& part);
 
   /// all of it
-  void finish(Dissection_part&& all)
-  {
-    std::vector<Dissection_part> stack;
-    stack.push_back(std::move(all));
-    while (!stack.empty()) {
-      const Dissection_part part = std::move(stack.back());
-      stack.pop_back();
-      const Graph_region& region = part.region;
-      if (region.size() <= max_dissection_leaf) {
-        const std::vector<int>& leaf = m_minimum_degree(region);
-        std::copy(leaf.begin(), leaf.end(), m_order.begin() + (part.end - region.size()));
-      } else {
-        for (Dissection_part& half : cut(part)) stack.push_back(std::move(half));
-      }
-    }
-  }
+  void finish(Dissection_part&& all);
 
  private:
   Ordering& m_order;
   Sweep_cut m_cut;
   Minimum_degree_with_halo m_minimum_degree;
 };
-
-/// The first cuts make a tree of tasks: part t is cut into the parts 2t and 2t + 1.
-inline void dissect_in_parallel(Dissection_part&& all, int threads, Ordering& order)
-{
-  constexpr int parts_at_most = 128, smallest = 1000;
-  std::vector<Dissection_part> parts(parts_at_most);
-  parts[1] = std::move(all);
-  Task_pool pool(threads);
-  pool.run({1}, [&](int t) {
-    Dissection dissection(order);
-    Dissection_part part = std::move(parts[static_cast<std::size_t>(t)]);
-    if (2 * t >= parts_at_most || part.region.size() < smallest)
-      return dissection.finish(std::move(part));
-    std::array<Dissection_part, 2> halves = dissection.cut(part);
-    part.region = Graph_region();
-    for (int i = 1; i >= 0; --i) {
-      parts[static_cast<std::size_t>(2 * t + i)] = std::move(halves[static_cast<std::size_t>(i)]);
-      pool.push(2 * t + i);
-    }
-  });
-}
 
 }  // namespace internal
 
@@ -108,20 +57,12 @@ inline void dissect_in_parallel(Dissection_part&& all, int threads, Ordering& or
 /// input gives the same ordering, for any number of threads.
 /// O((vertices + edges) log(vertices)) on meshes.
 /// \param positions 3 x n, finite, in any unit
-inline Ordering sweep_nested_dissection(const Sparse_pattern& pattern,
-                                        const Eigen::Matrix3Xd& positions)
-{
-  constexpr int worth_threads = 4000;  // vertices: some milliseconds
-  Ordering order(static_cast<std::size_t>(pattern.size()));
-  internal::Dissection_part all{graph_region(pattern, positions), pattern.size()};
-  const int threads = pattern.size() < worth_threads ? 1 : number_of_threads();
-  if (threads > 1)
-    internal::dissect_in_parallel(std::move(all), threads, order);
-  else
-    internal::Dissection(order).finish(std::move(all));
-  return order;
-}
+Ordering sweep_nested_dissection(const Sparse_pattern& pattern, const Eigen::Matrix3Xd& positions);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection_impl.h>
+#endif
 
 #endif

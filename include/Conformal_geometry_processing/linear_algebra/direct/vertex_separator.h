@@ -5,8 +5,6 @@
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Graph_region.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -18,51 +16,8 @@ struct Separator_band {
   std::vector<int> vertices, number;  // band to region; region to band, -1 outside
   Terminal_graph graph;
 
-  void add(int v)
-  {
-    int& k = number[static_cast<std::size_t>(v)];
-    if (k >= 0) return;
-    k = static_cast<int>(vertices.size());
-    vertices.push_back(v);
-    graph.is_source.push_back(0);
-    graph.is_sink.push_back(0);
-  }
+  void add(int v);
 };
-
-/// \param lighter_side the side where the sources are
-inline Separator_band separator_band(const Graph_region& region, const std::vector<Side>& sides,
-                                     Side lighter_side)
-{
-  const auto side = [&](int v) { return sides[static_cast<std::size_t>(v)]; };
-  Separator_band band;
-  band.number.assign(sides.size(), -1);
-  for (int v = 0; v < region.size(); ++v)
-    if (side(v) == Side::separator) band.add(v);
-  for (const auto& e : region.edges)  // edges too long for the band widen it
-    if (side(e[0]) != side(e[1]) && side(e[0]) != Side::separator &&
-        side(e[1]) != Side::separator) {
-      band.add(e[0]);
-      band.add(e[1]);
-    }
-  const auto number = [&](int v) { return band.number[static_cast<std::size_t>(v)]; };
-  const auto mark = [&](int k, Side s) {
-    (s == lighter_side ? band.graph.is_source : band.graph.is_sink)[static_cast<std::size_t>(k)] =
-        1;
-  };
-  for (std::size_t k = 0; k < band.vertices.size(); ++k)
-    if (side(band.vertices[k]) != Side::separator)
-      mark(static_cast<int>(k), side(band.vertices[k]));
-  for (const auto& e : region.edges) {
-    const int a = number(e[0]), b = number(e[1]);
-    if (a >= 0 && b >= 0)
-      band.graph.edges.push_back({a, b});
-    else if (a >= 0)
-      mark(a, side(e[1]));
-    else if (b >= 0)
-      mark(b, side(e[0]));
-  }
-  return band;
-}
 
 }  // namespace internal
 
@@ -74,20 +29,12 @@ inline Separator_band separator_band(const Graph_region& region, const std::vect
 /// O(edges + edges of the separator * sqrt(vertices of the separator)) at worst.
 /// \param[in,out] sides one for each vertex; without a separator it is found between the ends of
 /// the edges that are cut
-inline void thin_separator(const Graph_region& region, std::vector<Side>& sides)
-{
-  const auto lefts = std::count(sides.begin(), sides.end(), Side::left);
-  const auto rights = std::count(sides.begin(), sides.end(), Side::right);
-  const Side lighter_side = lefts >= rights ? Side::left : Side::right,
-             other_side = lighter_side == Side::left ? Side::right : Side::left;
-  const internal::Separator_band band = internal::separator_band(region, sides, lighter_side);
-  const std::vector<Side> cut = minimum_vertex_cut(band.graph);
-  for (std::size_t k = 0; k < cut.size(); ++k)
-    sides[static_cast<std::size_t>(band.vertices[k])] =
-        cut[k] == Side::separator ? Side::separator
-                                  : (cut[k] == Side::left ? lighter_side : other_side);
-}
+void thin_separator(const Graph_region& region, std::vector<Side>& sides);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/direct/vertex_separator_impl.h>
+#endif
 
 #endif

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -24,26 +23,10 @@ class Eigen_convergence {
  public:
   /// \param function the name to report errors under
   Eigen_convergence(std::string function, const Eigen_options& options,
-                    const Block<Quaternion<double>>& x0)
-      : m_function(std::move(function)), m_options(options)
-  {
-    if (options.wanted < 1 || options.wanted > x0.cols())
-      throw Precondition_error(
-          m_function, "cannot find " + std::to_string(options.wanted) + " eigenpairs with " +
-                          std::to_string(x0.cols()) +
-                          " initial vectors: wanted at least one vector for each");
-  }
+                    const Block<Quaternion<double>>& x0);
 
   /// the basis of the initial vectors, if there is one
-  Eigen_panel initial(Eigen_panel x) const
-  {
-    const Eigen::Index columns = x.size();
-    orthonormalize(x);
-    if (x.size() != columns)
-      throw Precondition_error(
-          m_function, "the " + std::to_string(columns) + " initial vectors depend on each other");
-    return x;
-  }
+  Eigen_panel initial(Eigen_panel x) const;
 
   /// \brief takes note of the iterate x with residual r and T r; true if it is the last one.
   template <class GoFurther>
@@ -74,47 +57,12 @@ class Eigen_convergence {
   void note_next_value(double value) { m_next = (std::min)(m_next, value); }
 
   /// the best iterate
-  Eigen_result result()
-  {
-    m_result.iterations = m_iterations;
-    if (m_result.values.size() == 1 && std::isfinite(m_next))
-      m_result.gap = (std::max)(m_next - m_result.values[0], 0.);
-    if (m_result.values.size() > 1) m_result.gap = m_result.values[1] - m_result.values[0];
-    return std::move(m_result);
-  }
+  Eigen_result result();
 
  private:
-  // Of T r only the part orthogonal to x counts; along x there are but rounding errors, which a
-  // nearly singular K would blow up.
   Vector<double> error_estimates(const Eigen_panel& x, const Block<Quaternion<double>>& r,
-                                 const Block<Quaternion<double>>& Tr) const
-  {
-    Vector<double> estimates(x.size());
-    for (Eigen::Index j = 0; j < x.size(); ++j) {
-      const Quaternion<double> along =
-          reduced_to(x.coefficients, inner_product(x.nv.col(j), Tr.col(j)));
-      const double squared =
-          (inner_product(r.col(j), Tr.col(j)) - inner_product(r.col(j), x.v.col(j)) * along).w;
-      estimates[j] = std::sqrt((std::max)(squared, 0.0)) / m_options.scale;
-      if (std::isnan(squared)) estimates[j] = squared;
-    }
-    return estimates;
-  }
-
-  void note_progress(const Eigen_panel& x, const Vector<double>& estimates, double estimate)
-  {
-    const double value = x.value(0);
-    const double rounding = 1e-14 * (std::max)(std::abs(value), m_options.scale * m_options.scale);
-    const bool lower = value < m_lowest - rounding, better = estimate < m_best;
-    m_idle = lower || better ? 0 : m_idle + 1;
-    m_lowest = (std::min)(m_lowest, value);
-    if (!better) return;
-    m_best = estimate;
-    m_result.vectors = x.v;
-    m_result.estimates = estimates;
-    m_result.values.resize(x.size());
-    for (Eigen::Index j = 0; j < x.size(); ++j) m_result.values[j] = x.value(j);
-  }
+                                 const Block<Quaternion<double>>& Tr) const;
+  void note_progress(const Eigen_panel& x, const Vector<double>& estimates, double estimate);
 
   std::string m_function;
   Eigen_options m_options;
@@ -126,5 +74,9 @@ class Eigen_convergence {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_convergence_impl.h>
+#endif
 
 #endif

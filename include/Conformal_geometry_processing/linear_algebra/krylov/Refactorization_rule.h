@@ -17,10 +17,7 @@ namespace Conformal_geometry_processing {
 /// 2.9 to 4.5, quaternionic 6.2 to 10.3, with factors in single precision 5.5 to 8.8. Other solvers
 /// factor at a lower rate, and would gain from keeping the factor still longer.
 /// \param components of a scalar: 4 of a quaternion
-inline double factorization_price(const Solver_statistics& s, int components)
-{
-  return 3 + 0.008 * s.flops / (static_cast<double>(s.factor_entries) * components);
-}
+double factorization_price(const Solver_statistics& s, int components);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief decides when an old factorization costs more than a new one, from counted solves.
@@ -40,36 +37,13 @@ class Refactorization_rule {
 
   /// \brief a step with another matrix begins.
   /// \returns true if it should have a factorization of its own; `renewed()` then tells that it has
-  bool begin_step()
-  {
-    const double last = extra();
-    const bool is_worn = m_age > 0 && last * (m_age + 1) > m_price + m_earlier + last;
-    if (m_age == 0)
-      m_fresh = m_solves;
-    else
-      m_pause = 1;
-    m_earlier += last;
-    m_solves = 0;
-    ++m_age;
-    if (m_pauses_left == 0) return is_worn;
-    --m_pauses_left;
-    return true;
-  }
+  bool begin_step();
 
   /// the matrix of this step has been factorized
-  void renewed()
-  {
-    m_age = 0;
-    m_earlier = m_solves = 0;
-  }
+  void renewed();
 
   /// the same, after the old factorization has been tried in this step
-  void renewed_in_the_midst()
-  {
-    renewed();
-    m_pauses_left = m_pause;
-    m_pause = (std::min)(2 * m_pause, 64);
-  }
+  void renewed_in_the_midst();
 
   /// counts solves of this step
   void add(double solves) { m_solves += solves; }
@@ -91,5 +65,9 @@ class Refactorization_rule {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/krylov/Refactorization_rule_impl.h>
+#endif
 
 #endif

@@ -7,8 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
@@ -28,99 +26,38 @@ class Row_panel {
   Eigen::Index capacity() const { return m_numbers.cols() / 4; }
 
   /// \pre there is room for the columns of v
-  void append(const Vectors& v)
-  {
-    for (Eigen::Index j = 0; j < v.cols(); ++j, ++m_size)
-      for (Eigen::Index i = 0; i < v.rows(); ++i) {
-        const Quaternion<double> q = v(i, j);
-        m_numbers.block<1, 4>(i, 4 * m_size) << q.w, q.x, q.y, q.z;
-      }
-  }
+  void append(const Vectors& v);
 
   /// columns first .. first + count - 1
-  Vectors columns(Eigen::Index first, Eigen::Index count) const
-  {
-    Vectors v(rows(), count);
-    for (Eigen::Index j = 0; j < count; ++j)
-      for (Eigen::Index i = 0; i < rows(); ++i) {
-        const auto q = m_numbers.block<1, 4>(i, 4 * (first + j));
-        v(i, j) = {q[0], q[1], q[2], q[3]};
-      }
-    return v;
-  }
+  Vectors columns(Eigen::Index first, Eigen::Index count) const;
 
   /// \brief this^H w, size() x w.cols()
-  Vectors gram(const Vectors& w, Coefficients coefficients) const
-  {
-    const Numbers products = used().transpose() * numbers(w);
-    Vectors G(size(), w.cols());
-    for (Eigen::Index j = 0; j < G.cols(); ++j)
-      for (Eigen::Index i = 0; i < G.rows(); ++i) {
-        const Eigen::Matrix4d p = products.block<4, 4>(4 * i, 4 * j);
-        const Quaternion<double> q{
-            p(0, 0) + p(1, 1) + p(2, 2) + p(3, 3), p(0, 1) - p(1, 0) - p(2, 3) + p(3, 2),
-            p(0, 2) + p(1, 3) - p(2, 0) - p(3, 1), p(0, 3) - p(1, 2) + p(2, 1) - p(3, 0)};
-        G(i, j) = reduced_to(coefficients, q);
-      }
-    return G;
-  }
+  Vectors gram(const Vectors& w, Coefficients coefficients) const;
 
   /// \brief this C
-  Vectors combination(const Vectors& C) const
-  {
-    const Numbers products = used() * right_factors(C);
-    Vectors v(rows(), C.cols());
-    for (Eigen::Index j = 0; j < v.cols(); ++j)
-      for (Eigen::Index i = 0; i < v.rows(); ++i)
-        v(i, j) = {products(i, 4 * j), products(i, 4 * j + 1), products(i, 4 * j + 2),
-                   products(i, 4 * j + 3)};
-    return v;
-  }
+  Vectors combination(const Vectors& C) const;
 
   /// \brief replaces the columns by their combinations with C, some rows at a time.
-  void combine(const Vectors& C)
-  {
-    const Numbers factors = right_factors(C);
-    const Eigen::Index most = 512;
-    for (Eigen::Index first = 0; first < rows(); first += most) {
-      const Eigen::Index count = (std::min)(most, rows() - first);
-      const Numbers part = used().middleRows(first, count) * factors;
-      m_numbers.block(first, 0, count, part.cols()) = part;
-    }
-    m_size = C.cols();
-  }
+  void combine(const Vectors& C);
 
  private:
   using Numbers = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   Eigen::Ref<const Numbers> used() const { return m_numbers.leftCols(4 * m_size); }
 
-  static Numbers numbers(const Vectors& v)
-  {
-    Row_panel panel(v.rows(), v.cols());
-    panel.append(v);
-    return std::move(panel.m_numbers);
-  }
+  static Numbers numbers(const Vectors& v);
 
   /// q -> q c for each entry c, as real matrices that act on rows (w, x, y, z)
-  static Numbers right_factors(const Vectors& C)
-  {
-    Numbers factors(4 * C.rows(), 4 * C.cols());
-    for (Eigen::Index i = 0; i < C.rows(); ++i)
-      for (Eigen::Index j = 0; j < C.cols(); ++j) {
-        const Quaternion<double> c = C(i, j);
-        factors.block<4, 4>(4 * i, 4 * j) << c.w, c.x, c.y, c.z,  //
-            -c.x, c.w, -c.z, c.y,                                 //
-            -c.y, c.z, c.w, -c.x,                                 //
-            -c.z, -c.y, c.x, c.w;
-      }
-    return factors;
-  }
+  static Numbers right_factors(const Vectors& C);
 
   Numbers m_numbers;
   Eigen::Index m_size = 0;
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/krylov/Row_panel_impl.h>
+#endif
 
 #endif

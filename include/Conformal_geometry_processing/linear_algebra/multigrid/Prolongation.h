@@ -20,10 +20,7 @@ struct Prolongation {
   int coarse_size = 0;
 
   int fine_size() const { return static_cast<int>(offsets.size()) - 1; }
-  std::size_t bytes() const
-  {
-    return sizeof(int) * (offsets.size() + columns.size()) + sizeof(float) * weights.size();
-  }
+  std::size_t bytes() const;
 
   /// calls visit(I, P_iI) for the entries of row i
   template <class Visitor>
@@ -42,36 +39,13 @@ struct Prolongation {
 ///
 /// Rows have no negative entries and sum to one, so constants are carried over exactly; rows of
 /// vertices without connections are empty, for smoothing alone solves those.
-inline Prolongation smoothed_prolongation(const Connection_graph& graph, const Aggregation& a,
-                                          double omega)
-{
-  Prolongation P;
-  P.coarse_size = a.size;
-  P.offsets.reserve(static_cast<std::size_t>(graph.size()) + 1);
-  P.offsets.push_back(0);
-  std::vector<int> place(static_cast<std::size_t>(a.size), -1);  // of a column in the last row
-  for (int i = 0; i < graph.size(); ++i) {
-    const int row = P.offsets.back();
-    const auto add = [&](int vertex, double weight) {
-      const int c = a.aggregate_of[static_cast<std::size_t>(vertex)];
-      int& k = place[static_cast<std::size_t>(c)];
-      if (k < row) {
-        k = static_cast<int>(P.columns.size());
-        P.columns.push_back(c);
-        P.weights.push_back(0);
-      }
-      P.weights[static_cast<std::size_t>(k)] += static_cast<float>(weight);
-    };
-    double sum = 0;
-    for (int k = graph.begin(i); k < graph.end(i); ++k) sum += static_cast<double>(graph.weight(k));
-    if (sum > 0) add(i, 1 - omega);
-    for (int k = graph.begin(i); k < graph.end(i); ++k)
-      add(graph.neighbor(k), omega * static_cast<double>(graph.weight(k)) / sum);
-    P.offsets.push_back(static_cast<int>(P.columns.size()));
-  }
-  return P;
-}
+Prolongation smoothed_prolongation(const Connection_graph& graph, const Aggregation& a,
+                                   double omega);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/multigrid/Prolongation_impl.h>
+#endif
 
 #endif

@@ -5,6 +5,8 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 
+#include <Eigen/Core>
+
 #include <cmath>
 #include <type_traits>
 
@@ -12,22 +14,10 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-inline float to_single(double s)
-{
-  return static_cast<float>(s);
-}
-inline Quaternion<float> to_single(const Quaternion<double>& s)
-{
-  return {to_single(s.w), to_single(s.x), to_single(s.y), to_single(s.z)};
-}
-inline double to_double(float s)
-{
-  return static_cast<double>(s);
-}
-inline Quaternion<double> to_double(const Quaternion<float>& s)
-{
-  return {to_double(s.w), to_double(s.x), to_double(s.y), to_double(s.z)};
-}
+float to_single(double s);
+Quaternion<float> to_single(const Quaternion<double>& s);
+double to_double(float s);
+Quaternion<double> to_double(const Quaternion<float>& s);
 
 }  // namespace internal
 
@@ -107,5 +97,9 @@ class Rounding_remainder {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/multigrid/Rounding_remainder_impl.h>
+#endif
 
 #endif

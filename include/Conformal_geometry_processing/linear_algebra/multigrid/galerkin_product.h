@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Prolongation.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -44,19 +45,7 @@ struct Sparse_rows {
 };
 
 /// P^T, row by row
-inline Sparse_rows<float> transpose(const Prolongation& P)
-{
-  Sparse_rows<float> R(P.coarse_size);
-  for (const int c : P.columns) ++R.offsets[static_cast<std::size_t>(c) + 1];
-  std::vector<int> next = R.allocate();
-  for (int i = 0; i < P.fine_size(); ++i)
-    P.for_each_in_row(i, [&](int c, float weight) {
-      const std::size_t k = static_cast<std::size_t>(next[static_cast<std::size_t>(c)]++);
-      R.columns[k] = i;
-      R.values[k] = weight;
-    });
-  return R;
-}
+Sparse_rows<float> transpose(const Prolongation& P);
 
 /// P^T (D / 2 + U) P, where D is the diagonal and U the strictly upper triangle of A
 template <class Scalar>
@@ -158,5 +147,9 @@ Hermitian_sparse_matrix<Scalar> galerkin_product(const Hermitian_sparse_matrix<S
 }
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/multigrid/galerkin_product_impl.h>
+#endif
 
 #endif

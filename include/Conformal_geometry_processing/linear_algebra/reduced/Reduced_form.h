@@ -8,11 +8,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
@@ -26,33 +21,11 @@ struct Reduced_form {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief the ordering with the reduced rows moved to its end.
-inline Ordering reduced_last(Ordering order, const Reduced_rows& rows)
-{
-  std::stable_partition(order.begin(), order.end(), [&](int i) { return !rows.is_reduced(i); });
-  return order;
-}
+Ordering reduced_last(Ordering order, const Reduced_rows& rows);
 
 namespace internal {
 
-// Of the real factor: those of the graph, in the ratio of the fronts with and without coordinates.
-inline double operations_of_real_form(const Supernodal_structure& S, const Reduced_rows& rows)
-{
-  const auto dimension = [&](int k) {
-    return rows.dimension(S.order()[static_cast<std::size_t>(k)]);
-  };
-  const auto front = [](double columns, double below) {
-    return (std::pow(columns + below, 3) - std::pow(below, 3)) / 3;
-  };
-  double of_coordinates = 0, of_rows = 0;
-  for (int s = 0; s < S.size(); ++s) {
-    double below = 0, columns = 0;
-    for (int i = 0; i < S.height(s); ++i) below += dimension(S.rows(s)[i]);
-    for (int j = 0; j < S.width(s); ++j) columns += dimension(S.first(s) + j);
-    of_coordinates += front(columns, below);
-    of_rows += front(S.width(s), S.height(s));
-  }
-  return S.operations() * of_coordinates / of_rows;
-}
+double operations_of_real_form(const Supernodal_structure& S, const Reduced_rows& rows);
 
 }  // namespace internal
 
@@ -78,39 +51,20 @@ inline double operations_of_real_form(const Supernodal_structure& S, const Reduc
 ///
 /// A solution takes 1.2 to 2.2 times that without reduced rows by the complement, where that is the
 /// choice, and 3 to 4.5 times by the real form; memory is half of that of the real form on disks.
-inline Reduced_form choose_reduced_form(const Sparse_pattern& pattern, const Reduced_rows& rows,
-                                        const Ordering& order)
-{
-  const double of_quaternions = 0.52, of_complement = 0.57;
-  const double m = 2. * rows.size_of_reduced();
-  Ordering last = reduced_last(order, rows);
-  const double complement_cost =
-      of_quaternions * 16 *
-          Supernodal_structure(pattern, last, rows.size_of_reduced()).operations() +
-      of_complement * m * m * m / 3;
-  const double real_cost =
-      internal::operations_of_real_form(Supernodal_structure(pattern, order), rows);
-  if (real_cost < complement_cost) return {true, order, real_cost};
-  return {false, std::move(last), complement_cost};
-}
+Reduced_form choose_reduced_form(const Sparse_pattern& pattern, const Reduced_rows& rows,
+                                 const Ordering& order);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief the cheaper form, for an ordering chosen as `choose_structure()` does.
 /// \param positions 3 x n, or null
-inline Reduced_form choose_reduced_form(const Sparse_pattern& pattern, const Reduced_rows& rows,
-                                        const Eigen::Matrix3Xd* positions, int factorizations,
-                                        const Ordering_costs& costs = {})
-{
-  Reduced_form by_degree = choose_reduced_form(pattern, rows, amd_ordering(pattern));
-  const double seconds = by_degree.cost / 16 * costs.seconds_per_operation;
-  if (positions == nullptr ||
-      costs.expected_saving * factorizations * seconds <= costs.seconds_per_vertex * pattern.size())
-    return by_degree;
-  Reduced_form by_dissection =
-      choose_reduced_form(pattern, rows, sweep_nested_dissection(pattern, *positions));
-  return by_dissection.cost < by_degree.cost ? by_dissection : by_degree;
-}
+Reduced_form choose_reduced_form(const Sparse_pattern& pattern, const Reduced_rows& rows,
+                                 const Eigen::Matrix3Xd* positions, int factorizations,
+                                 const Ordering_costs& costs = {});
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_form_impl.h>
+#endif
 
 #endif

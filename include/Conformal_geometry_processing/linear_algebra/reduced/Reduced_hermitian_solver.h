@@ -7,6 +7,8 @@
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_form.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Schur_reduced_solver.h>
 
+#include <Eigen/Core>
+
 #include <variant>
 
 namespace Conformal_geometry_processing {
@@ -32,30 +34,15 @@ class Reduced_hermitian_solver {
   Reduced_hermitian_solver& operator=(const Reduced_hermitian_solver&) = delete;
 
   /// \brief prepares for matrices X on a pattern that are reduced at given rows.
-  Solver_status analyze(const Sparse_pattern& pattern, const Reduced_rows& rows)
-  {
-    return adopt(pattern, rows, nullptr);
-  }
+  Solver_status analyze(const Sparse_pattern& pattern, const Reduced_rows& rows);
 
   /// the same, with a hint: column i of `positions`, 3 x n, is where vertex i is in space
   Solver_status analyze_with_positions(const Sparse_pattern& pattern, const Reduced_rows& rows,
-                                       const Eigen::Matrix3Xd& positions)
-  {
-    if (positions.cols() != pattern.size()) return forget();
-    return adopt(pattern, rows, &positions);
-  }
+                                       const Eigen::Matrix3Xd& positions);
 
   /// the same with a given ordering of all rows
   Solver_status analyze(const Sparse_pattern& pattern, const Reduced_rows& rows,
-                        const Ordering& order)
-  {
-    return internal::guarded([&] {
-      const bool fits = pattern.size() > 0 && rows.size() == pattern.size() &&
-                        order.size() == pattern.offsets.size() - 1 &&
-                        !inverse_permutation(order).empty();
-      return fits ? adopt(pattern, rows, choose_reduced_form(pattern, rows, order)) : forget();
-    });
-  }
+                        const Ordering& order);
 
   /// whether the whole matrix is factored as a real one
   bool has_real_form() const { return std::holds_alternative<Real_reduced_solver<>>(m_solver); }
@@ -66,59 +53,33 @@ class Reduced_hermitian_solver {
   /// \param basis has the rows of the analysis
   /// \returns `Solver_status::not_positive_definite` where R is not, even if X is not either
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& X, const Vector<FT>& shift,
-                          const Reduced_basis<FT>& basis)
-  {
-    return std::visit([&](auto& solver) { return solver.factorize(X, shift, basis); }, m_solver);
-  }
+                          const Reduced_basis<FT>& basis);
 
   /// \brief x = B R^-1 B^T b, for all columns of b.
   ///
   /// \param x is resized; stays as it is unless the status is `Solver_status::success`
-  Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const
-  {
-    return std::visit([&](auto& solver) { return solver.solve(b, x); }, m_solver);
-  }
+  Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;
 
   /// gives back the memory of the factor; the analysis stays, and `factorize()` must come next
-  void release()
-  {
-    std::visit([](auto& solver) { solver.release(); }, m_solver);
-  }
+  void release();
 
   /// the cost of the factorization, entries counted as real numbers; zeros before `analyze()`
-  Solver_statistics statistics() const
-  {
-    return std::visit([](auto& solver) { return solver.statistics(); }, m_solver);
-  }
+  Solver_statistics statistics() const;
 
  private:
-  Solver_status forget()
-  {
-    m_solver.emplace<Schur_reduced_solver>();
-    return Solver_status::wrong_state;
-  }
-
+  Solver_status forget();
   Solver_status adopt(const Sparse_pattern& pattern, const Reduced_rows& rows,
-                      const Eigen::Matrix3Xd* positions)
-  {
-    const int factorizations = 2;
-    return internal::guarded([&] {
-      if (pattern.size() == 0 || rows.size() != pattern.size()) return forget();
-      return adopt(pattern, rows, choose_reduced_form(pattern, rows, positions, factorizations));
-    });
-  }
-
+                      const Eigen::Matrix3Xd* positions);
   Solver_status adopt(const Sparse_pattern& pattern, const Reduced_rows& rows,
-                      const Reduced_form& form)
-  {
-    if (form.is_real)
-      return m_solver.emplace<Real_reduced_solver<>>().analyze(pattern, rows, form.order);
-    return m_solver.emplace<Schur_reduced_solver>().analyze(pattern, rows, form.order);
-  }
+                      const Reduced_form& form);
 
   std::variant<Schur_reduced_solver, Real_reduced_solver<>> m_solver;
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver_impl.h>
+#endif
 
 #endif

@@ -16,25 +16,8 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgLinearAlgebra
 /// \brief the pattern of B^T X B for quaternionic matrices X on a pattern: four real rows for every
 /// row, two for a reduced one. O(entries)
-inline std::shared_ptr<const Sparse_pattern> reduced_pattern(const Sparse_pattern& pattern,
-                                                             const Reduced_rows& rows)
-{
-  auto reduced = std::make_shared<Sparse_pattern>();
-  reduced->offsets.reserve(static_cast<std::size_t>(rows.dimension()) + 1);
-  reduced->indices.reserve(16 * pattern.indices.size());
-  reduced->offsets.push_back(0);
-  for (int j = 0; j < pattern.size(); ++j)
-    for (int c = 0; c < rows.dimension(j); ++c) {
-      const int begin = pattern.offsets[static_cast<std::size_t>(j)];
-      for (int k = begin; k < pattern.offsets[static_cast<std::size_t>(j) + 1]; ++k) {
-        const int i = pattern.indices[static_cast<std::size_t>(k)];
-        for (int r = k == begin ? c : 0; r < rows.dimension(i); ++r)
-          reduced->indices.push_back(rows.first(i) + r);
-      }
-      reduced->offsets.push_back(static_cast<int>(reduced->indices.size()));
-    }
-  return reduced;
-}
+std::shared_ptr<const Sparse_pattern> reduced_pattern(const Sparse_pattern& pattern,
+                                                      const Reduced_rows& rows);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief R = B^T X B, a real symmetric matrix: entries <u, X_ij v> for all basis vectors u of row
@@ -73,15 +56,12 @@ Vector<FT> reduced_diagonal(const Vector<FT>& m, const Reduced_rows& rows)
 
 /// \ingroup PkgLinearAlgebra
 /// \brief an ordering of the rows as an ordering of their coordinates, which stay together.
-inline Ordering reduced_ordering(const Ordering& order, const Reduced_rows& rows)
-{
-  Ordering coordinates;
-  coordinates.reserve(static_cast<std::size_t>(rows.dimension()));
-  for (int i : order)
-    for (int c = 0; c < rows.dimension(i); ++c) coordinates.push_back(rows.first(i) + c);
-  return coordinates;
-}
+Ordering reduced_ordering(const Ordering& order, const Reduced_rows& rows);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/reduced/reduced_matrix_impl.h>
+#endif
 
 #endif

@@ -5,9 +5,6 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternionic_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/normals.h>
-#include <Conformal_geometry_processing/operators/dirac.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
 
@@ -15,21 +12,11 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
 /// real numbers as quaternions
-inline Quaternion_vector<double> as_quaternions(const Eigen::VectorXd& numbers)
-{
-  Quaternion_vector<double> q(numbers.size());
-  for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = {numbers[i], 0, 0, 0};
-  return q;
-}
+Quaternion_vector<double> as_quaternions(const Eigen::VectorXd& numbers);
 
 /// \ingroup PkgOperators
 /// vectors of R^3, one per column, as imaginary quaternions
-inline Quaternion_vector<double> as_quaternions(const Points& vectors)
-{
-  Quaternion_vector<double> q(vectors.cols());
-  for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = imaginary(vectors.col(i));
-  return q;
-}
+Quaternion_vector<double> as_quaternions(const Points& vectors);
 
 /// \ingroup PkgOperators
 /// \brief D with what takes its values apart: everything that the vector calculus of a surface is
@@ -45,9 +32,7 @@ inline Quaternion_vector<double> as_quaternions(const Points& vectors)
 class Surface_derivative {
  public:
   /// \param mesh must outlive the object \pre no face has area zero
-  explicit Surface_derivative(const Mesh_view& mesh)
-      : m_mesh(mesh), m_D(dirac(mesh)), m_normals(face_normals(mesh)), m_areas(face_areas(mesh))
-  {}
+  explicit Surface_derivative(const Mesh_view& mesh);
 
   const Mesh_view& mesh() const { return m_mesh; }
   const Quaternionic_sparse_matrix<double>& matrix() const { return m_D; }
@@ -63,32 +48,16 @@ class Surface_derivative {
   }
 
   /// \brief D once more, on values at faces: M_V^-1 D^H M_F q, |V|; D^2 with what comes before.
-  Quaternion_vector<double> adjoint(Quaternion_vector<double> q) const
-  {
-    for (Eigen::Index f = 0; f < q.size(); ++f) q[f] *= m_areas[f];
-    Quaternion_vector<double> p = m_D.adjoint_times(q);
-    const Eigen::VectorXd areas = vertex_areas(m_mesh);
-    for (Eigen::Index v = 0; v < p.size(); ++v) p[v] *= 1 / areas[v];
-    return p;
-  }
+  Quaternion_vector<double> adjoint(Quaternion_vector<double> q) const;
 
   /// a, |F|
-  static Eigen::VectorXd real_part(const Quaternion_vector<double>& q)
-  {
-    return components(q).row(0).transpose();
-  }
+  static Eigen::VectorXd real_part(const Quaternion_vector<double>& q);
 
   /// b, |F|
-  Eigen::VectorXd normal_part(const Quaternion_vector<double>& q) const
-  {
-    return components(q).bottomRows<3>().cwiseProduct(m_normals).colwise().sum().transpose();
-  }
+  Eigen::VectorXd normal_part(const Quaternion_vector<double>& q) const;
 
   /// X, 3 x |F|
-  Points tangential_part(const Quaternion_vector<double>& q) const
-  {
-    return components(q).bottomRows<3>() - m_normals * normal_part(q).asDiagonal();
-  }
+  Points tangential_part(const Quaternion_vector<double>& q) const;
 
  private:
   const Mesh_view& m_mesh;
@@ -98,5 +67,9 @@ class Surface_derivative {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/calculus/Surface_derivative_impl.h>
+#endif
 
 #endif

@@ -12,29 +12,19 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgOperators
 /// \brief the derivative of a function along X, del_X phi = Re(X N D phi) = <X, grad phi>, |F|.
 /// \param X tangent vectors on the faces, 3 x |F| \param phi |V|
-inline Eigen::VectorXd covariant_derivative(const Surface_derivative& d, const Points& X,
-                                            const Eigen::VectorXd& phi)
-{
-  const Quaternion_vector<double> q = d(phi);
-  Eigen::VectorXd derivative(q.size());
-  for (Eigen::Index f = 0; f < q.size(); ++f)
-    derivative[f] = (imaginary(X.col(f)) * imaginary(d.normals().col(f)) * q[f]).w;
-  return derivative;
-}
+Eigen::VectorXd covariant_derivative(const Surface_derivative& d, const Points& X,
+                                     const Eigen::VectorXd& phi);
 
 /// \ingroup PkgOperators
 /// \brief the covariant derivative of a vector field, del_X Y = (dY(X))^T, 3 x |F|: its coordinates
 /// in R^3 derived along X, and what is normal taken off.
 /// \param X tangent vectors on the faces, 3 x |F| \param Y tangent vectors at the vertices, 3 x |V|
-inline Points covariant_derivative(const Surface_derivative& d, const Points& X, const Points& Y)
-{
-  Points derivative(3, X.cols());
-  for (Eigen::Index c = 0; c < 3; ++c)
-    derivative.row(c) =
-        covariant_derivative(d, X, Eigen::VectorXd(Y.row(c).transpose())).transpose();
-  return d.tangential_part(as_quaternions(derivative));
-}
+Points covariant_derivative(const Surface_derivative& d, const Points& X, const Points& Y);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/calculus/covariant_derivative_impl.h>
+#endif
 
 #endif

@@ -13,11 +13,12 @@ namespace Conformal_geometry_processing {
 /// \brief curl X = -Re(D X), |F|: <del_1 X, E_2> - <del_2 X, E_1> in an oriented frame, the
 /// circulation per area. ([CGP Table 3.1] has the opposite sign.)
 /// \param X tangent vectors at the vertices, 3 x |V|
-inline Eigen::VectorXd curl(const Surface_derivative& d, const Points& X)
-{
-  return -d.real_part(d(X));
-}
+Eigen::VectorXd curl(const Surface_derivative& d, const Points& X);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/calculus/curl_impl.h>
+#endif
 
 #endif

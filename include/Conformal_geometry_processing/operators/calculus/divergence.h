@@ -12,11 +12,12 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgOperators
 /// \brief div X = Re(N D X), |F|: the flux out of a small circle, per area.
 /// \param X tangent vectors at the vertices, 3 x |V|
-inline Eigen::VectorXd divergence(const Surface_derivative& d, const Points& X)
-{
-  return -d.normal_part(d(X));
-}
+Eigen::VectorXd divergence(const Surface_derivative& d, const Points& X);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/calculus/divergence_impl.h>
+#endif
 
 #endif

@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_FUNDAMENTAL_FORMS_H
 
 #include <Conformal_geometry_processing/operators/calculus/Surface_derivative.h>
-#include <Conformal_geometry_processing/operators/calculus/shape_operator.h>
 
 #include <Eigen/Core>
 
@@ -12,21 +11,19 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
 /// \brief the first fundamental form, I(X, Y) = -Re(X Y) = <X, Y>: one number for each column.
-inline Eigen::VectorXd first_fundamental_form(const Points& X, const Points& Y)
-{
-  return X.cwiseProduct(Y).colwise().sum().transpose();
-}
+Eigen::VectorXd first_fundamental_form(const Points& X, const Points& Y);
 
 /// \ingroup PkgOperators
 /// \brief the second fundamental form, II(X, Y) = Re(Y D X) = <S X, Y>, |F|: positive on the unit
 /// sphere. (Minus the one that [CGP 2.2] defines, which has the other sign than the rest of it.)
 /// \param X tangent vectors at the vertices, 3 x |V| \param Y tangent vectors on the faces, 3 x |F|
-inline Eigen::VectorXd second_fundamental_form(const Surface_derivative& d, const Points& X,
-                                               const Points& Y)
-{
-  return first_fundamental_form(shape_operator(d, X), Y);
-}
+Eigen::VectorXd second_fundamental_form(const Surface_derivative& d, const Points& X,
+                                        const Points& Y);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/calculus/fundamental_forms_impl.h>
+#endif
 
 #endif

@@ -12,13 +12,12 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgOperators
 /// \brief grad phi = -N D phi, 3 x |F|: exactly that of the function linear on every face.
 /// \param phi |V|
-inline Points gradient(const Surface_derivative& d, const Eigen::VectorXd& phi)
-{
-  Quaternion_vector<double> q = d(phi);
-  for (Eigen::Index f = 0; f < q.size(); ++f) q[f] = -imaginary(d.normals().col(f)) * q[f];
-  return d.tangential_part(q);
-}
+Points gradient(const Surface_derivative& d, const Eigen::VectorXd& phi);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/calculus/gradient_impl.h>
+#endif
 
 #endif

@@ -13,10 +13,7 @@ namespace Conformal_geometry_processing {
 /// \brief Delta phi = Re(D^2 phi) at the vertices, |V|: positive semidefinite, and the cotan
 /// Laplacian over the vertex areas exactly.
 /// \param phi |V|
-inline Eigen::VectorXd laplacian(const Surface_derivative& d, const Eigen::VectorXd& phi)
-{
-  return d.real_part(d.adjoint(d(phi)));
-}
+Eigen::VectorXd laplacian(const Surface_derivative& d, const Eigen::VectorXd& phi);
 
 /// \ingroup PkgOperators
 /// \brief the Laplacian of Hodge on vector fields, (D (Re DX + (DX)^N))^T at the vertices, 3 x |V|:
@@ -24,16 +21,12 @@ inline Eigen::VectorXd laplacian(const Surface_derivative& d, const Eigen::Vecto
 ///
 /// [CGP Prop 3.4.9] has (DX)^N alone, which is -grad div X and no more.
 /// \param X tangent vectors at the vertices, 3 x |V| \param normals of the vertices, 3 x |V|
-inline Points vector_laplacian(const Surface_derivative& d, const Points& X, const Points& normals)
-{
-  Quaternion_vector<double> q = d(X);
-  components(q).bottomRows<3>() -= d.tangential_part(q);
-  const Quaternion_vector<double> p = d.adjoint(q);
-  const Points image = components(p).bottomRows<3>();
-  const Eigen::VectorXd along = image.cwiseProduct(normals).colwise().sum().transpose();
-  return image - normals * along.asDiagonal();
-}
+Points vector_laplacian(const Surface_derivative& d, const Points& X, const Points& normals);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/calculus/laplacians_impl.h>
+#endif
 
 #endif

@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_NORMALS_AND_CURVATURES_H
 
 #include <Conformal_geometry_processing/operators/calculus/Surface_derivative.h>
-#include <Conformal_geometry_processing/operators/dirac_energy.h>
 
 #include <Eigen/Core>
 
@@ -12,10 +11,7 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
 /// \brief N = -1/2 D f, 3 x |F|: exactly the face normals.
-inline Points dirac_normals(const Surface_derivative& d)
-{
-  return -components(d(d.mesh().positions())).bottomRows<3>() / 2;
-}
+Points dirac_normals(const Surface_derivative& d);
 
 /// \ingroup PkgOperators
 /// \brief the mean curvature H = 1/2 N D N = -1/2 <N, D N> on the faces, |F|; +1 on the unit
@@ -24,10 +20,7 @@ inline Points dirac_normals(const Surface_derivative& d)
 /// First order, and damps high frequencies as D does. At vertices, and for flows, take
 /// `mean_curvature()`.
 /// \param normals of the surface at its vertices, 3 x |V|
-inline Eigen::VectorXd dirac_mean_curvature(const Surface_derivative& d, const Points& normals)
-{
-  return -d.normal_part(d(normals)) / 2;
-}
+Eigen::VectorXd dirac_mean_curvature(const Surface_derivative& d, const Points& normals);
 
 /// \ingroup PkgOperators
 /// \brief the Gauss curvature K = 1/2 <N, Im(D^2) N> at the vertices, |V|, by the imaginary part of
@@ -36,22 +29,12 @@ inline Eigen::VectorXd dirac_mean_curvature(const Surface_derivative& d, const P
 /// The integral of K is exactly that of the matrix: second order on regular meshes.
 /// \param normals of the surface at its vertices, 3 x |V|
 /// \pre the surface is closed
-inline Eigen::VectorXd dirac_gauss_curvature(const Surface_derivative& d, const Points& normals)
-{
-  const auto X = dirac_energy(d.mesh(), no_potential(d.mesh()));
-  const Eigen::VectorXd areas = vertex_areas(d.mesh());
-  Quaternion_vector<double> image(areas.size());
-  X.for_each_entry([&](int i, int j, Quaternion<double> x) {
-    x.w = 0;
-    image[i] += x * imaginary(normals.col(j));
-    if (i != j) image[j] += conjugate(x) * imaginary(normals.col(i));
-  });
-  Eigen::VectorXd K(areas.size());
-  for (Eigen::Index v = 0; v < K.size(); ++v)
-    K[v] = normals.col(v).dot(imaginary_part(image[v])) / (2 * areas[v]);
-  return K;
-}
+Eigen::VectorXd dirac_gauss_curvature(const Surface_derivative& d, const Points& normals);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/calculus/normals_and_curvatures_impl.h>
+#endif
 
 #endif

@@ -12,11 +12,12 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgOperators
 /// \brief S X = -(D X)^T, 3 x |F|: dN = df S, the identity on the unit sphere with normals outward.
 /// \param X tangent vectors at the vertices, 3 x |V|
-inline Points shape_operator(const Surface_derivative& d, const Points& X)
-{
-  return -d.tangential_part(d(X));
-}
+Points shape_operator(const Surface_derivative& d, const Points& X);
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/calculus/shape_operator_impl.h>
+#endif
 
 #endif

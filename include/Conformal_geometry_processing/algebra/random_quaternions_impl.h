@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_RANDOM_QUATERNIONS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_RANDOM_QUATERNIONS_IMPL_H
+
+#include <Conformal_geometry_processing/algebra/random_quaternions.h>
+#include <Conformal_geometry_processing/config.h>
+
+#include <Eigen/Core>
+
+#include <random>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Block<Quaternion<double>> random_quaternions(Eigen::Index rows, Eigen::Index columns,
+                                                        unsigned seed)
+{
+  std::mt19937 generator(seed);
+  // The distributions of the standard library differ between implementations; these bits do not.
+  const auto noise = [&] { return static_cast<double>(generator()) / 4294967296. - 0.5; };
+  Block<Quaternion<double>> x(rows, columns);
+  for (Eigen::Index c = 0; c < columns; ++c)
+    for (Eigen::Index i = 0; i < rows; ++i) x(i, c) = {noise(), noise(), noise(), noise()};
+  return x;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CLOSING_FUNCTIONS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CLOSING_FUNCTIONS_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/curves/Closing_functions.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Closing_functions::Closing_functions(const Plane_points& points,
+                                                const Eigen::VectorXd& weights)
+{
+  const double total = weights.sum();
+  m_mean = points * weights / total;
+  double xx = 0, xy = 0, yy = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Vector2d p = points.col(i) - m_mean;
+    xx += weights[i] * p.x() * p.x();
+    xy += weights[i] * p.x() * p.y();
+    yy += weights[i] * p.y() * p.y();
+  }
+  const double angle = std::atan2(2 * xy, xx - yy) / 2;
+  m_axis = {std::cos(angle), std::sin(angle)};
+  // Not from these sums: they leave no digit of the short axis of a thin curve.
+  m_norms = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    m_norms += weights[i] * values(points.col(i)).cwiseAbs2();
+}
+
+CGP_INLINE Eigen::Vector3d Closing_functions::values(const Eigen::Vector2d& point) const
+{
+  const Eigen::Vector2d p = point - m_mean;
+  return {1, m_axis.x() * p.x() + m_axis.y() * p.y(), m_axis.x() * p.y() - m_axis.y() * p.x()};
+}
+
+CGP_INLINE Eigen::Vector3d Closing_functions::combination(const Eigen::Vector3d& products) const
+{
+  Eigen::Vector3d c;
+  for (int k = 0; k < 3; ++k) c[k] = m_norms[k] > 0 ? products[k] / m_norms[k] : 0;
+  return c;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

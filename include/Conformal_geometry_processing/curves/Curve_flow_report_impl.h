@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FLOW_REPORT_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CURVE_FLOW_REPORT_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/curves/Curve_flow_report.h>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE const char* to_string(Curve_flow_stop stop)
+{
+  switch (stop) {
+    case Curve_flow_stop::none:
+      return "not stopped";
+    case Curve_flow_stop::energy_settled:
+      return "the energy has settled";
+    case Curve_flow_stop::steps_done:
+      return "all steps are done";
+    case Curve_flow_stop::cancelled:
+      return "cancelled";
+    case Curve_flow_stop::step_failed:
+      return "the step failed";
+  }
+  return "unknown";
+}
+
+CGP_INLINE bool append(Curve_flow_report& report, const Curve_step_report& step)
+{
+  report.stop = step.stop;
+  if (step.accepted) report.steps.push_back(step);
+  return step.accepted;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CONSTRAINED_DIRECTION_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CONSTRAINED_DIRECTION_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/curves/Closing_functions.h>
+#include <Conformal_geometry_processing/curves/constrained_direction.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE void constrained_direction(const Eigen::VectorXd& curvatures, const Plane_points& points,
+                                      const Polygon_lengths& lengths, Eigen::VectorXd& direction)
+{
+  direction = -2 * curvatures;
+  if (!lengths.is_closed()) return;
+  const Closing_functions functions(points, lengths.duals());
+  Eigen::Vector3d products = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < direction.size(); ++i)
+    products += lengths.duals()[i] * direction[i] * functions.values(points.col(i));
+  const Eigen::Vector3d share = functions.combination(products);
+  for (Eigen::Index i = 0; i < direction.size(); ++i)
+    direction[i] -= share.dot(functions.values(points.col(i)));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_REPORT_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_REPORT_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/flow/Flow_report.h>
+
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE const char* to_string(Flow_stop stop)
+{
+  switch (stop) {
+    case Flow_stop::none:
+      return "not stopped";
+    case Flow_stop::energy_settled:
+      return "the energy has settled";
+    case Flow_stop::direction_vanished:
+      return "nothing is left of the direction";
+    case Flow_stop::steps_done:
+      return "all steps are done";
+    case Flow_stop::cancelled:
+      return "cancelled";
+    case Flow_stop::time_step_too_small:
+      return "the time step became too small";
+    case Flow_stop::step_failed:
+      return "the step failed";
+  }
+  return "unknown";
+}
+
+CGP_INLINE bool Flow_report::converged() const
+{
+  return stop == Flow_stop::energy_settled || stop == Flow_stop::direction_vanished;
+}
+
+CGP_INLINE bool append(Flow_report& report, Flow_step_report step)
+{
+  report.stop = step.stop;
+  report.message = step.message;
+  const bool is_accepted = step.accepted;
+  if (is_accepted) report.steps.push_back(std::move(step));
+  return is_accepted;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_TIME_STEP_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_TIME_STEP_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/flow/Time_step.h>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Time_step::Time_step(double largest, double smallest)
+    : m_largest(largest), m_smallest(smallest), m_value(largest)
+{}
+
+CGP_INLINE bool Time_step::halve()
+{
+  if (m_value / 2 < m_smallest) return false;
+  m_value /= 2;
+  return true;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_HARMONIC_BASIS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_HARMONIC_BASIS_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/forms/Harmonic_basis.h>
+#include <Conformal_geometry_processing/forms/tangent_field.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Eigen::MatrixXd Harmonic_basis::coefficients(const Eigen::VectorXd& w,
+                                                        const Eigen::MatrixXd& alpha) const
+{
+  Eigen::MatrixXd products(size(), alpha.cols());
+  for (Eigen::Index k = 0; k < alpha.cols(); ++k) {
+    const Eigen::VectorXd weighted = w.cwiseProduct(alpha.col(k));
+    for (Eigen::Index i = 0; i < products.rows(); ++i)
+      products(i, k) = one_forms.col(i).dot(weighted);
+  }
+  return products;
+}
+
+namespace internal {
+
+/// The fields of closed forms, each vector times the root of its face's area, one form per column:
+/// ordinary inner products of the columns are those of the forms.
+CGP_INLINE Eigen::MatrixXd weighted_fields(const Mesh_view& mesh, const Eigen::MatrixXd& forms)
+{
+  const Eigen::ArrayXd roots = face_areas(mesh).array().sqrt();
+  Eigen::MatrixXd columns(3 * mesh.size_of_faces(), forms.cols());
+  for (Eigen::Index i = 0; i < forms.cols(); ++i) {
+    const Points scaled = tangent_field(mesh, forms.col(i)) * roots.matrix().asDiagonal();
+    columns.col(i) = scaled.reshaped();
+  }
+  return columns;
+}
+
+CGP_INLINE void require_independent(const Eigen::VectorXd& pivots)
+{
+  const double least_pivot = 1e-7;  // relative: half the digits
+  if (!pivots.allFinite() || !(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
+    throw Precondition_error("orthonormalize", "the 1-forms are not linearly independent");
+}
+
+CGP_INLINE void orthonormalize(const Mesh_view& mesh, Eigen::MatrixXd& forms)
+{
+  if (forms.cols() == 0) return;
+  for (int pass = 0; pass < 2; ++pass) {  // the second takes out the rounding of the first
+    Eigen::MatrixXd V = weighted_fields(mesh, forms);
+    Eigen::VectorXd pivots(V.cols());
+    for (Eigen::Index j = 0; j < V.cols(); ++j) {
+      for (Eigen::Index i = 0; i < j; ++i) {
+        const double part = V.col(i).dot(V.col(j));
+        V.col(j) -= part * V.col(i);
+        forms.col(j) -= part * forms.col(i);
+      }
+      pivots[j] = V.col(j).norm();
+      V.col(j) /= pivots[j];
+      forms.col(j) /= pivots[j];
+    }
+    require_independent(pivots);
+  }
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_ORDERING_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_ORDERING_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE std::vector<int> inverse_permutation(const Ordering& order)
+{
+  std::vector<int> inverse(order.size(), -1);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const auto old = static_cast<std::size_t>(order[k]);
+    if (order[k] < 0 || old >= order.size() || inverse[old] >= 0) return {};
+    inverse[old] = static_cast<int>(k);
+  }
+  return inverse;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_STRUCTURE_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_STRUCTURE_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_structure.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/supernodes.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Supernodal_structure::Supernodal_structure(const Sparse_pattern& pattern,
+                                                      const Ordering& order, int kept)
+    : m_order(order), m_kept(kept)
+{
+  Permuted_graph graph(pattern, inverse_permutation(order));
+  std::vector<int> parent = elimination_tree(Graph_rows(graph));
+  chain_kept(parent);
+  renumber(graph, parent, std::vector<int>(order.size(), 0));
+  std::vector<int> count = column_counts(graph, parent);
+  std::fill(count.end() - kept, count.end(), 0);  // true only of eliminated columns
+  count = gathered(count, renumber(graph, parent, count));
+  cut_kept(parent, count);
+  count_operations(count);
+  m_first = relaxed_supernodes(parent, count);
+  find_tree(parent, count);
+  find_rows(Graph_rows(graph));
+  find_places(graph, pattern);
+}
+
+CGP_INLINE int Supernodal_structure::height(int s) const
+{
+  return static_cast<int>(m_row_offsets[at(s) + 1] - m_row_offsets[at(s)]);
+}
+
+CGP_INLINE std::int64_t Supernodal_structure::stored_entries() const
+{
+  std::int64_t sum = 0;
+  for (int s = 0; s < size(); ++s)
+    sum += static_cast<std::int64_t>(width(s)) * (width(s) + 1) / 2 +
+           static_cast<std::int64_t>(width(s)) * height(s);
+  return sum;
+}
+
+CGP_INLINE std::vector<int> Supernodal_structure::gathered(const std::vector<int>& values,
+                                                           const std::vector<int>& places)
+{
+  std::vector<int> result(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) result[k] = values[at(places[k])];
+  return result;
+}
+
+// Refines the ordering to a postorder of its tree, which is returned.
+CGP_INLINE std::vector<int> Supernodal_structure::renumber(Permuted_graph& graph,
+                                                           std::vector<int>& parent,
+                                                           const std::vector<int>& weight)
+{
+  const std::vector<int> post = postorder(parent, weight), place = inverse_permutation(post);
+  m_order = gathered(m_order, post);
+  parent = gathered(parent, post);
+  for (int& p : parent)
+    if (p >= 0) p = place[at(p)];
+  graph = Permuted_graph(graph, place);
+  return post;
+}
+
+// The kept columns become a path above all others, as if they were a clique: any postorder leaves
+// them last and in their order. The counts of other columns do not depend on what is above them.
+CGP_INLINE void Supernodal_structure::chain_kept(std::vector<int>& parent) const
+{
+  const int n = size_of_columns(), first_kept = n - m_kept;
+  for (int& p : parent)
+    if (p >= first_kept) p = first_kept;
+  for (int j = first_kept; j < n; ++j) parent[at(j)] = j + 1 < n ? j + 1 : -1;
+}
+
+// Only the other columns form supernodes.
+CGP_INLINE void Supernodal_structure::cut_kept(std::vector<int>& parent,
+                                               std::vector<int>& count) const
+{
+  const int eliminated = size_of_columns() - m_kept;
+  parent.resize(at(eliminated));
+  count.resize(at(eliminated));
+  for (int& p : parent)
+    if (p >= eliminated) p = -1;
+}
+
+CGP_INLINE void Supernodal_structure::count_operations(const std::vector<int>& count)
+{
+  for (int c : count) {
+    m_factor_entries += c;
+    m_operations += static_cast<double>(c) * c;
+  }
+}
+
+// The rows below a supernode are those below its last column, and so is its parent.
+CGP_INLINE void Supernodal_structure::find_tree(const std::vector<int>& parent,
+                                                const std::vector<int>& count)
+{
+  m_supernode.assign(m_order.size(), -1);
+  m_row_offsets.assign(1, 0);
+  for (int s = 0; s < size(); ++s) {
+    std::fill_n(m_supernode.begin() + first(s), width(s), s);
+    m_row_offsets.push_back(m_row_offsets.back() + count[at(first(s) + width(s) - 1)] - 1);
+  }
+  for (int s = 0; s < size(); ++s) {
+    const int up = parent[at(first(s) + width(s) - 1)];
+    m_parent.push_back(up < 0 ? -1 : m_supernode[at(up)]);
+  }
+  find_children();
+}
+
+// Row i is in all supernodes on the paths of the tree from its entries up to its own.
+CGP_INLINE void Supernodal_structure::find_rows(const Graph_rows& graph)
+{
+  m_rows.resize(static_cast<std::size_t>(m_row_offsets.back()));
+  std::vector<std::int64_t> next(m_row_offsets.begin(), m_row_offsets.end() - 1);
+  std::vector<int> mark(at(size()), -1);
+  for (int i = 0; i < size_of_columns(); ++i) {
+    if (m_supernode[at(i)] >= 0) mark[at(m_supernode[at(i)])] = i;
+    for (const int* j = graph.begin(i); j != graph.end(i); ++j)
+      for (int s = m_supernode[at(*j)]; s >= 0 && mark[at(s)] != i; s = parent(s)) {
+        mark[at(s)] = i;
+        m_rows[static_cast<std::size_t>(next[at(s)]++)] = i;
+      }
+  }
+}
+
+CGP_INLINE void Supernodal_structure::find_children()
+{
+  m_child_offsets.assign(at(size()) + 1, 0);
+  for (int p : m_parent)
+    if (p >= 0) ++m_child_offsets[at(p) + 1];
+  std::partial_sum(m_child_offsets.begin(), m_child_offsets.end(), m_child_offsets.begin());
+  m_children.resize(at(m_child_offsets.back()));
+  std::vector<int> next(m_child_offsets.begin(), m_child_offsets.end() - 1);
+  for (int s = 0; s < size(); ++s)
+    if (parent(s) >= 0) m_children[at(next[at(parent(s))]++)] = s;
+  m_depth.assign(at(size()), 0);
+  for (int s = size() - 1; s >= 0; --s)
+    if (parent(s) >= 0) m_depth[at(s)] = m_depth[at(parent(s))] + 1;
+}
+
+// Where the rows of the children, and the entries of the matrix, stand in the front.
+CGP_INLINE void Supernodal_structure::find_places(const Permuted_graph& graph,
+                                                  const Sparse_pattern& pattern)
+{
+  m_relative.resize(m_rows.size());
+  m_entries.reserve(graph.entries.size() + m_order.size());
+  m_entry_offsets.assign(1, 0);
+  std::vector<int> place(m_order.size());
+  for (int s = 0; s < size(); ++s) {
+    for (int j = 0; j < width(s); ++j) place[at(first(s) + j)] = j;
+    for (int i = 0; i < height(s); ++i) place[at(rows(s)[i])] = width(s) + i;
+    for (const int* c = children_begin(s); c != children_end(s); ++c)
+      for (std::int64_t k = m_row_offsets[at(*c)]; k < m_row_offsets[at(*c) + 1]; ++k)
+        m_relative[static_cast<std::size_t>(k)] = place[at(m_rows[static_cast<std::size_t>(k)])];
+    for (int j = 0; j < width(s); ++j) {
+      add_entry(pattern.offsets[at(m_order[at(first(s) + j)])], j, j);
+      for (const auto* e = graph.begin(first(s) + j); e != graph.end(first(s) + j); ++e)
+        add_entry(e->source, place[at(e->row)], j);
+    }
+    m_entry_offsets.push_back(static_cast<int>(m_entries.size()));
+  }
+}
+
+CGP_INLINE void Supernodal_structure::add_entry(int source, int row, int column)
+{
+  static_assert(max_supernode_width <= 64);
+  m_entries.push_back(
+      {source, static_cast<unsigned>(row) & 0x3ffffff, static_cast<unsigned>(column) & 63});
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

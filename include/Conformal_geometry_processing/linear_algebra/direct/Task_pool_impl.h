@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_TASK_POOL_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_TASK_POOL_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Task_pool.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE void Task_pool::run(std::vector<int> tasks, const std::function<void(int)>& action)
+{
+  m_tasks = std::move(tasks);
+  std::reverse(m_tasks.begin(), m_tasks.end());
+  m_action = &action;
+  m_failure = nullptr;
+  m_has_failed = false;
+  std::vector<std::thread> helpers;
+  try {
+    for (int i = 1; i < m_threads; ++i) helpers.emplace_back([this] { work(); });
+  } catch (...) {  // a thread that cannot be had is done without
+  }
+  work();
+  for (std::thread& t : helpers) t.join();
+  if (m_failure) std::rethrow_exception(m_failure);
+}
+
+CGP_INLINE void Task_pool::push(int task)
+{
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  m_tasks.push_back(task);
+  announce();
+}
+
+// All of the following but work_on() and fail() are called with the mutex locked.
+CGP_INLINE void Task_pool::announce()
+{
+  ++m_events;
+  m_wake.notify_all();
+}
+
+CGP_INLINE void Task_pool::work()
+{
+  std::unique_lock<std::mutex> lock(m_mutex);
+  for (;;) {
+    if (!m_tasks.empty())
+      begin_task(lock);
+    else if (m_running == 0)
+      return;
+    else if (Loop* const loop = find_loop())
+      help(*loop, lock);
+    else
+      wait(lock);
+  }
+}
+
+CGP_INLINE void Task_pool::begin_task(std::unique_lock<std::mutex>& lock)
+{
+  const int task = m_tasks.back();
+  m_tasks.pop_back();
+  ++m_running;
+  lock.unlock();
+  attempt([&] { (*m_action)(task); });
+  lock.lock();
+  if (m_has_failed) m_tasks.clear();
+  if (--m_running == 0 && m_tasks.empty()) announce();
+}
+
+CGP_INLINE Task_pool::Loop* Task_pool::find_loop() const
+{
+  for (Loop* loop : m_loops)
+    if (loop->next < loop->count) return loop;
+  return nullptr;
+}
+
+CGP_INLINE void Task_pool::help(Loop& loop, std::unique_lock<std::mutex>& lock)
+{
+  ++loop.helpers;
+  lock.unlock();
+  work_on(loop);
+  --loop.helpers;  // the loop may be gone now
+  lock.lock();
+}
+
+CGP_INLINE void Task_pool::wait(std::unique_lock<std::mutex>& lock)
+{
+  const std::int64_t seen = m_events;
+  lock.unlock();
+  for (int i = 0; i < patience && m_events == seen; ++i) std::this_thread::yield();
+  lock.lock();
+  m_wake.wait(lock, [&] { return m_events != seen; });
+}
+
+CGP_INLINE void Task_pool::work_on(Loop& loop)
+{
+  attempt([&] {
+    for (int i = loop.next++; i < loop.count && !m_has_failed; i = loop.next++) loop.visit(i);
+  });
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_UPDATE_PLACES_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_UPDATE_PLACES_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Update_places.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace Conformal_geometry_processing {
+
+// A single supernode: its update takes what one of the regions inside can spare, and more.
+CGP_INLINE void Update_places::enclose(Region& own, std::int64_t update, const Region& roomiest)
+{
+  own.padding = (std::max<std::int64_t>)(0, update - roomiest.spare());
+  own.size += own.padding;
+  own.kept = update;
+}
+
+// The region with most to spare lies where the update of the supernode around it goes.
+CGP_INLINE void Update_places::put(Region& own, bool is_roomiest, Region& around,
+                                   bool is_at_low_end)
+{
+  if (is_roomiest)
+    own.begin = is_at_low_end ? around.begin + around.padding
+                              : around.begin + around.size - around.padding - own.size;
+  else
+    own.begin = around.next;
+  if (!is_roomiest) around.next += own.size;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_ELIMINATION_TREE_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_ELIMINATION_TREE_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/elimination_tree.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Permuted_graph::Permuted_graph(const Sparse_pattern& pattern,
+                                          const std::vector<int>& new_of_old)
+{
+  fill(pattern.size(), pattern.size_of_entries() - pattern.size(), [&](auto action) {
+    for (int j = 0; j < pattern.size(); ++j)
+      for (int k = pattern.offsets[at(j)] + 1; k < pattern.offsets[at(j) + 1]; ++k) {
+        const int a = new_of_old[at(pattern.indices[at(k)])], b = new_of_old[at(j)];
+        action((std::min)(a, b), Entry{(std::max)(a, b), a > b ? k : ~k});
+      }
+  });
+}
+
+CGP_INLINE Permuted_graph::Permuted_graph(const Permuted_graph& graph,
+                                          const std::vector<int>& place)
+{
+  fill(graph.size(), static_cast<int>(graph.entries.size()), [&](auto action) {
+    for (int j = 0; j < graph.size(); ++j)
+      for (const Entry* e = graph.begin(j); e != graph.end(j); ++e)
+        action(place[at(j)], Entry{place[at(e->row)], e->source});
+  });
+}
+
+CGP_INLINE Graph_rows::Graph_rows(const Permuted_graph& graph)
+    : offsets(graph.offsets.size(), 0), columns(graph.entries.size())
+{
+  for (const auto& e : graph.entries) ++offsets[at(e.row) + 1];
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::vector<int> next(offsets.begin(), offsets.end() - 1);
+  for (int j = 0; j < graph.size(); ++j)
+    for (const auto* e = graph.begin(j); e != graph.end(j); ++e)
+      columns[at(next[at(e->row)]++)] = j;
+}
+
+CGP_INLINE std::vector<int> elimination_tree(const Graph_rows& graph)
+{
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  std::vector<int> parent(at(graph.size()), -1), ancestor(parent);
+  for (int i = 0; i < graph.size(); ++i)
+    for (const int* column = graph.begin(i); column != graph.end(i); ++column)
+      for (int j = *column; j != -1 && j < i;) {
+        const int up = ancestor[at(j)];
+        ancestor[at(j)] = i;  // path compression
+        if (up == -1) parent[at(j)] = i;
+        j = up;
+      }
+  return parent;
+}
+
+CGP_INLINE std::vector<int> sorted_by(const std::vector<int>& key)
+{
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  std::vector<int> next(key.size() + 2, 0), sorted(key.size());
+  for (int k : key) ++next[at(k) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (std::size_t i = 0; i < key.size(); ++i) sorted[at(next[at(key[i])]++)] = static_cast<int>(i);
+  return sorted;
+}
+
+CGP_INLINE std::vector<int> postorder(const std::vector<int>& parent,
+                                      const std::vector<int>& weight)
+{
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  const int n = static_cast<int>(parent.size());
+  const std::vector<int> by_weight = sorted_by(weight);
+  std::vector<int> child(parent.size(), -1), sibling(parent.size(), -1), order, path;
+  for (int k = n - 1; k >= 0; --k)  // the lightest ends up at the head of its list
+    if (const int j = by_weight[at(k)], p = parent[at(j)]; p >= 0) {
+      sibling[at(j)] = child[at(p)];
+      child[at(p)] = j;
+    }
+  order.reserve(parent.size());
+  for (int root = 0; root < n; ++root) {
+    if (parent[at(root)] >= 0) continue;
+    for (path.push_back(root); !path.empty();) {
+      const int j = path.back(), c = child[at(j)];
+      if (c >= 0) {
+        child[at(j)] = sibling[at(c)];
+        path.push_back(c);
+      } else {
+        order.push_back(j);
+        path.pop_back();
+      }
+    }
+  }
+  return order;
+}
+
+CGP_INLINE std::vector<int> column_counts(const Permuted_graph& graph,
+                                          const std::vector<int>& parent)
+{
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  const int n = graph.size();
+  std::vector<int> first(at(n)), last_leaf(at(n), -1), set(at(n)), count(at(n), 0);
+  std::iota(first.begin(), first.end(), 0);
+  std::iota(set.begin(), set.end(), 0);
+  std::vector<char> is_leaf(at(n), 1);
+  for (int j = 0; j < n; ++j)
+    if (parent[at(j)] >= 0) {
+      first[at(parent[at(j)])] = (std::min)(first[at(parent[at(j)])], first[at(j)]);
+      is_leaf[at(parent[at(j)])] = 0;
+    }
+  const auto find = [&](int j) {
+    while (set[at(j)] != j) j = set[at(j)] = set[at(set[at(j)])];
+    return j;
+  };
+  // Row i of the factor is a subtree with root i; its columns number as many as its leaves cover.
+  for (int j = 0; j < n; ++j) {
+    count[at(j)] += is_leaf[at(j)];
+    if (parent[at(j)] >= 0) --count[at(parent[at(j)])];
+    for (const auto* e = graph.begin(j); e != graph.end(j); ++e) {
+      int& leaf = last_leaf[at(e->row)];
+      if (leaf >= first[at(j)]) continue;  // a descendant of j is a neighbour too: j is no leaf
+      ++count[at(j)];
+      if (leaf >= 0) --count[at(find(leaf))];  // counted twice from the common ancestor upward
+      leaf = j;
+    }
+    if (parent[at(j)] >= 0) set[at(j)] = parent[at(j)];
+  }
+  for (int j = 0; j < n; ++j)
+    if (parent[at(j)] >= 0) count[at(parent[at(j)])] += count[at(j)];
+  return count;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

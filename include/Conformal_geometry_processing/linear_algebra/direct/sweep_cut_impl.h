@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SWEEP_CUT_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SWEEP_CUT_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/sweep_cut.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// the axes of inertia of a set of points, one per column, the longest first
+CGP_INLINE Eigen::Matrix3f principal_axes(const Eigen::Matrix<float, Eigen::Dynamic, 3>& points)
+{
+  const Eigen::RowVector3f mean = points.colwise().mean();
+  Block<float> covariance(3, 3);
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b <= a; ++b)
+      covariance(a, b) = covariance(b, a) =
+          ((points.col(a).array() - mean[a]) * (points.col(b).array() - mean[b])).mean();
+  return hermitian_jacobi(covariance).vectors.rowwise().reverse();
+}
+
+}  // namespace internal
+
+CGP_INLINE const std::vector<Side>& Sweep_cut::operator()(const Graph_region& region)
+{
+  m_best = Cut();
+  const Eigen::Matrix3f axes = internal::principal_axes(region.positions);
+  for (const Eigen::Vector3f& d : directions(region.size())) sweep(region, (axes * d).eval());
+  m_sides.resize(region.vertices.size());
+  if (m_best.cost < no_cut)
+    take_slabs(region);
+  else
+    halve(region, axes.col(0));
+  return m_sides;
+}
+
+// In the frame of the axes of inertia. A long thin region is cut across its length; two
+// oblique planes each way find the necks of the others.
+CGP_INLINE std::vector<Eigen::Vector3f> Sweep_cut::directions(int size)
+{
+  constexpr float t = 0.7f;
+  if (size < 400) return {{1, 0, 0}, {1, t, 0}, {1, -t, 0}};
+  return {{1, 0, 0}, {1, t, 0}, {1, -t, 0}, {1, 0, t}, {1, 0, -t}};
+}
+
+// Where the vertices are along the direction.
+CGP_INLINE void Sweep_cut::set_keys(const Graph_region& region, const Eigen::Vector3f& direction)
+{
+  m_key = (region.positions.col(0) * direction[0] + region.positions.col(1) * direction[1] +
+           region.positions.col(2) * direction[2])
+              .array();
+}
+
+// False where all vertices lie in one plane across the direction.
+CGP_INLINE bool Sweep_cut::sort_into_slabs(const Graph_region& region,
+                                           const Eigen::Vector3f& direction)
+{
+  set_keys(region, direction);
+  const float low = m_key.minCoeff(), high = m_key.maxCoeff();
+  const float scale = static_cast<float>(slabs) / (high - low);
+  if (!(scale < no_cut)) return false;
+  m_slab.resize(region.vertices.size());
+  for (std::size_t v = 0; v < m_slab.size(); ++v)
+    m_slab[v] = static_cast<std::uint8_t>((std::min)(
+        slabs - 1, static_cast<int>((m_key[static_cast<Eigen::Index>(v)] - low) * scale)));
+  return true;
+}
+
+CGP_INLINE void Sweep_cut::sweep(const Graph_region& region, const Eigen::Vector3f& direction)
+{
+  if (!sort_into_slabs(region, direction)) return;
+  std::array<int, slabs> vertices{}, edges{};
+  for (std::uint8_t s : m_slab) ++vertices[s];
+  for (const auto& e : region.edges) {
+    const std::uint8_t a = m_slab[static_cast<std::size_t>(e[0])];
+    const std::uint8_t b = m_slab[static_cast<std::size_t>(e[1])];
+    ++edges[(std::min)(a, b)];
+    --edges[(std::max)(a, b)];
+  }
+  int lefts = 0, cut = 0;
+  for (int s = 0; s + 1 < slabs; ++s) {
+    lefts += vertices[static_cast<std::size_t>(s)];
+    cut += edges[static_cast<std::size_t>(s)];
+    const float share = static_cast<float>(lefts) / static_cast<float>(region.size());
+    if (share < least_share || share > 1 - least_share) continue;
+    const float cost = static_cast<float>(cut + 1) / (share * (1 - share));
+    if (cost < m_best.cost) m_best = {cost, direction, s};
+  }
+}
+
+// Widens the best cut slab by slab.
+CGP_INLINE void Sweep_cut::take_slabs(const Graph_region& region)
+{
+  sort_into_slabs(region, m_best.direction);
+  std::array<int, slabs> vertices{};
+  for (std::uint8_t s : m_slab) ++vertices[s];
+  const auto size = static_cast<float>(region.size());
+  const auto end = [&](int slab, int step, int rest) {
+    int taken = 0;
+    for (; slab >= 0 && slab < slabs; slab += step) {
+      taken += vertices[static_cast<std::size_t>(slab)];
+      rest -= vertices[static_cast<std::size_t>(slab)];
+      if (static_cast<float>(taken) > band_share(region.size()) * size ||
+          static_cast<float>(rest) < least_share * size)
+        break;
+    }
+    return slab;
+  };
+  const int lefts = std::accumulate(vertices.begin(), vertices.begin() + m_best.slab + 1, 0);
+  const int last_left = end(m_best.slab, -1, lefts);
+  const int first_right = end(m_best.slab + 1, 1, region.size() - lefts);
+  for (std::size_t v = 0; v < m_sides.size(); ++v)
+    m_sides[v] = m_slab[v] <= last_left     ? Side::left
+                 : m_slab[v] >= first_right ? Side::right
+                                            : Side::separator;
+}
+
+// Where many vertices coincide no plane will do: half of them, equal ones by number.
+CGP_INLINE void Sweep_cut::halve(const Graph_region& region, const Eigen::Vector3f& direction)
+{
+  set_keys(region, direction);
+  std::vector<int> order(m_sides.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto middle = order.begin() + region.size() / 2;
+  std::nth_element(order.begin(), middle, order.end(), [&](int v, int w) {
+    return m_key[v] < m_key[w] || (m_key[v] == m_key[w] && v < w);
+  });
+  std::fill(m_sides.begin(), m_sides.end(), Side::right);
+  for (auto v = order.begin(); v != middle; ++v) m_sides[static_cast<std::size_t>(*v)] = Side::left;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SWEEP_NESTED_DISSECTION_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SWEEP_NESTED_DISSECTION_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/vertex_separator.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+CGP_INLINE std::array<Dissection_part, 2> Dissection::cut(const Dissection_part& part)
+{
+  const Graph_region& region = part.region;
+  std::vector<Side> sides = m_cut(region);
+  thin_separator(region, sides);
+  int end = part.end;
+  for (int v = region.size() - 1; v >= 0; --v)
+    if (sides[static_cast<std::size_t>(v)] == Side::separator)
+      m_order[static_cast<std::size_t>(--end)] = region.vertices[static_cast<std::size_t>(v)];
+  std::array<Graph_region, 2> halves = split(region, sides);
+  const int middle = end - halves[1].size();
+  return {{{std::move(halves[0]), middle}, {std::move(halves[1]), end}}};
+}
+
+CGP_INLINE void Dissection::finish(Dissection_part&& all)
+{
+  std::vector<Dissection_part> stack;
+  stack.push_back(std::move(all));
+  while (!stack.empty()) {
+    const Dissection_part part = std::move(stack.back());
+    stack.pop_back();
+    const Graph_region& region = part.region;
+    if (region.size() <= max_dissection_leaf) {
+      const std::vector<int>& leaf = m_minimum_degree(region);
+      std::copy(leaf.begin(), leaf.end(), m_order.begin() + (part.end - region.size()));
+    } else {
+      for (Dissection_part& half : cut(part)) stack.push_back(std::move(half));
+    }
+  }
+}
+
+/// The first cuts make a tree of tasks: part t is cut into the parts 2t and 2t + 1.
+CGP_INLINE void dissect_in_parallel(Dissection_part&& all, int threads, Ordering& order)
+{
+  constexpr int parts_at_most = 128, smallest = 1000;
+  std::vector<Dissection_part> parts(parts_at_most);
+  parts[1] = std::move(all);
+  Task_pool pool(threads);
+  pool.run({1}, [&](int t) {
+    Dissection dissection(order);
+    Dissection_part part = std::move(parts[static_cast<std::size_t>(t)]);
+    if (2 * t >= parts_at_most || part.region.size() < smallest)
+      return dissection.finish(std::move(part));
+    std::array<Dissection_part, 2> halves = dissection.cut(part);
+    part.region = Graph_region();
+    for (int i = 1; i >= 0; --i) {
+      parts[static_cast<std::size_t>(2 * t + i)] = std::move(halves[static_cast<std::size_t>(i)]);
+      pool.push(2 * t + i);
+    }
+  });
+}
+
+}  // namespace internal
+
+CGP_INLINE Ordering sweep_nested_dissection(const Sparse_pattern& pattern,
+                                            const Eigen::Matrix3Xd& positions)
+{
+  constexpr int worth_threads = 4000;  // vertices: some milliseconds
+  Ordering order(static_cast<std::size_t>(pattern.size()));
+  internal::Dissection_part all{graph_region(pattern, positions), pattern.size()};
+  const int threads = pattern.size() < worth_threads ? 1 : number_of_threads();
+  if (threads > 1)
+    internal::dissect_in_parallel(std::move(all), threads, order);
+  else
+    internal::Dissection(order).finish(std::move(all));
+  return order;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

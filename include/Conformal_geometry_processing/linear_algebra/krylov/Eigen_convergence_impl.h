@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGEN_CONVERGENCE_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGEN_CONVERGENCE_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_convergence.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Eigen_convergence::Eigen_convergence(std::string function, const Eigen_options& options,
+                                                const Block<Quaternion<double>>& x0)
+    : m_function(std::move(function)), m_options(options)
+{
+  if (options.wanted < 1 || options.wanted > x0.cols())
+    throw Precondition_error(m_function,
+                             "cannot find " + std::to_string(options.wanted) + " eigenpairs with " +
+                                 std::to_string(x0.cols()) +
+                                 " initial vectors: wanted at least one vector for each");
+}
+
+CGP_INLINE Eigen_panel Eigen_convergence::initial(Eigen_panel x) const
+{
+  const Eigen::Index columns = x.size();
+  orthonormalize(x);
+  if (x.size() != columns)
+    throw Precondition_error(
+        m_function, "the " + std::to_string(columns) + " initial vectors depend on each other");
+  return x;
+}
+
+CGP_INLINE Eigen_result Eigen_convergence::result()
+{
+  m_result.iterations = m_iterations;
+  if (m_result.values.size() == 1 && std::isfinite(m_next))
+    m_result.gap = (std::max)(m_next - m_result.values[0], 0.);
+  if (m_result.values.size() > 1) m_result.gap = m_result.values[1] - m_result.values[0];
+  return std::move(m_result);
+}
+
+// Of T r only the part orthogonal to x counts; along x there are but rounding errors, which a
+// nearly singular K would blow up.
+CGP_INLINE Vector<double> Eigen_convergence::error_estimates(
+    const Eigen_panel& x, const Block<Quaternion<double>>& r,
+    const Block<Quaternion<double>>& Tr) const
+{
+  Vector<double> estimates(x.size());
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    const Quaternion<double> along =
+        reduced_to(x.coefficients, inner_product(x.nv.col(j), Tr.col(j)));
+    const double squared =
+        (inner_product(r.col(j), Tr.col(j)) - inner_product(r.col(j), x.v.col(j)) * along).w;
+    estimates[j] = std::sqrt((std::max)(squared, 0.0)) / m_options.scale;
+    if (std::isnan(squared)) estimates[j] = squared;
+  }
+  return estimates;
+}
+
+CGP_INLINE void Eigen_convergence::note_progress(const Eigen_panel& x,
+                                                 const Vector<double>& estimates, double estimate)
+{
+  const double value = x.value(0);
+  const double rounding = 1e-14 * (std::max)(std::abs(value), m_options.scale * m_options.scale);
+  const bool lower = value < m_lowest - rounding, better = estimate < m_best;
+  m_idle = lower || better ? 0 : m_idle + 1;
+  m_lowest = (std::min)(m_lowest, value);
+  if (!better) return;
+  m_best = estimate;
+  m_result.vectors = x.v;
+  m_result.estimates = estimates;
+  m_result.values.resize(x.size());
+  for (Eigen::Index j = 0; j < x.size(); ++j) m_result.values[j] = x.value(j);
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

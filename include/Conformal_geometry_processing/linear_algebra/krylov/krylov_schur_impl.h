@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_KRYLOV_SCHUR_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_KRYLOV_SCHUR_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/quaternionic_householder.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// Eigenpairs of the projection, descending in modulus.
+CGP_INLINE Hermitian_eigen_decomposition<Quaternion<double>> dominant_first(
+    Hermitian_eigen_decomposition<Quaternion<double>> pairs)
+{
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(pairs.values.size()));
+  std::iota(order.begin(), order.end(), Eigen::Index(0));
+  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index i, Eigen::Index j) {
+    return std::abs(pairs.values[i]) > std::abs(pairs.values[j]);
+  });
+  auto sorted = pairs;
+  for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
+    const Eigen::Index from = order[static_cast<std::size_t>(i)];
+    sorted.values[i] = pairs.values[from];
+    sorted.vectors.col(i) = pairs.vectors.col(from);
+  }
+  return sorted;
+}
+
+/// How many of the first pairs have converged.
+CGP_INLINE Eigen::Index converged_pairs(const Vector<double>& values,
+                                        const Vector<double>& residuals, double tolerance)
+{
+  Eigen::Index count = 0;
+  while (count < values.size() && residuals[count] <= tolerance * std::abs(values[count])) ++count;
+  return count;
+}
+
+CGP_INLINE Vector<double> true_residuals(const Pencil& pencil, const Block<Quaternion<double>>& x,
+                                         const Vector<double>& values)
+{
+  Block<Quaternion<double>> r = pencil.solve(pencil.K(x));
+  for (Eigen::Index j = 0; j < x.cols(); ++j)
+    add_multiple(r.col(j), x.col(j), Quaternion<double>{-values[j], 0, 0, 0});
+  const Block<Quaternion<double>> Nr = pencil.N(r);
+  Vector<double> norms(x.cols());
+  for (Eigen::Index j = 0; j < x.cols(); ++j)
+    norms[j] =
+        std::sqrt((std::max)(inner_product(r.col(j), Nr.col(j)).w, 0.)) / std::abs(values[j]);
+  return norms;
+}
+
+}  // namespace internal
+
+CGP_INLINE Krylov_result krylov_schur(
+    const Pencil& pencil, Eigen::Index rows,
+    const std::function<Block<Quaternion<double>>(Eigen::Index)>& noise,
+    const Krylov_options& options, const std::function<bool(const Krylov_progress&)>& go_further)
+{
+  const Eigen::Index wanted = options.wanted;
+  if (wanted < 1) throw Precondition_error("krylov_schur", "at least one eigenpair must be wanted");
+  const auto block =
+      static_cast<Eigen::Index>(std::ceil(std::sqrt(static_cast<double>(wanted)))) + 2;
+  internal::Krylov_space space(pencil, rows, wanted + 9 * block);
+  Krylov_result result;
+  space.begin_with(noise(block));
+  for (bool is_confirmed = false;; ++result.restarts) {
+    while (space.has_next() && space.has_room()) space.extend();
+    const auto pairs = internal::dominant_first(quaternionic_householder(space.projection()));
+    const Eigen::Index found = (std::min)(pairs.values.size(), wanted);
+    const Eigen::Index converged = internal::converged_pairs(
+        pairs.values.head(found), space.residuals(pairs.vectors.leftCols(found)),
+        options.tolerance);
+    result.converged = converged == wanted && is_confirmed;
+    result.cancelled = go_further && !go_further({result.restarts, static_cast<int>(converged)});
+    if (result.converged || result.cancelled || result.restarts == options.max_restarts) {
+      result.values = pairs.values.head(found);
+      result.vectors = space.combination(pairs.vectors.leftCols(found));
+      result.residuals = internal::true_residuals(pencil, result.vectors, result.values);
+      return result;
+    }
+    is_confirmed = converged == found;
+    const Eigen::Index kept = is_confirmed ? found : (std::min)(wanted + block, space.size());
+    space.restart(pairs.vectors.leftCols(kept), pairs.values.head(kept));
+    if (!is_confirmed && space.has_next()) continue;
+    space.begin_with(noise(block));
+    if (!space.has_next() && found < wanted)
+      throw Precondition_error("krylov_schur", std::to_string(wanted) +
+                                                   " eigenpairs are wanted, of a matrix with " +
+                                                   std::to_string(found));
+  }
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

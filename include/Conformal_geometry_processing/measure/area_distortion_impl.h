@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MEASURE_AREA_DISTORTION_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_AREA_DISTORTION_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/measure/area_distortion.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Eigen::VectorXd length_scales(const Mesh_view& mesh, const Points& positions)
+{
+  Eigen::VectorXd scale(mesh.size_of_faces());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    scale[f] =
+        std::sqrt(mesh.double_area_vector(f, positions).norm() / mesh.double_area_vector(f).norm());
+  return scale;
+}
+
+CGP_INLINE Area_distortion area_distortion(const Mesh_view& mesh, const Points& positions)
+{
+  const Eigen::VectorXd scale = length_scales(mesh, positions), areas = face_areas(mesh);
+  const Eigen::VectorXd u = scale.array().log();
+  const double mean = areas.dot(u) / areas.sum();
+  const double variance = areas.dot((u.array() - mean).square().matrix()) / areas.sum();
+  return {scale.minCoeff(), scale.maxCoeff(), std::sqrt(variance)};
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MEASURE_ENERGIES_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_ENERGIES_IMPL_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE double total_area(const Mesh_view& mesh)
+{
+  return face_areas(mesh).sum();
+}
+
+CGP_INLINE double signed_volume(const Mesh_view& mesh)
+{
+  // From a point of the surface, so that a far origin does not cost digits.
+  const Eigen::Vector3d o = mesh.position(0);
+  double volume = 0;
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    volume += mesh.double_area_vector(f).dot(mesh.position(mesh.corners(f)[0]) - o) / 6;
+  return volume;
+}
+
+CGP_INLINE Eigen::VectorXd bending_angles(const Mesh_view& mesh)
+{
+  const Points N = face_normals(mesh);
+  Eigen::VectorXd angles = Eigen::VectorXd::Zero(mesh.size_of_edges());
+  for (int k = 0; k < mesh.size_of_edges(); ++k) {
+    const int h = mesh.halfedges_begin(k)[0], g = mesh.twin(h);
+    if (g < 0) continue;
+    const Eigen::Vector3d left = N.col(Mesh_view::face(h)), right = N.col(Mesh_view::face(g));
+    // From the left face to the right one the normal of a convex edge turns by a positive angle
+    // about the edge's direction.
+    angles[k] =
+        std::atan2(left.cross(right).dot(stable_normalized(mesh.vector(h))), left.dot(right));
+  }
+  return angles;
+}
+
+CGP_INLINE double willmore_energy(const Mesh_view& mesh)
+{
+  return voronoi_areas(mesh).dot(mean_curvature(mesh).cwiseAbs2());
+}
+
+CGP_INLINE double steiner_willmore_energy(const Mesh_view& mesh)
+{
+  const Eigen::VectorXd angles = bending_angles(mesh), areas = vertex_areas(mesh);
+  Eigen::VectorXd integral = Eigen::VectorXd::Zero(mesh.size_of_vertices());
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
+    for (int v : mesh.ends(k))
+      integral[v] += angles[k] * mesh.vector(mesh.halfedges_begin(k)[0]).norm() / 4;
+  return integral.cwiseAbs2().cwiseQuotient(areas).sum();
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_BOUNDARY_FRAMES_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_BOUNDARY_FRAMES_IMPL_H
+
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Boundary_frame boundary_frame(const Eigen::Vector3d& tangent,
+                                         const Eigen::Vector3d& normal)
+{
+  const Eigen::Vector3d T = stable_normalized(tangent);
+  const Eigen::Vector3d N = stable_normalized(normal - normal.dot(T) * T);
+  Boundary_frame frame;
+  frame << T, N, T.cross(N);
+  return frame;
+}
+
+CGP_INLINE Boundary_frames boundary_frames(const Points& points, const Points& normals,
+                                           std::vector<std::vector<int>> loops)
+{
+  Boundary_frames b;
+  b.loops = std::move(loops);
+  for (const std::vector<int>& loop : b.loops) {
+    const std::size_t n = loop.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const Eigen::Vector3d along =
+          points.col(loop[(k + 1) % n]) - points.col(loop[(k + n - 1) % n]);
+      b.vertices.push_back(loop[k]);
+      b.frames.push_back(boundary_frame(along, normals.col(loop[k])));
+    }
+  }
+  return b;
+}
+
+CGP_INLINE Boundary_frames boundary_frames(const Mesh_view& mesh)
+{
+  return boundary_frames(mesh.positions(), vertex_normals(mesh, Normal_weight::angle),
+                         boundary_loops(mesh));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_COMPONENT_FAILURES_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_COMPONENT_FAILURES_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/Component_failures.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Component_failures::Component_failures(std::size_t size, std::string function)
+    : m_size(size), m_function(std::move(function))
+{}
+
+CGP_INLINE void Component_failures::throw_if_any() const
+{
+  if (m_reasons.size() == 0) return;
+  const std::string all =
+      std::to_string(m_reasons.size()) + " of " + std::to_string(m_size) +
+      " components failed (their elements are counted in each): " + m_reasons.text();
+  if (m_is_of_data) throw Precondition_error(m_function, all);
+  throw Solver_error(m_function, all);
+}
+
+CGP_INLINE std::string Component_failures::name_of(std::size_t c, int first_vertex)
+{
+  return "component " + std::to_string(c) + " (from vertex " + std::to_string(first_vertex) + ")";
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

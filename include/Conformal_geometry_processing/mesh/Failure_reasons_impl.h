@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_FAILURE_REASONS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_FAILURE_REASONS_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/Failure_reasons.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE void Failure_reasons::add(const std::string& name, const std::string& reason)
+{
+  ++m_size;
+  auto group = std::find_if(m_groups.begin(), m_groups.end(),
+                            [&](const Group& known) { return known.reason == reason; });
+  if (group == m_groups.end()) {
+    if (m_groups.size() == max_reasons) return;
+    group = m_groups.insert(group, {reason, "", 0});
+  }
+  if (group->size > 0 && group->size < max_names) group->names += ", ";
+  if (group->size++ < max_names) group->names += name;
+}
+
+CGP_INLINE std::string Failure_reasons::text() const
+{
+  std::string text;
+  std::size_t told = 0;
+  for (const Group& group : m_groups) {
+    if (told > 0) text += "; ";
+    told += group.size;
+    text += group.names;
+    if (group.size > max_names) text += " and " + more(group.size - max_names);
+    text += ": " + group.reason;
+  }
+  if (told < m_size) text += "; " + more(m_size - told) + " for other reasons";
+  return text;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_MESH_VIEW_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_MESH_VIEW_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Mesh_view::Mesh_view(Points positions, Corners corners)
+    : m_positions(std::move(positions)), m_corners(std::move(corners))
+{
+  find_edges();
+}
+
+CGP_INLINE Eigen::Vector3d Mesh_view::double_area_vector(int f, const Points& positions) const
+{
+  const std::array<int, 3>& v = corners(f);
+  const Eigen::Vector3d p = positions.col(v[2]);
+  return (p - positions.col(v[1])).cross(positions.col(v[0]) - p);
+}
+
+// Buckets the halfedges by their lower end, sorts each bucket by the higher one: no hash map,
+// and a numbering that depends on nothing but the faces.
+CGP_INLINE void Mesh_view::find_edges()
+{
+  std::vector<int> bucket(index(size_of_vertices()) + 1, 0);
+  for (int h = 0; h < size_of_halfedges(); ++h) ++bucket[index(low(h)) + 1];
+  std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
+  m_halfedges.resize(index(size_of_halfedges()));
+  std::vector<int> slot(bucket.begin(), bucket.end() - 1);
+  for (int h = 0; h < size_of_halfedges(); ++h) m_halfedges[index(slot[index(low(h))]++)] = h;
+  for (int v = 0; v < size_of_vertices(); ++v)
+    std::sort(m_halfedges.begin() + bucket[index(v)], m_halfedges.begin() + bucket[index(v) + 1],
+              [this](int g, int h) { return std::pair(high(g), g) < std::pair(high(h), h); });
+  number_edges();
+  pair_halfedges();
+}
+
+CGP_INLINE void Mesh_view::number_edges()
+{
+  m_edges.resize(m_halfedges.size());
+  for (int k = 0; k < size_of_halfedges(); ++k) {
+    const int h = m_halfedges[index(k)];
+    const std::array<int, 2> ends = {low(h), high(h)};
+    if (m_ends.empty() || m_ends.back() != ends) {
+      m_first.push_back(k);
+      m_ends.push_back(ends);
+    }
+    m_edges[index(h)] = size_of_edges() - 1;
+  }
+  m_first.push_back(size_of_halfedges());
+}
+
+CGP_INLINE void Mesh_view::pair_halfedges()
+{
+  m_twins.assign(m_halfedges.size(), -1);
+  for (int k = 0; k < size_of_edges(); ++k) {
+    if (halfedges_end(k) - halfedges_begin(k) != 2) continue;
+    const int g = halfedges_begin(k)[0], h = halfedges_begin(k)[1];
+    m_twins[index(g)] = h;
+    m_twins[index(h)] = g;
+  }
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

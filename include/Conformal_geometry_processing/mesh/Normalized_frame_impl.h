@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALIZED_FRAME_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALIZED_FRAME_IMPL_H
+
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Normalized_frame::Normalized_frame(const Points& positions)
+{
+  const Eigen::Vector3d low = positions.rowwise().minCoeff();
+  const Eigen::Vector3d high = positions.rowwise().maxCoeff();
+  m_center = low / 2 + high / 2;
+  const double radius = stable_norm(high / 2 - low / 2);
+  m_exponent = radius > 0 ? std::ilogb(radius) : 0;
+}
+
+CGP_INLINE Points Normalized_frame::to_frame(Points positions) const
+{
+  positions.colwise() -= m_center;
+  return scaled(std::move(positions), -m_exponent);
+}
+
+CGP_INLINE Points Normalized_frame::from_frame(Points positions) const
+{
+  positions = scaled(std::move(positions), m_exponent);
+  positions.colwise() += m_center;
+  return positions;
+}
+
+CGP_INLINE Points Normalized_frame::scaled(Points positions, int exponent)
+{
+  for (Eigen::Index i = 0; i < positions.size(); ++i)
+    positions.data()[i] = std::ldexp(positions.data()[i], exponent);
+  return positions;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_MOLLIFIED_LENGTHS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_MOLLIFIED_LENGTHS_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/mollified_lengths.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Eigen::VectorXd edge_lengths(const Mesh_view& mesh)
+{
+  Eigen::VectorXd lengths(mesh.size_of_edges());
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
+    lengths[k] = (mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0])).stableNorm();
+  return lengths;
+}
+
+CGP_INLINE Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share)
+{
+  Mollified_lengths result;
+  result.lengths = edge_lengths(mesh);
+  const double slack = share * result.lengths.mean();
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    Eigen::Vector3d l;
+    for (int c = 0; c < 3; ++c) l[c] = result.lengths[mesh.edge(3 * f + c)];
+    const double missing = slack + 2 * l.maxCoeff() - l.sum();
+    result.thin_faces += missing > 0;
+    result.added = (std::max)(result.added, missing);
+  }
+  result.lengths.array() += result.added;
+  return result;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

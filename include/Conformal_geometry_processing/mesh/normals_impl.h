@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALS_IMPL_H
+
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstddef>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Points face_normals(const Mesh_view& mesh)
+{
+  Points normals(3, mesh.size_of_faces());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    normals.col(f) = stable_normalized(mesh.double_area_vector(f));
+  return normals;
+}
+
+CGP_INLINE double corner_angle(const Mesh_view& mesh, int f, int c)
+{
+  const Eigen::Vector3d a = mesh.vector(3 * f + (c + 2) % 3), b = -mesh.vector(3 * f + (c + 1) % 3);
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+CGP_INLINE Points vertex_normals(const Mesh_view& mesh, Normal_weight weight)
+{
+  Points normals = Points::Zero(3, mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const Eigen::Vector3d a = mesh.double_area_vector(f), n = stable_normalized(a);
+    for (int c = 0; c < 3; ++c) {
+      auto sum = normals.col(mesh.corners(f)[static_cast<std::size_t>(c)]);
+      switch (weight) {
+        case Normal_weight::area:
+          sum += a;
+          break;
+        case Normal_weight::angle:
+          sum += corner_angle(mesh, f, c) * n;
+          break;
+        case Normal_weight::uniform:
+          sum += n;
+          break;
+      }
+    }
+  }
+  for (Eigen::Index v = 0; v < normals.cols(); ++v)
+    normals.col(v) = stable_normalized(normals.col(v));
+  return normals;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_REQUIREMENTS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_REQUIREMENTS_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+CGP_INLINE std::string name_of_face(const Mesh_view& mesh, int f)
+{
+  const auto& v = mesh.corners(f);
+  return "face " + std::to_string(f) + " (vertices " + std::to_string(v[0]) + ", " +
+         std::to_string(v[1]) + ", " + std::to_string(v[2]) + ")";
+}
+
+CGP_INLINE std::string name_of_edge(const Mesh_view& mesh, int k)
+{
+  return "edge " + std::to_string(mesh.ends(k)[0]) + "-" + std::to_string(mesh.ends(k)[1]);
+}
+
+CGP_INLINE std::string counted(int count, std::string what)
+{
+  const std::size_t mark = what.find('#'), end = (std::min)(what.find(' ', mark), what.size());
+  if (count != 1) {
+    const bool ends_in_x = what[end - 1] == 'x';
+    what.replace(ends_in_x ? end - 2 : end, ends_in_x ? 2 : 0, ends_in_x ? "ices" : "s");
+  }
+  return std::to_string(count) + " " + what.erase(mark, 1);
+}
+
+CGP_INLINE std::string name_of_vertex(int v)
+{
+  return "vertex " + std::to_string(v);
+}
+
+}  // namespace internal
+
+CGP_INLINE void require_not_empty(const Mesh_view& mesh, const std::string& function)
+{
+  if (mesh.size_of_faces() == 0) throw Precondition_error(function, "the mesh has no faces");
+}
+
+CGP_INLINE void require_finite_positions(const Mesh_view& mesh, const std::string& function)
+{
+  internal::refuse_if_any(
+      mesh.size_of_vertices(), [&](int v) { return !mesh.position(v).allFinite(); },
+      internal::name_of_vertex, function, "#vertex with a coordinate that is not finite",
+      "finite coordinates are needed");
+}
+
+CGP_INLINE void require_no_isolated_vertices(const Mesh_view& mesh, const std::string& function)
+{
+  std::vector<char> is_used(static_cast<std::size_t>(mesh.size_of_vertices()), 0);
+  for (const auto& face : mesh.corners())
+    for (int v : face) is_used[static_cast<std::size_t>(v)] = 1;
+  internal::refuse_if_any(
+      mesh.size_of_vertices(), [&](int v) { return !is_used[static_cast<std::size_t>(v)]; },
+      internal::name_of_vertex, function, "#vertex without a face", "remove them first");
+}
+
+CGP_INLINE void require_distinct_corners(const Mesh_view& mesh, const std::string& function)
+{
+  internal::refuse_if_any(
+      mesh.size_of_faces(),
+      [&](int f) {
+        const auto& v = mesh.corners(f);
+        return v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+      },
+      [&](int f) { return internal::name_of_face(mesh, f); }, function,
+      "#face with a repeated vertex", "remove them first");
+}
+
+CGP_INLINE void require_manifold_edges(const Mesh_view& mesh, const std::string& function)
+{
+  const auto name = [&](int k) { return internal::name_of_edge(mesh, k); };
+  internal::refuse_if_any(
+      mesh.size_of_edges(),
+      [&](int k) { return mesh.halfedges_end(k) - mesh.halfedges_begin(k) > 2; }, name, function,
+      "non-manifold #edge (more than two faces)", "a manifold is needed");
+  internal::refuse_if_any(
+      mesh.size_of_edges(),
+      [&](int k) {
+        const int* h = mesh.halfedges_begin(k);
+        return mesh.halfedges_end(k) - h == 2 && mesh.from(h[0]) == mesh.from(h[1]);
+      },
+      name, function, "#edge whose two faces are oriented against each other",
+      "a consistent orientation is needed");
+}
+
+CGP_INLINE void require_manifold_vertices(const Mesh_view& mesh, const std::string& function)
+{
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  std::vector<int> corners(at(mesh.size_of_vertices()), 0), start(corners.size(), -1);
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h) {
+    const int v = mesh.from(h);
+    ++corners[at(v)];
+    if (start[at(v)] < 0 || mesh.twin(h) < 0) start[at(v)] = h;
+  }
+  // From `start`, the halfedge out of v that has nothing on its right if there is one, walk
+  // counter-clockwise: the fan is complete when it has met as many faces as v has corners.
+  internal::refuse_if_any(
+      mesh.size_of_vertices(),
+      [&](int v) {
+        int met = 0;
+        for (int h = start[at(v)]; h >= 0;) {
+          ++met;
+          h = mesh.twin(Mesh_view::previous_in_face(h));
+          if (h == start[at(v)]) break;
+        }
+        return met != corners[at(v)];
+      },
+      internal::name_of_vertex, function, "non-manifold #vertex (several fans of faces)",
+      "a manifold is needed");
+}
+
+CGP_INLINE bool has_area_zero(const Mesh_view& mesh, int f)
+{
+  // Relative to the longest edge first, so that squares neither overflow nor underflow.
+  Eigen::Matrix3d e;
+  for (int c = 0; c < 3; ++c) e.col(c) = mesh.vector(3 * f + c);
+  const double longest = e.cwiseAbs().maxCoeff();
+  if (!(longest > 0)) return true;
+  e /= longest;
+  const double longest_squared = e.colwise().squaredNorm().maxCoeff();
+  return !(e.col(0).cross(e.col(1)).norm() > 2 * relative_area_tolerance * longest_squared);
+}
+
+CGP_INLINE void require_positive_areas(const Mesh_view& mesh, const std::string& function)
+{
+  internal::refuse_if_any(
+      mesh.size_of_faces(), [&](int f) { return has_area_zero(mesh, f); },
+      [&](int f) { return internal::name_of_face(mesh, f); }, function, "#face of area zero",
+      "remove or repair them first");
+}
+
+CGP_INLINE void require_some_area(const Mesh_view& mesh, const std::string& function)
+{
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    if (!has_area_zero(mesh, f)) return;
+  throw Precondition_error(function, "all faces have area zero; a surface is needed");
+}
+
+CGP_INLINE void require_connected(const Mesh_view& mesh, const std::string& function)
+{
+  const std::vector<int> component = connected_components(mesh);
+  int count = 0, second = -1;
+  for (std::size_t v = 0; v < component.size(); ++v) {
+    if (component[v] == 1 && second < 0) second = static_cast<int>(v);
+    count = (std::max)(count, component[v] + 1);
+  }
+  if (count > 1)
+    throw Precondition_error(function, "the mesh has " + std::to_string(count) +
+                                           " components, the second begins at vertex " +
+                                           std::to_string(second) +
+                                           "; one component is needed, transform each alone");
+}
+
+CGP_INLINE void require_closed(const Mesh_view& mesh, const std::string& function)
+{
+  internal::refuse_if_any(
+      mesh.size_of_edges(),
+      [&](int k) { return mesh.halfedges_end(k) - mesh.halfedges_begin(k) == 1; },
+      [&](int k) { return internal::name_of_edge(mesh, k); }, function, "boundary #edge",
+      "a closed surface is needed");
+}
+
+CGP_INLINE void require_genus_zero(const Mesh_view& mesh, const std::string& function)
+{
+  const int chi = mesh.size_of_vertices() - mesh.size_of_edges() + mesh.size_of_faces();
+  if (chi != 2)
+    throw Precondition_error(function, "the surface has genus " + std::to_string(1 - chi / 2) +
+                                           "; genus zero is needed");
+}
+
+CGP_INLINE void require_manifold_components(const Mesh_view& mesh, const std::string& function)
+{
+  require_not_empty(mesh, function);
+  require_finite_positions(mesh, function);
+  require_distinct_corners(mesh, function);
+  require_no_isolated_vertices(mesh, function);
+  require_manifold_edges(mesh, function);
+  require_manifold_vertices(mesh, function);
+}
+
+CGP_INLINE void require_manifold(const Mesh_view& mesh, const std::string& function)
+{
+  require_manifold_components(mesh, function);
+  require_connected(mesh, function);
+}
+
+CGP_INLINE void require_surface(const Mesh_view& mesh, const std::string& function)
+{
+  require_manifold(mesh, function);
+  require_positive_areas(mesh, function);
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_TOPOLOGY_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_TOPOLOGY_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE std::vector<int> connected_components(const Mesh_view& mesh)
+{
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  std::vector<int> root(at(mesh.size_of_vertices()));
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](int v) {
+    while (root[at(v)] != v) v = root[at(v)] = root[at(root[at(v)])];
+    return v;
+  };
+  for (int k = 0; k < mesh.size_of_edges(); ++k) {
+    const int a = find(mesh.ends(k)[0]), b = find(mesh.ends(k)[1]);
+    root[at((std::max)(a, b))] = (std::min)(a, b);  // the smallest vertex is the root
+  }
+  std::vector<int> component(root.size());
+  int count = 0;
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    component[at(v)] = find(v) == v ? count++ : component[at(find(v))];
+  return component;
+}
+
+CGP_INLINE Topology topology(const Mesh_view& mesh)
+{
+  Topology t;
+  t.vertices = mesh.size_of_vertices();
+  t.edges = mesh.size_of_edges();
+  t.faces = mesh.size_of_faces();
+  for (int c : connected_components(mesh)) t.components = (std::max)(t.components, c + 1);
+  t.boundary_loops = static_cast<int>(boundary_loops(mesh).size());
+  t.genus = (2 * t.components - t.boundary_loops - t.euler_characteristic()) / 2;
+  return t;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

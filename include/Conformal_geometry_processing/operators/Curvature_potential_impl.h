@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CURVATURE_POTENTIAL_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CURVATURE_POTENTIAL_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Curvature_potential Curvature_potential::on_vertices(Eigen::VectorXd rho)
+{
+  return {On::vertices, std::move(rho)};
+}
+
+CGP_INLINE Eigen::Vector3d Curvature_potential::at_corners(const Mesh_view& mesh, int f) const
+{
+  if (on == On::faces) return Eigen::Vector3d::Constant(values[f]);
+  const std::array<int, 3>& v = mesh.corners(f);
+  return {values[v[0]], values[v[1]], values[v[2]]};
+}
+
+CGP_INLINE Curvature_potential no_potential(const Mesh_view& mesh)
+{
+  return Curvature_potential::on_vertices(Eigen::VectorXd::Zero(mesh.size_of_vertices()));
+}
+
+CGP_INLINE Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
+                                                               const Curvature_potential& rho)
+{
+  Quaternionic_sparse_matrix<double> R(mesh.corners(), mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const Eigen::Vector3d r = rho.at_corners(mesh, f);
+    for (int c = 0; c < 3; ++c) R.value(f, c) = {r[c] / 3, 0, 0, 0};
+  }
+  return R;
+}
+
+CGP_INLINE double mean(const Mesh_view& mesh, const Curvature_potential& rho)
+{
+  const Eigen::VectorXd areas =
+      rho.on == Curvature_potential::On::faces ? face_areas(mesh) : vertex_areas(mesh);
+  return areas.dot(rho.values) / areas.sum();
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

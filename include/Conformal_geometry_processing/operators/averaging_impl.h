@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_AVERAGING_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_AVERAGING_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/operators/averaging.h>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh)
+{
+  Quaternionic_sparse_matrix<double> B(mesh.corners(), mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    for (int c = 0; c < 3; ++c) B.value(f, c) = {1. / 3, 0, 0, 0};
+  return B;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_SURFACE_DERIVATIVE_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_SURFACE_DERIVATIVE_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/operators/calculus/Surface_derivative.h>
+#include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Quaternion_vector<double> as_quaternions(const Eigen::VectorXd& numbers)
+{
+  Quaternion_vector<double> q(numbers.size());
+  for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = {numbers[i], 0, 0, 0};
+  return q;
+}
+
+CGP_INLINE Quaternion_vector<double> as_quaternions(const Points& vectors)
+{
+  Quaternion_vector<double> q(vectors.cols());
+  for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = imaginary(vectors.col(i));
+  return q;
+}
+
+CGP_INLINE Surface_derivative::Surface_derivative(const Mesh_view& mesh)
+    : m_mesh(mesh), m_D(dirac(mesh)), m_normals(face_normals(mesh)), m_areas(face_areas(mesh))
+{}
+
+CGP_INLINE Quaternion_vector<double> Surface_derivative::adjoint(Quaternion_vector<double> q) const
+{
+  for (Eigen::Index f = 0; f < q.size(); ++f) q[f] *= m_areas[f];
+  Quaternion_vector<double> p = m_D.adjoint_times(q);
+  const Eigen::VectorXd areas = vertex_areas(m_mesh);
+  for (Eigen::Index v = 0; v < p.size(); ++v) p[v] *= 1 / areas[v];
+  return p;
+}
+
+CGP_INLINE Eigen::VectorXd Surface_derivative::real_part(const Quaternion_vector<double>& q)
+{
+  return components(q).row(0).transpose();
+}
+
+CGP_INLINE Eigen::VectorXd Surface_derivative::normal_part(const Quaternion_vector<double>& q) const
+{
+  return components(q).bottomRows<3>().cwiseProduct(m_normals).colwise().sum().transpose();
+}
+
+CGP_INLINE Points Surface_derivative::tangential_part(const Quaternion_vector<double>& q) const
+{
+  return components(q).bottomRows<3>() - m_normals * normal_part(q).asDiagonal();
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_LAPLACIANS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CALCULUS_LAPLACIANS_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/operators/calculus/laplacians.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Eigen::VectorXd laplacian(const Surface_derivative& d, const Eigen::VectorXd& phi)
+{
+  return d.real_part(d.adjoint(d(phi)));
+}
+
+CGP_INLINE Points vector_laplacian(const Surface_derivative& d, const Points& X,
+                                   const Points& normals)
+{
+  Quaternion_vector<double> q = d(X);
+  components(q).bottomRows<3>() -= d.tangential_part(q);
+  const Quaternion_vector<double> p = d.adjoint(q);
+  const Points image = components(p).bottomRows<3>();
+  const Eigen::VectorXd along = image.cwiseProduct(normals).colwise().sum().transpose();
+  return image - normals * along.asDiagonal();
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DIRAC_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DIRAC_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/operators/dirac.h>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh)
+{
+  Quaternionic_sparse_matrix<double> D(mesh.corners(), mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const double double_area = mesh.double_area_vector(f).norm();
+    for (int c = 0; c < 3; ++c) D.value(f, c) = imaginary(mesh.vector(3 * f + c)) / -double_area;
+  }
+  return D;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_CONFORMAL_ENERGY_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_CONFORMAL_ENERGY_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
+#include <Conformal_geometry_processing/parameterization/conformal_energy.h>
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <memory>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Hermitian_sparse_matrix<std::complex<double>> conformal_energy(
+    const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern)
+{
+  Hermitian_sparse_matrix<std::complex<double>> L(std::move(pattern));
+  const Eigen::VectorXd w = cotan_weights(mesh);
+  for (int k = 0; k < mesh.size_of_edges(); ++k) {
+    L.value(edge_position(mesh, k)) -= w[k];
+    for (const int v : mesh.ends(k)) L.value(diagonal_position(L.pattern(), v)) += w[k];
+  }
+  // Twice the area is the sum of Im(conjugate(z_i) z_j) along the boundary; row i gets i/2.
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+    if (mesh.twin(h) < 0)
+      L.value(edge_position(mesh, mesh.edge(h))) +=
+          std::complex<double>(0, mesh.from(h) > mesh.to(h) ? 0.5 : -0.5);
+  return L;
+}
+
+CGP_INLINE Hermitian_sparse_matrix<std::complex<double>> conformal_energy(const Mesh_view& mesh)
+{
+  return conformal_energy(mesh, vertex_graph(mesh));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PLANAR_DIRECTIONS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_PLANAR_DIRECTIONS_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
+#include <Conformal_geometry_processing/parameterization/planar_directions.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Eigen::VectorXd turning_angles(const Mesh_view& mesh, const Vertex_loop& loop)
+{
+  Eigen::VectorXd angles = Eigen::VectorXd::Zero(mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    for (int c = 0; c < 3; ++c)
+      angles[mesh.corners(f)[static_cast<std::size_t>(c)]] += corner_angle(mesh, f, c);
+  return std::acos(-1.) - angles(loop).array();
+}
+
+CGP_INLINE Points planar_directions(const Mesh_view& mesh, const std::string& function)
+{
+  if (!topology(mesh).is_disk())
+    throw Precondition_error(function,
+                             "the surface is not a disk (one loop, no handles); a disk is needed");
+  const Vertex_loop loop = boundary_loops(mesh).front();
+  const Eigen::VectorXd turn = turning_angles(mesh, loop), length = lengths_along(mesh, loop);
+  const Eigen::Index n = turn.size();
+  const double missing = 2 * std::acos(-1.) - turn.sum();
+  Points directions = Points::Zero(3, n);
+  double angle = 0;  // of the edge that comes in, the first one lies along the x axis
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double in = k == 0 ? length[n] - length[n - 1] : length[k] - length[k - 1],
+                 out = length[k + 1] - length[k],
+                 next = angle + turn[k] + missing * (in + out) / (2 * length[n]);
+    const std::complex<double> sum = std::polar(in, angle) + std::polar(out, next);
+    directions.col(k) << sum.real() / std::abs(sum), sum.imag() / std::abs(sum), 0;
+    angle = next;
+  }
+  return directions;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

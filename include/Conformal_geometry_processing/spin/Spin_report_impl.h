@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_REPORT_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_REPORT_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+
+#include <algorithm>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE const char* to_string(Boundary_fault fault)
+{
+  switch (fault) {
+    case Boundary_fault::not_realizable:
+      return "no surface conformally equivalent to this one has this curvature and this boundary";
+    case Boundary_fault::does_not_close:
+      return "the edges of the new surface do not fit together";
+    case Boundary_fault::degenerate:
+      return "the new surface shrinks to a point somewhere";
+    case Boundary_fault::none:
+      break;
+  }
+  return "none";
+}
+
+CGP_INLINE Spin_report::operator bool() const
+{
+  return converged && !cancelled && boundary_fault == Boundary_fault::none;
+}
+
+namespace internal {
+
+CGP_INLINE void append(Spin_report::Mollification& all, const Spin_report::Mollification& next)
+{
+  const bool is_first = all.share == 0;  // where the conformality of the whole way is measured
+  if (is_first) all.measured_faces = next.measured_faces;
+  if (is_first) all.measured_area = next.measured_area;
+  all.share = next.share;
+  all.thin_faces = (std::max)(all.thin_faces, next.thin_faces);
+  all.longer_edges = (std::max)(all.longer_edges, next.longer_edges);
+  all.added_length = (std::max)(all.added_length, next.added_length);
+  all.flipped_edges = (std::max)(all.flipped_edges, next.flipped_edges);
+}
+
+}  // namespace internal
+
+CGP_INLINE void append(Spin_report& all, const Spin_report& next)
+{
+  all.converged = next.converged;
+  all.cancelled = next.cancelled;
+  all.eigenvalue = next.eigenvalue;
+  all.residual = (std::max)(all.residual, next.residual);
+  all.gap = all.steps == 0 ? next.gap : (std::min)(all.gap, next.gap);
+  all.overlap = all.steps == 0 ? next.overlap : (std::min)(all.overlap, next.overlap);
+  all.iterations += next.iterations;
+  all.substeps = (std::max)(all.substeps, next.substeps);
+  all.spectral_shift = next.spectral_shift;
+  all.is_generalized = next.is_generalized;
+  all.generalized_eigenvalue = next.generalized_eigenvalue;
+  all.steps += next.steps;
+  all.direction_error = next.direction_error;
+  all.boundary_fault = next.boundary_fault;
+  internal::append(all.mollification, next.mollification);
+  all.closure_residual = (std::max)(all.closure_residual, next.closure_residual);
+  all.period_defect += next.period_defect;
+  all.seconds.setup = next.seconds.setup;
+  all.seconds.assembly += next.seconds.assembly;
+  all.seconds.factorization += next.seconds.factorization;
+  all.seconds.eigenvectors += next.seconds.eigenvectors;
+  all.seconds.reconstruction += next.seconds.reconstruction;
+  all.seconds.certificate += next.seconds.certificate;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

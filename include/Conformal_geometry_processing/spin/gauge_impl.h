@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_GAUGE_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_GAUGE_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas)
+{
+  const double vanishing = 1e-6;  // of the root of the mean square
+  Quaternion<double> direction;
+  double square = 0;
+  for (Eigen::Index i = 0; i < lambda.size(); ++i) {
+    direction += areas[i] * lambda[i];
+    square += areas[i] * squared_norm(lambda[i]);
+  }
+  const double length = std::sqrt(square / areas.sum());
+  if (norm(direction) < vanishing * length * areas.sum()) {
+    Eigen::Index largest;
+    components(lambda).colwise().squaredNorm().maxCoeff(&largest);
+    direction = lambda[largest];
+  }
+  const Quaternion<double> q = conjugate(direction) / (norm(direction) * length);
+  for (Eigen::Index i = 0; i < lambda.size(); ++i) lambda[i] = lambda[i] * q;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_ROTATED_NORMALS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_ROTATED_NORMALS_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/spin/rotated_normals.h>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Points rotated_normals(const Mesh_view& mesh, const Quaternion_vector<double>& lambda)
+{
+  Points normals(3, mesh.size_of_faces());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const auto& v = mesh.corners(f);
+    normals.col(f) = spin(lambda[v[0]] + lambda[v[1]] + lambda[v[2]], mesh.double_area_vector(f));
+  }
+  return normals;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

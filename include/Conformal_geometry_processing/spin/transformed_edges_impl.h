@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORMED_EDGES_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORMED_EDGES_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Eigen::Vector3d transformed_edge(const Eigen::Vector3d& e, const Quaternion<double>& l_i,
+                                            const Quaternion<double>& l_j)
+{
+  // The two mixed terms are minus conjugates of each other: their sum is twice Im(mixed).
+  const Quaternion<double> mixed = conjugate(l_i) * imaginary(e) * l_j;
+  return (spin(l_i, e) + imaginary_part(mixed) + spin(l_j, e)) / 3;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
