@@ -84,9 +84,8 @@ class Closing_spin_transformation {
   /// \param go_further asked between iterations with an `Eigen_progress`; false cancels
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
-  template <class GoFurther = Always_go_further>
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
-                        GoFurther go_further = {}) &&
+                        const Go_further& go_further = Always_go_further()) &&
   {
     m_transformation.require_potential(rho);
     if (!m_options.exactness || !has_loops())
@@ -116,8 +115,7 @@ class Closing_spin_transformation {
     return chi < (is_closed ? 2 : 1) && !m_transformation.dirac_equation().positions();
   }
 
-  template <class GoFurther>
-  void go_all_the_way(Surface& surface, const Dirac_options& options, GoFurther go_further,
+  void go_all_the_way(Surface& surface, const Dirac_options& options, const Go_further& go_further,
                       Spin_result& all)
   {
     for (double step = 1; step > 0;) {
@@ -147,9 +145,8 @@ class Closing_spin_transformation {
 
   /// \brief tries `step` times v and smaller steps, until one is good enough to go there.
   /// \returns none if no step of the least size is, or the visitor said no
-  template <class GoFurther>
   std::optional<Spin_result> largest_step(const Surface& surface, const Eigen::VectorXd& v,
-                                          const Dirac_options& options, GoFurther go_further,
+                                          const Dirac_options& options, const Go_further& go_further,
                                           Spin_report& all, double& step)
   {
     for (;;) {

@@ -112,9 +112,8 @@ class Dirac_eigenproblem {
 
   /// \brief the smallest eigenpairs, as many as `start` has columns; `wanted` of them converge.
   /// \pre `set_potential()` has been called
-  template <class GoFurther>
   Eigen_result smallest(Vectors start, int wanted, double tolerance, int max_iterations,
-                        GoFurther go_further) const
+                        const Go_further& go_further) const
   {
     Eigen_options options;
     options.wanted = wanted;

@@ -42,7 +42,7 @@ class Dirac_equation {
  public:
   /// the overlap that a vector must exceed with the one it continues
   static constexpr double same_branch =
-      internal::Dirac_search<Eigenproblem_, Always_go_further>::same_branch;
+      internal::Dirac_search<Eigenproblem_>::same_branch;
 
   /// \param mesh must outlive the object
   /// \pre `require_surface(mesh)` holds, and before `solve()` `require_closed(mesh)`
@@ -63,9 +63,8 @@ class Dirac_equation {
   /// \throw Precondition_error if the generalized problem is asked for with rho on vertices
   /// \throw Solver_error if a factorization fails. No convergence is not an error but a field of
   /// the result.
-  template <class GoFurther = Always_go_further>
   Dirac_solution solve(const Curvature_potential& rho, const Dirac_options& options = {},
-                       GoFurther go_further = {})
+                       const Go_further& go_further = Always_go_further())
   {
     if (options.problem == Eigenproblem::generalized) require_on_faces(rho);
     Dirac_solution s;
@@ -104,9 +103,8 @@ class Dirac_equation {
 
   /// Replaces s.lambda by the eigenvector nearest to it. Returns false, with s.lambda as it was,
   /// when no vector found is on the same branch.
-  template <class GoFurther>
   bool follow(const Step& step, const Dirac_options& options, Dirac_solution& s,
-              GoFurther& go_further)
+              const Go_further& go_further)
   {
     return accept(find(step, options, s, go_further), step.tolerance, s);
   }
@@ -116,8 +114,7 @@ class Dirac_equation {
   /// Where X has mixed lambda with a vector of opposite sign: a shift by the signed eigenvalue of
   /// lambda moves the other one away. It may bring a third vector in, so this is repeated; what
   /// remains then is the error of a coarse mesh.
-  template <class GoFurther>
-  Found find(const Step& step, Dirac_options options, Dirac_solution& s, GoFurther& go_further,
+  Found find(const Step& step, Dirac_options options, Dirac_solution& s, const Go_further& go_further,
              bool is_factored = false)
   {
     options.tolerance = step.tolerance;
@@ -186,9 +183,8 @@ class Dirac_equation {
   /// Leads s.lambda from 1 at t = 0 to an eigenvector of t rho at t = 1, in steps as large as keep
   /// to the branch. Gives up when the substeps are used up.
   /// \param smallest found without shift, none of them near 1
-  template <class GoFurther>
   void continue_from_identity(const Curvature_potential& rho, const Dirac_options& options,
-                              const Found& smallest, Dirac_solution& s, GoFurther& go_further)
+                              const Found& smallest, Dirac_solution& s, const Go_further& go_further)
   {
     const double rough = 1e-3, growth = 1.5, same_problem = 0.1 * std::sqrt(m_problem.unit());
     double t = 0, gamma = 0;
@@ -221,9 +217,8 @@ class Dirac_equation {
 
   /// Makes the rough eigenvector exact: that of [CGP (5.3)] if the branch is among its smallest
   /// ones, else that of the shifted problem, which is the one factored.
-  template <class GoFurther>
   void finish(const Curvature_potential& rho, const Dirac_options& options, const Found& smallest,
-              Dirac_solution& s, GoFurther& go_further)
+              Dirac_solution& s, const Go_further& go_further)
   {
     const double sigma = s.spectral_shift;
     const bool is_among_them = is_continued_by(smallest, s);

@@ -24,7 +24,7 @@ namespace internal {
 ///
 /// One column is enough where it converges to the branch of the guide. As soon as it is rough, its
 /// companion tells whether X has mixed it with a vector of opposite sign.
-template <class Problem, class GoFurther>
+template <class Problem>
 class Dirac_search {
   using Vectors = Block<Quaternion<double>>;
   static constexpr int max_companions = 5;
@@ -39,7 +39,7 @@ class Dirac_search {
   /// \param options those of the whole solve, with the tolerance of this search
   Dirac_search(const Problem& problem, const Curvature_potential& rho,
                const Quaternion_vector<double>& guide, const Dirac_options& options,
-               GoFurther& go_further)
+               const Go_further& go_further)
       : m_problem(problem), m_rho(rho), m_guide(guide), m_options(options), m_go_further(go_further)
   {}
 
@@ -165,7 +165,7 @@ class Dirac_search {
   const Curvature_potential& m_rho;
   const Quaternion_vector<double>& m_guide;
   const Dirac_options m_options;
-  GoFurther& m_go_further;
+  const Go_further& m_go_further;
   Eigen_result m_result;
   Vectors m_suspects;
   int m_iterations = 0;

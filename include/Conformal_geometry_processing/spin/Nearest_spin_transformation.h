@@ -107,8 +107,7 @@ class Nearest_spin_transformation {
 
   /// \brief the conformal deformation.
   /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
-  template <class GoFurther = Always_go_further>
-  Nearest_spin_result transform(const Dirac_options& options = {}, GoFurther go_further = {})
+  Nearest_spin_result transform(const Dirac_options& options = {}, const Go_further& go_further = Always_go_further())
   {
     Spin_result found = m_transformation.transform(m_rho, options, go_further);
     if (found.report.cancelled) return {std::move(found), 0};

@@ -87,9 +87,8 @@ class Reduced_dirac_equation {
 
   /// \param[in,out] s is filled in
   /// \param is_self_adjoint whether gamma has a sign
-  template <class GoFurther>
   void solve(const Curvature_potential& rho, bool is_self_adjoint, const Dirac_options& options,
-             Dirac_solution& s, GoFurther go_further)
+             Dirac_solution& s, const Go_further& go_further)
   {
     set_potential(rho, s.seconds);
     Stopwatch watch;
@@ -117,9 +116,8 @@ class Reduced_dirac_equation {
   }
 
   /// One column, if it comes near to the guide; else several, of which those that count converge.
-  template <class GoFurther>
   Eigen_result nearest_to_guide(const Dirac_options& options, double bound, Dirac_solution& s,
-                                GoFurther& go_further) const
+                                const Go_further& go_further) const
   {
     const Quaternion_vector<double>& guide = m_directions.guide();
     // The guide may itself be an eigenvector, which says nothing about others.
@@ -137,9 +135,8 @@ class Reduced_dirac_equation {
                     go_further);
   }
 
-  template <class GoFurther>
   Eigen_result smallest(Vectors start, int wanted, double tolerance, const Dirac_options& options,
-                        Dirac_solution& s, GoFurther& go_further) const
+                        Dirac_solution& s, const Go_further& go_further) const
   {
     Eigen_options o;
     o.wanted = wanted;

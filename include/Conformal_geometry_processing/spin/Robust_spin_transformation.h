@@ -131,9 +131,8 @@ class Robust_spin_transformation {
   /// \param go_further asked between iterations with an `Eigen_progress`; false cancels
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
-  template <class GoFurther = Always_go_further>
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
-                        GoFurther go_further = {}) &
+                        const Go_further& go_further = Always_go_further()) &
   {
     Spin_result result = solve(rho, options, go_further);
     if (!result.report.cancelled) reconstruct(result);
@@ -141,9 +140,8 @@ class Robust_spin_transformation {
   }
 
   /// the same for the last time: needs less memory, for the two factors are not there together
-  template <class GoFurther = Always_go_further>
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
-                        GoFurther go_further = {}) &&
+                        const Go_further& go_further = Always_go_further()) &&
   {
     Spin_result result = solve(rho, options, go_further);
     dirac_equation().release();
@@ -205,8 +203,7 @@ class Robust_spin_transformation {
   }
 
   /// lambda, with the part of the report that tells of it and of the triangulation
-  template <class GoFurther>
-  Spin_result solve(const Curvature_potential& rho, Dirac_options options, GoFurther go_further)
+  Spin_result solve(const Curvature_potential& rho, Dirac_options options, const Go_further& go_further)
   {
     require_potential(rho);
     options.kernel_tolerance *= unit();

@@ -134,9 +134,8 @@ class Spin_transformation {
   /// \param go_further asked between iterations with an `Eigen_progress`; false cancels
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
-  template <class GoFurther = Always_go_further>
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
-                        GoFurther go_further = {}) &
+                        const Go_further& go_further = Always_go_further()) &
   {
     Spin_result result = solve(rho, options, go_further);
     if (!result.report.cancelled) reconstruct(result);
@@ -144,9 +143,8 @@ class Spin_transformation {
   }
 
   /// the same for the last time: needs less memory, for the two factors are not there together
-  template <class GoFurther = Always_go_further>
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
-                        GoFurther go_further = {}) &&
+                        const Go_further& go_further = Always_go_further()) &&
   {
     Spin_result result = solve(rho, options, go_further);
     m_dirac.release();
@@ -203,8 +201,7 @@ class Spin_transformation {
   }
 
   /// lambda, with the part of the report that tells of it
-  template <class GoFurther>
-  Spin_result solve(const Curvature_potential& rho, Dirac_options options, GoFurther go_further)
+  Spin_result solve(const Curvature_potential& rho, Dirac_options options, const Go_further& go_further)
   {
     require_potential(rho);
     options.kernel_tolerance *= m_frame.unit();

@@ -162,9 +162,8 @@ class Surface_dirac_equation {
 
   /// \brief see `Dirac_equation::solve()`.
   /// \throw Precondition_error if the generalized problem is asked for on a surface with boundary
-  template <class GoFurther = Always_go_further>
   Dirac_solution solve(const Curvature_potential& rho, const Dirac_options& options = {},
-                       GoFurther go_further = {})
+                       const Go_further& go_further = Always_go_further())
   {
     if (m_is_closed) return m_closed.solve(rho, options, go_further);
     if (options.problem == Eigenproblem::generalized)

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 
+#include <functional>
 #include <optional>
 
 namespace Conformal_geometry_processing {
@@ -36,6 +37,10 @@ struct Eigen_progress {
 struct Always_go_further {
   bool operator()(const Eigen_progress&) const { return true; }
 };
+
+/// \ingroup PkgLinearAlgebra
+/// asked after every iteration; false cancels
+using Go_further = std::function<bool(const Eigen_progress&)>;
 
 /// \ingroup PkgLinearAlgebra
 /// \brief the smallest eigenpairs of K x = N x theta, with the evidence for them.
