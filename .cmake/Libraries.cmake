@@ -49,8 +49,8 @@ function(cgp_describe target scope)
   add_library(Conformal_geometry_processing::${name} ALIAS ${target})
   set(interfaces ${ARGN})
   set(implementations ${ARGN})
-  list(FILTER interfaces EXCLUDE REGEX "_impl\\.h$")
-  list(FILTER implementations INCLUDE REGEX "_impl\\.h$")
+  list(FILTER interfaces EXCLUDE REGEX "_(impl|templates)\\.h$")
+  list(FILTER implementations INCLUDE REGEX "_(impl|templates)\\.h$")
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name}
                         VERIFY_INTERFACE_HEADER_SETS ON INTERFACE_HEADER_SETS_TO_VERIFY HEADERS)
   target_sources(${target} ${scope}
@@ -67,13 +67,16 @@ function(cgp_add_headers name targets)
   target_link_libraries(cgp_${name} INTERFACE ${targets})
 endfunction()
 
-# The files that are compiled, of some *_impl.h each: a folder makes few, for what they include costs
-# more than they do themselves.
+# The files that are compiled, of some *_impl.h each, for what they include costs more than they do
+# themselves; each file of instances, which are large, alone.
 function(cgp_joined_sources name implementations result)
   set(sources "")
   list(LENGTH implementations left)
   while(left GREATER 0)
-    list(SUBLIST implementations 0 ${CGP_IMPLEMENTATIONS_TOGETHER} some)
+    list(GET implementations 0 some)
+    if(NOT some MATCHES "instances_impl") # those come first
+      list(SUBLIST implementations 0 ${CGP_IMPLEMENTATIONS_TOGETHER} some)
+    endif()
     list(REMOVE_ITEM implementations ${some})
     list(LENGTH implementations left)
     list(TRANSFORM some REPLACE "^${PROJECT_SOURCE_DIR}/include/(.*)$" "#include <\\1>\n")
@@ -93,6 +96,10 @@ function(cgp_add_compiled name below)
   cgp_describe(cgp_${name} PUBLIC ${ARGN})
   set(implementations ${ARGN})
   list(FILTER implementations INCLUDE REGEX "_impl\\.h$")
+  set(instances ${implementations})
+  list(FILTER instances INCLUDE REGEX "instances_impl")
+  list(REMOVE_ITEM implementations ${instances})
+  list(PREPEND implementations ${instances})
   cgp_joined_sources(${name} "${implementations}" sources)
   target_sources(cgp_${name} PRIVATE ${sources})
   set_target_properties(cgp_${name} PROPERTIES OUTPUT_NAME conformal_geometry_${name}

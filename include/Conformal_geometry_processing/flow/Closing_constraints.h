@@ -9,8 +9,6 @@
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Surface_dirac_equation.h>
 
 #include <Eigen/Core>
@@ -67,39 +65,19 @@ class Closing_constraints {
   /// \param on where the curvature lives that is to be constrained
   /// \pre `require_surface(mesh)` holds
   Closing_constraints(const Mesh_view& mesh, Equation& equation, std::optional<Exactness> version,
-                      Curvature_potential::On on = Curvature_potential::On::vertices)
-      : m_mesh(mesh),
-        m_equation(equation),
-        m_version(version),
-        m_on(on),
-        m_generators(closed_generators(mesh)),
-        m_functions(on == Curvature_potential::On::vertices ? mesh.size_of_vertices()
-                                                            : mesh.size_of_faces(),
-                    0)
-  {}
+                      Curvature_potential::On on = Curvature_potential::On::vertices);
 
   /// \brief follows the mesh to its present positions.
   /// \param laplacian solves with the Laplacian of the mesh as it is now
   /// \throw Solver_error if a factorization fails, or a solve
-  void update(const Grounded_solver<SolverTraits>& laplacian)
-  {
-    if (m_generators.cols() == 0) return;
-    m_basis = Hodge_decomposition<SolverTraits>(m_mesh, m_generators, laplacian).harmonic_basis();
-    if (!m_version) return;
-    m_functions = m_equation.is_closed() ? closed_functions() : bounded_functions();
-  }
+  void update(const Grounded_solver<SolverTraits>& laplacian);
 
   /// the number of loops around handles and holes, 2G or 2G + number of holes - 1
   int size_of_loops() const { return static_cast<int>(m_generators.cols()); }
 
   /// \brief what rho must be orthogonal to: `functions()`, and the constants, which have no effect
   /// but where a boundary is free or has prescribed tangents.
-  Constraint_basis basis() const
-  {
-    return internal::closing_basis(
-        m_on == Curvature_potential::On::vertices ? vertex_areas(m_mesh) : face_areas(m_mesh),
-        m_equation.is_self_adjoint(), m_functions);
-  }
+  Constraint_basis basis() const;
 
   /// three for each loop; |V| or |F| rows
   const Eigen::MatrixXd& functions() const { return m_functions; }
@@ -107,27 +85,11 @@ class Closing_constraints {
   /// \brief the norm of the harmonic part of new edge vectors by their norm: zero where they close
   /// up around the handles; always zero for spheres and disks.
   /// \param edges |E| x 3, of a transformation of the mesh as it was in `update()`
-  double defect(const Eigen::MatrixX3d& edges) const
-  {
-    if (m_generators.cols() == 0) return 0;
-    return internal::period_defect(cotan_weights(m_mesh), m_basis, edges);
-  }
+  double defect(const Eigen::MatrixX3d& edges) const;
 
  private:
-  Eigen::MatrixXd closed_functions()
-  {
-    if (m_inverse)
-      m_inverse->update_geometry();
-    else
-      m_inverse.emplace(m_mesh, m_equation.problem().solver());
-    return exactness_constraints(m_mesh, m_basis, *m_inverse, m_on, *m_version);
-  }
-
-  Eigen::MatrixXd bounded_functions()
-  {
-    const auto respond = [&](const Block<Quaternion<double>>& c) { return m_equation.response(c); };
-    return bounded_exactness_constraints(m_mesh, m_basis, respond, m_on);
-  }
+  Eigen::MatrixXd closed_functions();
+  Eigen::MatrixXd bounded_functions();
 
   const Mesh_view& m_mesh;
   Equation& m_equation;
@@ -140,5 +102,9 @@ class Closing_constraints {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Closing_constraints_templates.h>
+#endif
 
 #endif

@@ -11,25 +11,19 @@
 #include <Conformal_geometry_processing/flow/Flow_visitor.h>
 #include <Conformal_geometry_processing/flow/Time_step.h>
 #include <Conformal_geometry_processing/flow/Willmore_direction.h>
-#include <Conformal_geometry_processing/flow/step_fault.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_convergence.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -65,22 +59,7 @@ class Conformal_willmore_flow {
   /// \throw Solver_error if the analysis fails
   explicit Conformal_willmore_flow(const Mesh_view& mesh, const Flow_options& options = {},
                                    Direction direction = {},
-                                   std::string function = "Conformal_willmore_flow")
-      : m_function(std::move(function)),
-        m_options(checked(options, m_function)),
-        m_transformation(mesh, options.boundary, m_function),
-        m_initial(mesh),
-        m_mesh(mesh),
-        m_next(mesh),
-        m_direction(m_mesh, std::move(direction), options, m_transformation.dirac_equation(),
-                    m_function),
-        m_balance(
-            mesh,
-            options, [&]() -> const auto& { return m_transformation.reconstruction().solver(); },
-            m_function),
-        m_energy(energy_of(mesh)),
-        m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step))
-  {}
+                                   std::string function = "Conformal_willmore_flow");
 
   /// the surface after the last complete step
   const Mesh_view& mesh() const { return m_mesh; }
@@ -153,138 +132,40 @@ class Conformal_willmore_flow {
   /// what came of a trial
   enum class Verdict { good, rises_slightly, bad, cancelled };
 
-  double energy_of(const Mesh_view& mesh) const
-  {
-    return internal::energy_of(m_direction.unconstrained(), mesh);
-  }
+  double energy_of(const Mesh_view& mesh) const;
 
   // A type of its own for each visitor would have the eigensolver compiled for each.
   using Go_further = std::function<bool(const Eigen_progress&)>;
 
   /// Tries time steps until one is accepted or none is left.
   void find_time_step(const Eigen::VectorXd& v, Flow_step_report& report,
-                      const Go_further& go_further)
-  {
-    const double first = m_time_step.value();
-    const Eigen::VectorXd back = m_direction.closing_part(m_balance.potential(m_mesh));
-    for (int slight_rises = 0; !report.accepted && report.stop == Flow_stop::none;) {
-      const double tau = report.time_step = m_time_step.value();
-      ++report.trials;
-      const Verdict verdict = try_step(tau * v + tau / first * back, report, go_further);
-      slight_rises += verdict == Verdict::rises_slightly;
-      if (verdict == Verdict::cancelled)
-        report.stop = Flow_stop::cancelled;
-      else if (verdict == Verdict::good)
-        accept(report);
-      else if (!m_options.backtracking)
-        report.stop = Flow_stop::step_failed;
-      else if (slight_rises == 2)  // half the step has not helped: this is the minimum
-        report.stop = Flow_stop::energy_settled;
-      else if (!m_time_step.halve())
-        report.stop = Flow_stop::time_step_too_small;
-    }
-  }
+                      const Go_further& go_further);
 
   /// Transforms the surface, and moves the object there if the result is good.
   Verdict try_step(const Eigen::VectorXd& rho, Flow_step_report& report,
-                   const Go_further& go_further)
-  {
-    try {
-      Spin_result result = m_transformation.transform(Curvature_potential::on_vertices(rho),
-                                                      m_options.dirac, go_further);
-      report.spin = result.report;
-      if (!result.report.cancelled)
-        report.period_defect = m_direction.period_defect(transformed_edges(m_mesh, result.lambda));
-      return result.report.cancelled ? Verdict::cancelled : judge(std::move(result), report);
-    } catch (const Solver_error& error) {
-      if (is_out_of_memory(error)) throw;
-      report.message = error.what();
-      return Verdict::bad;
-    }
-  }
-
-  Verdict judge(Spin_result result, Flow_step_report& report)
-  {
-    const std::string fault = step_fault(result.report, is_turning(), m_options);
-    if (!fault.empty()) return reject(fault, report);
-    m_next.set_positions(std::move(result.positions));
-    const double energy = energy_of(m_next), rise = energy - m_energy;
-    if (!std::isfinite(energy)) return reject("the energy is not finite", report);
-    if (rise >= forbidden_rise()) {
-      (void)reject("the energy rises by " + std::to_string(rise / m_energy) + " of it", report);
-      return is_small(rise, report.time_step) ? Verdict::rises_slightly : Verdict::bad;
-    }
-    return move_on(balanced(energy), report);
-  }
+                   const Go_further& go_further);
+  Verdict judge(Spin_result result, Flow_step_report& report);
 
   /// \brief balances the surface that comes next, and returns its energy.
   ///
   /// Inversions keep it up to O(h^2), and are left out where that is more than the step has gained.
-  double balanced(double energy)
-  {
-    if (!m_balance.is_by_inversion()) return energy;
-    const Points before = m_next.positions();
-    m_next.set_positions(m_balance.inverted(m_next));
-    const double after = energy_of(m_next);
-    if (after - m_energy < forbidden_rise()) return after;
-    m_next.set_positions(before);
-    return energy;
-  }
+  double balanced(double energy);
 
   /// a step must raise the energy by less: by nothing, unless a boundary has yet to turn
-  double forbidden_rise() const
-  {
-    const bool may_rise = !m_options.backtracking || !internal::Has_energy<Direction>::value;
-    return may_rise ? HUGE_VAL : turning_angle() * (std::max)(m_energy, 4 * 3.14159265358979323846);
-  }
+  double forbidden_rise() const;
 
   /// how far the boundary is from the directions prescribed, in radians
-  double turning_angle() const
-  {
-    const auto* const directions = m_transformation.dirac_equation().directions();
-    return directions ? directions->errors(m_mesh).mean() : 0;
-  }
+  double turning_angle() const;
   bool is_turning() const { return turning_angle() > 0.01; }
 
-  static Verdict reject(const std::string& message, Flow_step_report& report)
-  {
-    report.message = message;
-    return Verdict::bad;
-  }
+  static Verdict reject(const std::string& message, Flow_step_report& report);
 
   /// whether a change of the energy is below the tolerance, extrapolated to a time of 1
-  bool is_small(double change, double time) const
-  {
-    // A minimal surface, of energy zero, is not approached faster than its mesh allows.
-    const double scale = (std::max)(m_energy, 0.01 * energy_of(m_initial));
-    return std::abs(change) < m_options.energy_tolerance * time * scale;
-  }
+  bool is_small(double change, double time) const;
 
   /// Everything that may fail comes before the first change.
-  Verdict move_on(double energy, Flow_step_report& report)
-  {
-    report.quasi_conformal = quasi_conformal_error(m_initial, m_next.positions());
-    try {
-      m_transformation.set_positions(m_next.positions());
-    } catch (const Precondition_error& error) {
-      return reject(error.message(), report);
-    }
-    std::swap(m_mesh, m_next);
-    m_energy = energy;
-    ++m_steps;
-    return Verdict::good;
-  }
-
-  void accept(Flow_step_report& report)
-  {
-    report.accepted = true;
-    report.energy = m_energy;
-    report.message.clear();
-    m_time_step.grow();
-    const double change = report.energy - report.energy_before;
-    if (internal::Has_energy<Direction>::value && is_small(change, report.time_step))
-      report.stop = Flow_stop::energy_settled;
-  }
+  Verdict move_on(double energy, Flow_step_report& report);
+  void accept(Flow_step_report& report);
 
   std::string m_function;
   Flow_options m_options;
@@ -298,5 +179,9 @@ class Conformal_willmore_flow {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow_templates.h>
+#endif
 
 #endif

@@ -9,16 +9,12 @@
 #include <Conformal_geometry_processing/flow/Curvature_filter.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/normals.h>
-#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Surface_dirac_equation.h>
 
 #include <Eigen/Core>
 
-#include <cmath>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -46,27 +42,13 @@ class Constrained_direction {
 
     /// \brief whether a share of at most `tolerance` is left of the direction, or of the curvature
     /// of a round sphere: that of a flat surface is rounding, of which all is left.
-    bool has_vanished(double tolerance) const
-    {
-      const double norm_of_spheres = std::sqrt(4 * 3.14159265358979323846);
-      return share <= tolerance || norm <= tolerance * norm_of_spheres;
-    }
+    bool has_vanished(double tolerance) const;
   };
 
   /// \param mesh its positions may change; must outlive the object, and so must `equation`
   /// \param equation that of the mesh, whose analysis is shared
   Constrained_direction(const Mesh_view& mesh, Direction direction, const Flow_options& options,
-                        Equation& equation, std::string function)
-      : m_mesh(mesh),
-        m_direction(std::move(direction)),
-        m_closing(mesh, equation, options.exactness),
-        m_is_closed(equation.is_closed()),
-        m_function(std::move(function))
-  {
-    if (options.filter_weight > 0)
-      m_filter.emplace(mesh, options.filter_weight, options.filter_order,
-                       equation.problem().matrix().shared_pattern(), equation.problem().solver());
-  }
+                        Equation& equation, std::string function);
 
   const Direction& unconstrained() const { return m_direction; }
 
@@ -75,57 +57,18 @@ class Constrained_direction {
   /// \throw Precondition_error if the direction is not one finite number per vertex
   /// \throw Solver_error if a factorization fails, or a solve, or the surface has degenerated so
   /// far that its constraints make no sense
-  Result operator()(const Grounded_solver<SolverTraits>& laplacian)
-  {
-    const Eigen::VectorXd raw = m_direction(m_mesh);
-    require_one_per_vertex(raw);
-    try {
-      return constrained(raw, laplacian);
-    } catch (const Precondition_error& error) {
-      throw Solver_error(error.function(), error.message());
-    }
-  }
+  Result operator()(const Grounded_solver<SolverTraits>& laplacian);
 
   /// what a change of curvature may keep if the surface is to close
-  Eigen::VectorXd closing_part(const Eigen::VectorXd& rho) const
-  {
-    return rho.isZero(0) ? rho : m_closing.basis().project_out(rho);
-  }
+  Eigen::VectorXd closing_part(const Eigen::VectorXd& rho) const;
 
   /// `Closing_constraints::defect()`
   double period_defect(const Eigen::MatrixX3d& edges) const { return m_closing.defect(edges); }
 
  private:
-  Result constrained(const Eigen::VectorXd& raw, const Grounded_solver<SolverTraits>& laplacian)
-  {
-    m_closing.update(laplacian);
-    Constraint_basis all = m_closing.basis();
-    if (m_is_closed) all.add(vertex_normals(m_mesh, Normal_weight::angle).transpose());
-    Result result;
-    result.v = all.project_out(filtered(raw));
-    result.norm = all.norm(result.v);
-    result.share = all.norm(raw) > 0 ? result.norm / all.norm(raw) : 0;
-    return result;
-  }
-
-  Eigen::VectorXd filtered(const Eigen::VectorXd& v)
-  {
-    if (!m_filter) return v;
-    m_filter->update_geometry();
-    return (*m_filter)(v);
-  }
-
-  void require_one_per_vertex(const Eigen::VectorXd& v) const
-  {
-    if (v.size() != m_mesh.size_of_vertices())
-      throw Precondition_error(m_function, "the direction has " + std::to_string(v.size()) +
-                                               " values, one per vertex is needed: " +
-                                               std::to_string(m_mesh.size_of_vertices()));
-    internal::refuse_if_any(
-        m_mesh.size_of_vertices(), [&](int i) { return !std::isfinite(v[i]); },
-        [](int i) { return "vertex " + std::to_string(i); }, m_function,
-        "#value of the direction not finite", "finite values are needed");
-  }
+  Result constrained(const Eigen::VectorXd& raw, const Grounded_solver<SolverTraits>& laplacian);
+  Eigen::VectorXd filtered(const Eigen::VectorXd& v);
+  void require_one_per_vertex(const Eigen::VectorXd& v) const;
 
   const Mesh_view& m_mesh;
   Direction m_direction;
@@ -136,5 +79,9 @@ class Constrained_direction {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Constrained_direction_templates.h>
+#endif
 
 #endif

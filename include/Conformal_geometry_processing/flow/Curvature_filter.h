@@ -3,20 +3,13 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CURVATURE_FILTER_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CURVATURE_FILTER_H
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
-#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -53,12 +46,7 @@ class Curvature_filter {
   /// \pre `require_surface(mesh)` holds
   /// \throw Precondition_error if weight or order are out of range
   /// \throw Solver_error if the matrix cannot be factored
-  Curvature_filter(const Mesh_view& mesh, double weight, int order)
-      : Curvature_filter(mesh, weight, order, vertex_graph(mesh))
-  {
-    check("analysis", m_solver.analyze(m_L.pattern()));
-    update_geometry();
-  }
+  Curvature_filter(const Mesh_view& mesh, double weight, int order);
 
   /// shares the analysis of another solver on the same pattern
   /// \param pattern `vertex_graph(mesh)`
@@ -74,82 +62,26 @@ class Curvature_filter {
 
   /// \brief the mesh has new positions: factors again on the same analysis.
   /// \throw Solver_error if the matrix cannot be factored
-  void update_geometry()
-  {
-    if (m_order == 0) return;
-    const Eigen::VectorXd areas = vertex_areas(m_mesh);
-    const double radius_squared = areas.sum() / (4 * 3.14159265358979323846);
-    m_masses = areas / (std::pow(m_weight, 1. / m_order) * radius_squared);
-    assemble_cotan_laplacian(m_mesh, cotan_weights(m_mesh), m_L);
-    check("factorization", m_solver.factorize(m_L, m_masses));
-  }
+  void update_geometry();
 
   /// the filtered function
   /// \param v |V| numbers
   /// \throw Solver_error if the solver fails
-  Eigen::VectorXd operator()(const Eigen::VectorXd& v) const
-  {
-    if (m_order == 0) return m_weight / (1 + m_weight) * v;
-    // The recurrence of the Chebyshev polynomials in 2C - 1, whose spectrum is in [-1, 1].
-    Eigen::VectorXd before = v, now = 2 * smoothed(v) - v;
-    Eigen::VectorXd sum = m_series[0] * before + m_series[1] * now;
-    for (Eigen::Index j = 2; j < m_series.size(); ++j) {
-      before = 4 * smoothed(now) - 2 * now - before;
-      now.swap(before);
-      sum += m_series[j] * now;
-    }
-    return sum;
-  }
+  Eigen::VectorXd operator()(const Eigen::VectorXd& v) const;
 
  private:
   Curvature_filter(const Mesh_view& mesh, double weight, int order,
-                   std::shared_ptr<const Sparse_pattern> pattern)
-      : m_mesh(mesh), m_weight(weight), m_order(order), m_L(std::move(pattern))
-  {
-    if (!(weight > 0) || !std::isfinite(weight))
-      throw Precondition_error("Curvature_filter", "a weight of " + std::to_string(weight) +
-                                                       "; a positive number is needed");
-    if (order < 0)
-      throw Precondition_error("Curvature_filter", "an order of " + std::to_string(order) +
-                                                       "; 0, 1, 2, ... are possible");
-    if (order > 0) m_series = gain_series(order);
-  }
+                   std::shared_ptr<const Sparse_pattern> pattern);
 
   /// C v
-  Eigen::VectorXd smoothed(const Eigen::VectorXd& v) const
-  {
-    Block<double> x;
-    check("solution", m_solver.solve(m_masses.cwiseProduct(v), x));
-    return x;
-  }
+  Eigen::VectorXd smoothed(const Eigen::VectorXd& v) const;
 
   /// The Chebyshev coefficients of (1 - c)^k / (c^k + (1 - c)^k) in t = 2c - 1. Its poles nearest
   /// to
   /// [-1, 1] are at +-i tan(pi / 2k), and the terms fall like 1 / (sum of that ellipse's half
   /// axes)^j.
-  static Eigen::VectorXd gain_series(int k)
-  {
-    const double pi = 3.14159265358979323846, precision = 1e-10;
-    const double pole = k == 1 ? HUGE_VAL : std::tan(pi / (2 * k));
-    const double decay = std::log(pole + std::hypot(1, pole));
-    const int degree = (std::max)(1, static_cast<int>(std::ceil(-std::log(precision) / decay)));
-    const int n = degree + 1;
-    Eigen::VectorXd series = Eigen::VectorXd::Zero(n);
-    for (int m = 0; m < n; ++m) {
-      const double angle = pi * (m + .5) / n, c = (1 + std::cos(angle)) / 2;
-      const double gain = 1 / (1 + std::pow(c / (1 - c), k));
-      for (int j = 0; j < n; ++j) series[j] += (j == 0 ? 1. : 2.) / n * gain * std::cos(j * angle);
-    }
-    return series;
-  }
-
-  static void check(const char* step, Solver_status status)
-  {
-    if (status != Solver_status::success)
-      throw Solver_error(
-          "Curvature_filter",
-          std::string(step) + " of the smoothing matrix failed: " + to_string(status));
-  }
+  static Eigen::VectorXd gain_series(int k);
+  static void check(const char* step, Solver_status status);
 
   const Mesh_view& m_mesh;
   double m_weight;
@@ -161,5 +93,9 @@ class Curvature_filter {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Curvature_filter_templates.h>
+#endif
 
 #endif

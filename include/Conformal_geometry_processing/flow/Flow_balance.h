@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_BALANCE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_BALANCE_H
 
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/algebra/Moebius_map.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Moebius_balancing.h>

@@ -5,15 +5,10 @@
 
 #include <Conformal_geometry_processing/flow/Closing_constraints.h>
 #include <Conformal_geometry_processing/forms/Dirac_energy_inverse.h>
-#include <Conformal_geometry_processing/forms/delaunay_exactness.h>
 #include <Conformal_geometry_processing/mesh/sound_faces.h>
 #include <Conformal_geometry_processing/spin/Robust_spin_transformation.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
-
-#include <cmath>
-#include <type_traits>
 
 namespace Conformal_geometry_processing {
 
@@ -30,11 +25,7 @@ class Moving_delaunay_view {
   /// \param transformation of the mesh, which carries generators; must outlive the object
   /// \param on where the values of rho are
   Moving_delaunay_view(Transformation& transformation, const Mesh_view& mesh, Exactness,
-                       Curvature_potential::On on)
-      : m_transformation(transformation), m_on(on)
-  {
-    move_to(mesh.positions());
-  }
+                       Curvature_potential::On on);
 
   Moving_delaunay_view(const Moving_delaunay_view&) = delete;
   Moving_delaunay_view& operator=(const Moving_delaunay_view&) = delete;
@@ -42,44 +33,10 @@ class Moving_delaunay_view {
   static Mesh_view measured(const Mesh_view& mesh) { return sound_faces(mesh).mesh; }
 
   /// 2k solves with the Laplacian, a factorization for rho = 0, and 3k solves with that, of k loops
-  void update()
-  {
-    const Delaunay_view& mesh = m_transformation.view();
-    m_basis = harmonic_basis(mesh, m_transformation.reconstruction().solver());
-    auto& equation = m_transformation.dirac_equation();
-    if (equation.is_closed()) {
-      auto& problem = equation.problem();
-      using Solver = typename std::decay_t<decltype(problem)>::Solver;
-      Dirac_solution::Seconds seconds;
-      problem.set_potential(no_potential(mesh), seconds);
-      const Dirac_energy_inverse<Solver> inverse(problem.matrix(), problem.areas(),
-                                                 problem.solver());
-      m_functions = exactness_constraints(mesh, m_basis, inverse, m_on);
-    } else {
-      const auto respond = [&](const Block<Quaternion<double>>& c) { return equation.response(c); };
-      m_functions = bounded_exactness_constraints(mesh, m_basis, respond, m_on);
-    }
-  }
-
-  Constraint_basis basis() const
-  {
-    return internal::closing_basis(curvature_areas(m_transformation.view(), m_on),
-                                   m_transformation.dirac_equation().is_self_adjoint(),
-                                   m_functions);
-  }
-
-  double defect(const Quaternion_vector<double>& lambda) const
-  {
-    const Delaunay_view& mesh = m_transformation.view();
-    return internal::period_defect(mesh.cotan_weights(), m_basis, transformed_edges(mesh, lambda));
-  }
-
-  void move_to(const Points& positions)
-  {
-    m_positions = positions;
-    m_areas = m_transformation.unit() * m_transformation.unit() *
-              curvature_areas(m_transformation.view(), m_on);
-  }
+  void update();
+  Constraint_basis basis() const;
+  double defect(const Quaternion_vector<double>& lambda) const;
+  void move_to(const Points& positions);
 
   const Points& positions() const { return m_positions; }
 
@@ -95,5 +52,9 @@ class Moving_delaunay_view {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Moving_delaunay_view_templates.h>
+#endif
 
 #endif

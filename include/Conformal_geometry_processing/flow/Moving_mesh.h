@@ -5,9 +5,7 @@
 
 #include <Conformal_geometry_processing/flow/Closing_constraints.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
 
@@ -23,12 +21,7 @@ class Moving_mesh {
 
   /// \param transformation of the mesh; must outlive the object
   Moving_mesh(Transformation& transformation, const Mesh_view& mesh, Exactness exactness,
-              Curvature_potential::On on)
-      : m_transformation(transformation),
-        m_on(on),
-        m_mesh(mesh),
-        m_closing(m_mesh, transformation.dirac_equation(), exactness, on)
-  {}
+              Curvature_potential::On on);
 
   Moving_mesh(const Moving_mesh&) = delete;
   Moving_mesh& operator=(const Moving_mesh&) = delete;
@@ -44,10 +37,7 @@ class Moving_mesh {
   Constraint_basis basis() const { return m_closing.basis(); }
 
   /// of the surface with spins lambda, see `Closing_constraints::defect()`
-  double defect(const Quaternion_vector<double>& lambda) const
-  {
-    return m_closing.defect(transformed_edges(m_mesh, lambda));
-  }
+  double defect(const Quaternion_vector<double>& lambda) const;
 
   /// follows the transformation
   /// \pre it has moved to these positions
@@ -56,10 +46,7 @@ class Moving_mesh {
   const Points& positions() const { return m_mesh.positions(); }
 
   /// that belong to the values of rho; of the surface of the last `move_to()`
-  Eigen::VectorXd areas() const
-  {
-    return m_on == Curvature_potential::On::vertices ? vertex_areas(m_mesh) : face_areas(m_mesh);
-  }
+  Eigen::VectorXd areas() const;
 
  private:
   Transformation& m_transformation;
@@ -69,5 +56,9 @@ class Moving_mesh {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Moving_mesh_templates.h>
+#endif
 
 #endif

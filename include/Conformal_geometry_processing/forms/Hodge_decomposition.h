@@ -4,20 +4,13 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FORMS_HODGE_DECOMPOSITION_H
 
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
-#include <Conformal_geometry_processing/forms/tangent_field.h>
-#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
-#include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <Eigen/Core>
 
 #include <memory>
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -54,9 +47,7 @@ class Hodge_decomposition {
   /// coordinates and positive areas; the message names the first element in the way
   /// \throw Solver_error if the Laplacian cannot be factored
   explicit Hodge_decomposition(const Mesh_view& mesh,
-                               const std::string& function = "Hodge_decomposition")
-      : Hodge_decomposition(Checked_mesh(mesh, function))
-  {}
+                               const std::string& function = "Hodge_decomposition");
 
   /// \brief from given generators, with a given factor.
   /// \param generators closed forms, |E| x their number (see `closed_generators()`), with no exact
@@ -66,9 +57,7 @@ class Hodge_decomposition {
   /// \pre `require_surface(mesh)` holds
   /// \throw Precondition_error if the generators are not independent
   Hodge_decomposition(const Mesh_view& mesh, const Eigen::MatrixXd& generators,
-                      const Grounded_solver<SolverTraits>& laplacian)
-      : Hodge_decomposition(mesh, generators, not_owned(laplacian))
-  {}
+                      const Grounded_solver<SolverTraits>& laplacian);
 
   const Harmonic_basis& harmonic_basis() const { return m_basis; }
 
@@ -77,63 +66,24 @@ class Hodge_decomposition {
 
   /// \param omega |E| x k, along each edge i -> j, i < j
   /// \throw Solver_error if the solver fails
-  Hodge_parts decompose(const Eigen::MatrixXd& omega) const
-  {
-    Hodge_parts parts;
-    parts.potential = potential(omega);
-    parts.exact = differential(m_mesh, parts.potential);
-    const Eigen::MatrixXd rest = omega - parts.exact;
-    parts.harmonic = m_basis.one_forms * m_basis.coefficients(m_weights, rest);
-    parts.coexact = rest - parts.harmonic;
-    return parts;
-  }
+  Hodge_parts decompose(const Eigen::MatrixXd& omega) const;
 
  private:
   using Laplacian = std::shared_ptr<const Grounded_solver<SolverTraits>>;
 
   // A mesh that has passed the checks, which must come before all else.
   struct Checked_mesh {
-    Checked_mesh(const Mesh_view& mesh_, const std::string& function) : mesh(mesh_)
-    {
-      require_surface(mesh, function);
-    }
+    Checked_mesh(const Mesh_view& mesh_, const std::string& function);
     const Mesh_view& mesh;
   };
 
-  explicit Hodge_decomposition(const Checked_mesh& c)
-      : Hodge_decomposition(c.mesh, closed_generators(c.mesh), factored(c.mesh))
-  {}
-
-  Hodge_decomposition(const Mesh_view& mesh, Eigen::MatrixXd generators, Laplacian laplacian)
-      : m_mesh(mesh), m_weights(cotan_weights(mesh)), m_laplacian(std::move(laplacian))
-  {
-    Eigen::MatrixXd& forms = m_basis.one_forms = std::move(generators);
-    internal::remove_exact_parts(mesh, m_weights, *m_laplacian, forms);
-    internal::orthonormalize(mesh, forms);
-    // What the solver has left of the large part of generators.
-    internal::remove_exact_parts(mesh, m_weights, *m_laplacian, forms);
-    for (Eigen::Index i = 0; i < forms.cols(); ++i)
-      m_basis.fields.push_back(tangent_field(mesh, forms.col(i)));
-  }
-
-  static Laplacian factored(const Mesh_view& mesh)
-  {
-    const auto pattern = vertex_graph(mesh);
-    const auto solver = std::make_shared<Grounded_solver<SolverTraits>>(pattern);
-    solver->factorize(cotan_laplacian(mesh, pattern));
-    return solver;
-  }
-
-  static Laplacian not_owned(const Grounded_solver<SolverTraits>& laplacian)
-  {
-    return {std::shared_ptr<const void>(), &laplacian};
-  }
+  explicit Hodge_decomposition(const Checked_mesh& c);
+  Hodge_decomposition(const Mesh_view& mesh, Eigen::MatrixXd generators, Laplacian laplacian);
+  static Laplacian factored(const Mesh_view& mesh);
+  static Laplacian not_owned(const Grounded_solver<SolverTraits>& laplacian);
 
   /// u with L u = d0^T w omega
-  Eigen::MatrixXd potential(const Eigen::MatrixXd& omega) const
-  {
-    return m_laplacian->solve(codifferential(m_mesh, m_weights, omega));
-  }
+  Eigen::MatrixXd potential(const Eigen::MatrixXd& omega) const;
 
   const Mesh_view& m_mesh;
   Eigen::VectorXd m_weights;  // |E|
@@ -142,5 +92,9 @@ class Hodge_decomposition {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/forms/Hodge_decomposition_templates.h>
+#endif
 
 #endif

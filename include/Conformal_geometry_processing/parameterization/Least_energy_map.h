@@ -5,14 +5,10 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/expanded_graph.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/subspace_iteration.h>
-#include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/parameterization/Parameterization_report.h>
 #include <Conformal_geometry_processing/parameterization/normalized_boundary.h>
 
-#include <algorithm>
 #include <complex>
 #include <string>
 #include <utility>
@@ -33,63 +29,18 @@ class Least_energy_map {
  public:
   /// \param loops whose vertices are spread; the first one is not shorter than three edges
   Least_energy_map(const Mesh_view& mesh, const std::vector<Vertex_loop>& loops,
-                   std::string function)
-      : m_mesh(mesh),
-        m_start(circle_maps(mesh, loops, (std::min)(4, static_cast<int>(loops[0].size()) - 1))),
-        m_weights(Eigen::VectorXd::Zero(mesh.size_of_vertices())),
-        m_function(std::move(function))
-  {
-    for (const Vertex_loop& loop : loops)
-      for (const int v : loop) m_weights[v] = 1;
-  }
+                   std::string function);
 
   /// \param report receives what the eigenvector tells, and the seconds
   /// \throw Solver_error if a factorization fails
   Eigen::VectorXcd find(const Hermitian_sparse_matrix<Complex>& energy,
-                        const Subspace_options& options, Parameterization_report& report) const
-  {
-    typename SolverTraits::template Solver<Complex> solver;
-    Stopwatch watch;
-    check("analysis", solver.analyze_with_positions(energy.pattern(), m_mesh.positions()));
-    report.seconds.setup = watch.lap();
-    const Centered_mass<Complex> mass(m_weights, Eigen::MatrixXcd::Ones(m_weights.size(), 1));
-    return eigenvector(energy, solver, mass, m_weights, m_start, options, report);
-  }
-
+                        const Subspace_options& options, Parameterization_report& report) const;
   Eigen::VectorXcd find(const Hermitian_sparse_matrix<double>& energy,
-                        const Subspace_options& options, Parameterization_report& report) const
-  {
-    const Eigen::Index n = m_weights.size(), k = m_start.cols();
-    typename SolverTraits::template Solver<double> solver;
-    Stopwatch watch;
-    const Ordering order = amd_ordering(*vertex_graph(m_mesh));
-    check("analysis", solver.analyze(energy.pattern(), expanded_ordering(order, 2)));
-    report.seconds.setup = watch.lap();
-    Eigen::VectorXd weights(2 * n);
-    weights << m_weights, m_weights;
-    weights = interleaved(weights);
-    Eigen::MatrixXd start(2 * n, 2 * k), constants = Eigen::MatrixXd::Zero(2 * n, 2);
-    start << m_start.real(), -m_start.imag(), m_start.imag(), m_start.real();
-    constants.topLeftCorner(n, 1).setOnes();
-    constants.bottomRightCorner(n, 1).setOnes();
-    const Centered_mass<double> mass(weights, interleaved(constants));
-    const Eigen::VectorXd ab =
-        eigenvector(energy, solver, mass, weights, interleaved(start), options, report);
-    return Eigen::Map<const Eigen::VectorXcd>(reinterpret_cast<const Complex*>(ab.data()), n);
-  }
+                        const Subspace_options& options, Parameterization_report& report) const;
 
  private:
   /// rows 0 ... n-1, n ... 2n-1 in the order 0, n, 1, n+1, ...
-  static Eigen::MatrixXd interleaved(const Eigen::MatrixXd& x)
-  {
-    const Eigen::Index n = x.rows() / 2;
-    Eigen::MatrixXd y(x.rows(), x.cols());
-    for (Eigen::Index i = 0; i < n; ++i) {
-      y.row(2 * i) = x.row(i);
-      y.row(2 * i + 1) = x.row(n + i);
-    }
-    return y;
-  }
+  static Eigen::MatrixXd interleaved(const Eigen::MatrixXd& x);
 
   template <class Scalar, class Solver>
   Vector<Scalar> eigenvector(const Hermitian_sparse_matrix<Scalar>& energy, Solver& solver,
@@ -131,12 +82,7 @@ class Least_energy_map {
     return 0;
   }
 
-  void check(const char* step, Solver_status status) const
-  {
-    if (status != Solver_status::success)
-      throw Solver_error(
-          m_function, std::string(step) + " of the conformal energy failed: " + to_string(status));
-  }
+  void check(const char* step, Solver_status status) const;
 
   const Mesh_view& m_mesh;
   Eigen::MatrixXcd m_start;   // |V| x up to 4
@@ -145,5 +91,9 @@ class Least_energy_map {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/parameterization/Least_energy_map_templates.h>
+#endif
 
 #endif

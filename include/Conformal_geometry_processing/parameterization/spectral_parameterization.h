@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_SPECTRAL_PARAMETERIZATION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_SPECTRAL_PARAMETERIZATION_H
 
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>

@@ -3,23 +3,14 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_EIGENPROBLEM_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_EIGENPROBLEM_H
 
-#include <Conformal_geometry_processing/algebra/random_quaternions.h>
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/release_factor.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
-#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-#include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
 #include <Eigen/Core>
-
-#include <cmath>
-#include <memory>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -44,11 +35,7 @@ class Dirac_eigenproblem {
   /// \param mesh must outlive the object
   /// \pre `require_surface(mesh)` holds
   /// \throw Solver_error if the analysis fails
-  explicit Dirac_eigenproblem(const Surface& mesh)
-      : m_mesh(mesh), m_areas(vertex_areas(mesh)), m_X(vertex_graph(mesh))
-  {
-    check("analysis", m_solver.analyze_with_positions(m_X.pattern(), mesh.positions()));
-  }
+  explicit Dirac_eigenproblem(const Surface& mesh);
 
   /// the mesh has new positions; the next call must be `set_potential()`
   void update_geometry() { m_areas = vertex_areas(m_mesh); }
@@ -59,11 +46,7 @@ class Dirac_eigenproblem {
   const Solver& solver() const { return m_solver; }
 
   /// 4 pi / area: the size of the low eigenvalues
-  double unit() const
-  {
-    const double pi = std::acos(-1.);
-    return 4 * pi / m_areas.sum();
-  }
+  double unit() const;
 
   /// \brief assembles X for rho and factors it, shifted by a thousandth of `unit()`, or by a
   /// hundredth where rounding makes that indefinite (slivers, factors in single precision).
@@ -71,78 +54,32 @@ class Dirac_eigenproblem {
   /// X is singular for rho = 0 and nearly so for small rho. A smaller shift would let the rounding
   /// of the solves blow up along the wanted vector; Rayleigh-Ritz takes the effect of this one out.
   /// \throw Solver_error if X is not positive definite to rounding, or memory is short
-  void set_potential(const Curvature_potential& rho, Dirac_solution::Seconds& seconds)
-  {
-    assemble(rho, seconds);
-    Stopwatch watch;
-    Solver_status status = m_solver.factorize(m_X, 1e-3 * unit() * m_areas);
-    if (status == Solver_status::not_positive_definite)
-      status = m_solver.factorize(m_X, 1e-2 * unit() * m_areas);
-    check("factorization", status);
-    seconds.factorization += watch.lap();
-  }
+  void set_potential(const Curvature_potential& rho, Dirac_solution::Seconds& seconds);
 
   /// \brief assembles X for rho and factors it with a given shift of its diagonal, |V|
   /// \throw Solver_error as above
   void set_potential(const Curvature_potential& rho, const Eigen::VectorXd& shift,
-                     Dirac_solution::Seconds& seconds)
-  {
-    assemble(rho, seconds);
-    Stopwatch watch;
-    check("factorization", m_solver.factorize(m_X, shift));
-    seconds.factorization += watch.lap();
-  }
+                     Dirac_solution::Seconds& seconds);
 
   /// assembles X for rho, and factors nothing
-  void assemble(const Curvature_potential& rho, Dirac_solution::Seconds& seconds)
-  {
-    Stopwatch watch;
-    assemble_dirac_energy(m_mesh, rho, m_X);
-    seconds.assembly += watch.lap();
-  }
+  void assemble(const Curvature_potential& rho, Dirac_solution::Seconds& seconds);
 
   /// \brief x with (X + shift) x = b
   /// \pre `set_potential()` has been called
-  Vectors solve(const Vectors& b) const
-  {
-    Vectors x;
-    check("solution", m_solver.solve(b, x));
-    return x;
-  }
+  Vectors solve(const Vectors& b) const;
 
   /// \brief the smallest eigenpairs, as many as `start` has columns; `wanted` of them converge.
   /// \pre `set_potential()` has been called
   Eigen_result smallest(Vectors start, int wanted, double tolerance, int max_iterations,
-                        const Go_further& go_further) const
-  {
-    Eigen_options options;
-    options.wanted = wanted;
-    options.tolerance = tolerance;
-    options.max_iterations = max_iterations;
-    options.scale = std::sqrt(unit());
-    return EigensolverTraits()(m_X, m_areas, m_solver, std::move(start), options, go_further);
-  }
+                        const Go_further& go_further) const;
 
   /// \brief two start vectors: `guide`, and X^-1 applied to noise.
   /// \pre `set_potential()` has been called
-  Vectors start(const Quaternion_vector<double>& guide, unsigned seed) const
-  {
-    const Vectors b = block_operator(m_areas)(random_quaternions(guide.size(), 1, seed));
-    Vectors x;
-    check("solution", apply_inverse(m_solver, b, x));
-    Vectors both(guide.size(), 2);
-    both << guide, x;
-    return both;
-  }
+  Vectors start(const Quaternion_vector<double>& guide, unsigned seed) const;
 
   /// [v, r], |V| x 2, where r is what remains of `guide` without v
   Vectors with_rest(const Quaternion_vector<double>& v,
-                    const Quaternion_vector<double>& guide) const
-  {
-    Vectors both(v.size(), 2);
-    both << v, without(v, guide);
-    return both;
-  }
+                    const Quaternion_vector<double>& guide) const;
 
   /// \brief what the inverse of D - rho makes of v, beyond a multiple of v; |V| x 1.
   ///
@@ -152,76 +89,30 @@ class Dirac_eigenproblem {
   /// \pre `set_potential()` has been called
   /// \param image `apply_dirac_form()` of v
   Vectors companion(const Quaternion_vector<double>& v,
-                    const Quaternion_vector<double>& image) const
-  {
-    return inverse_beyond(v, image);
-  }
+                    const Quaternion_vector<double>& image) const;
 
   /// \brief one more column for the companions of v: X^-1 M_V of the last, beyond a multiple of v.
   /// The vector of smallest energy in their span is then nearer to an eigenvector.
-  void add_companion(const Quaternion_vector<double>& v, Vectors& companions) const
-  {
-    const Eigen::Index k = companions.cols();
-    Quaternion_vector<double> b = companions.col(k - 1);
-    for (Eigen::Index i = 0; i < b.size(); ++i) b[i] *= m_areas[i];
-    companions.conservativeResize(Eigen::NoChange, k + 1);
-    companions.col(k) = inverse_beyond(v, b).col(0);
-  }
+  void add_companion(const Quaternion_vector<double>& v, Vectors& companions) const;
 
   /// \brief [v, w], |V| x 2, where w is the vector of smallest energy in the span of `companions`;
   /// v alone if they are zero
-  Vectors with_lowest(const Quaternion_vector<double>& v, Vectors companions) const
-  {
-    Eigen_panel space =
-        make_panel(block_operator(m_X), block_operator(m_areas), std::move(companions));
-    orthonormalize(space);
-    Vectors both = v;
-    if (space.size() == 0) return both;
-    const auto ritz = hermitian_jacobi(gram_matrix(space.v, space.kv));
-    both.conservativeResize(Eigen::NoChange, 2);
-    both.col(1) = combination(space.v, Vectors(ritz.vectors.leftCols(1))).col(0);
-    return both;
-  }
+  Vectors with_lowest(const Quaternion_vector<double>& v, Vectors companions) const;
 
   /// gives back the memory of the factor, for the stages that come after
   void release() { release_factor(m_solver); }
 
   /// |<a, b>| / (|a| |b|) in [0, 1]: one if the vectors differ by a right factor only
-  double overlap(const Quaternion_vector<double>& a, const Quaternion_vector<double>& b) const
-  {
-    return norm(inner_product(a, m_areas, b)) / std::sqrt(squared_norm(a) * squared_norm(b));
-  }
+  double overlap(const Quaternion_vector<double>& a, const Quaternion_vector<double>& b) const;
 
   /// <a, M_V a>
-  double squared_norm(const Quaternion_vector<double>& a) const
-  {
-    return inner_product(a, m_areas, a).w;
-  }
+  double squared_norm(const Quaternion_vector<double>& a) const;
 
  private:
-  static void check(const char* step, Solver_status status)
-  {
-    if (status != Solver_status::success)
-      throw Solver_error("Dirac_equation",
-                         std::string(step) + " of X failed: " + to_string(status));
-  }
-
+  static void check(const char* step, Solver_status status);
   Vectors inverse_beyond(const Quaternion_vector<double>& v,
-                         const Quaternion_vector<double>& b) const
-  {
-    const Vectors image = b;
-    Vectors u;
-    check("solution", apply_inverse(m_solver, image, u));
-    return without(v, u.col(0));
-  }
-
-  Vectors without(const Quaternion_vector<double>& v, const Quaternion_vector<double>& u) const
-  {
-    Vectors rest = u;
-    const Quaternion<double> along = inner_product(v, m_areas, u) / squared_norm(v);
-    add_multiple(rest.col(0), v, -along);
-    return rest;
-  }
+                         const Quaternion_vector<double>& b) const;
+  Vectors without(const Quaternion_vector<double>& v, const Quaternion_vector<double>& u) const;
 
   const Surface& m_mesh;
   Eigen::VectorXd m_areas;  // |V|
@@ -230,5 +121,9 @@ class Dirac_eigenproblem {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Dirac_eigenproblem_templates.h>
+#endif
 
 #endif

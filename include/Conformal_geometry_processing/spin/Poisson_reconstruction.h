@@ -6,12 +6,9 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
 
 #include <Eigen/Core>
 
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -36,11 +33,7 @@ class Poisson_reconstruction {
   /// \param pattern `vertex_graph(mesh)`
   /// \pre `require_surface(mesh)` holds
   /// \throw Solver_error if the Laplacian cannot be factored
-  Poisson_reconstruction(const Surface& mesh, std::shared_ptr<const Sparse_pattern> pattern)
-      : m_mesh(mesh), m_L(pattern), m_solver(std::move(pattern))
-  {
-    update_geometry();
-  }
+  Poisson_reconstruction(const Surface& mesh, std::shared_ptr<const Sparse_pattern> pattern);
 
   /// shares the analysis of another solver on the same pattern
   /// \param other a `Solver` of the same traits, for any scalar
@@ -54,37 +47,19 @@ class Poisson_reconstruction {
 
   /// \brief the mesh has new positions: assembles the Laplacian and factors it on the same
   /// analysis. \throw Solver_error if the Laplacian cannot be factored
-  void update_geometry()
-  {
-    m_weights = cotan_weights(m_mesh);
-    assemble_cotan_laplacian(m_mesh, m_weights, m_L);
-    m_solver.factorize(m_L);
-  }
+  void update_geometry();
 
   /// solves with the Laplacian
   const Grounded_solver<SolverTraits>& solver() const { return m_solver; }
 
   /// returns f, 3 x |V|, the one minimiser whose vertices have mean zero
   /// \param edges |E| x 3, edge k runs from `mesh.ends(k)[0]` to `mesh.ends(k)[1]`
-  Points positions(const Eigen::MatrixX3d& edges) const
-  {
-    return m_solver.solve(codifferential(m_mesh, m_weights, edges)).transpose();
-  }
+  Points positions(const Eigen::MatrixX3d& edges) const;
 
   /// \brief |d0 f - e| / |e|: zero exactly when the edge vectors close up around every face.
   ///
   /// The norms use |w|, for w itself is negative opposite large angles and then defines none.
-  double residual(const Points& f, const Eigen::MatrixX3d& edges) const
-  {
-    double difference = 0, total = 0;
-    for (int k = 0; k < m_mesh.size_of_edges(); ++k) {
-      const Eigen::Vector3d e = edges.row(k);
-      const Eigen::Vector3d d = f.col(m_mesh.ends(k)[1]) - f.col(m_mesh.ends(k)[0]);
-      difference += std::abs(m_weights[k]) * (d - e).squaredNorm();
-      total += std::abs(m_weights[k]) * e.squaredNorm();
-    }
-    return std::sqrt(difference / total);
-  }
+  double residual(const Points& f, const Eigen::MatrixX3d& edges) const;
 
   Solver_statistics statistics() const { return m_solver.statistics(); }
 
@@ -96,5 +71,9 @@ class Poisson_reconstruction {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
+#endif
 
 #endif

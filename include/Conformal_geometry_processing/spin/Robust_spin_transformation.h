@@ -3,22 +3,18 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_ROBUST_SPIN_TRANSFORMATION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_ROBUST_SPIN_TRANSFORMATION_H
 
-#include <Conformal_geometry_processing/forms/tree_cotree.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/mesh/delaunay_boundary.h>
-#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/sound_faces.h>
 #include <Conformal_geometry_processing/operators/delaunay_operators.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/certify.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -49,9 +45,7 @@ class Robust_spin_transformation {
   /// coordinates, if all of its faces have area zero, or mollification is not in (0, 1)
   /// \throw Solver_error if the analysis fails
   explicit Robust_spin_transformation(const Mesh_view& mesh, double mollification = 1e-6,
-                                      const std::string& function = "Robust_spin_transformation")
-      : Robust_spin_transformation(mesh, Boundary_condition(), mollification, function)
-  {}
+                                      const std::string& function = "Robust_spin_transformation");
 
   /// \brief the same with a condition for the boundary; the default is a free one.
   /// \param carries_generators whether `view()` has forms, which are `closed_generators()` of the
@@ -60,17 +54,7 @@ class Robust_spin_transformation {
   /// `require_condition()`
   Robust_spin_transformation(const Mesh_view& mesh, Boundary_condition condition,
                              double mollification, const std::string& function,
-                             bool carries_generators = false)
-      : m_function(function), m_mollification(mollification), m_condition(std::move(condition))
-  {
-    require_manifold(mesh, function);
-    require_some_area(mesh, function);
-    if (!(mollification > 0 && mollification < 1))
-      throw Precondition_error(function, "a mollification of " + std::to_string(mollification) +
-                                             "; a number between 0 and 1 is needed");
-    if (carries_generators) m_generators = closed_generators(mesh);
-    m_state = std::make_unique<State>(mesh, *this);
-  }
+                             bool carries_generators = false);
 
   Robust_spin_transformation(const Robust_spin_transformation&) = delete;
   Robust_spin_transformation& operator=(const Robust_spin_transformation&) = delete;
@@ -84,17 +68,7 @@ class Robust_spin_transformation {
   /// zero, the boundary folds back where directions are prescribed, or has prescribed
   /// positions; everything is as before then
   /// \throw Solver_error if the analysis fails; everything is as before then
-  void set_positions(const Points& positions)
-  {
-    if (positions.cols() != m_state->mesh.size_of_vertices())
-      throw Precondition_error(m_function, "one position per vertex is needed");
-    if (dirac_equation().positions())
-      throw Precondition_error(m_function, "a surface with prescribed boundary cannot move");
-    const Mesh_view moved(positions, m_state->mesh.corners());
-    require_finite_positions(moved, m_function);
-    require_some_area(moved, m_function);
-    m_state = std::make_unique<State>(moved, *this);
-  }
+  void set_positions(const Points& positions);
 
   /// the triangulation, in the frame of the computation; its forms, if it carries any, are
   /// `closed_generators()`
@@ -112,19 +86,10 @@ class Robust_spin_transformation {
   ///
   /// Factors the Laplacian the first time.
   /// \throw Solver_error if it cannot be factored
-  const Poisson_reconstruction<SolverTraits, Delaunay_view>& reconstruction()
-  {
-    const auto& problem = dirac_equation().problem();
-    if (!m_state->poisson)
-      m_state->poisson.emplace(view(), problem.matrix().shared_pattern(), problem.solver());
-    return *m_state->poisson;
-  }
+  const Poisson_reconstruction<SolverTraits, Delaunay_view>& reconstruction();
 
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
-  void require_potential(const Curvature_potential& rho) const
-  {
-    Conformal_geometry_processing::require_potential(m_state->mesh, rho, unit(), m_function);
-  }
+  void require_potential(const Curvature_potential& rho) const;
 
   /// \param rho in 1/length of the mesh, one number per vertex or per face of the mesh
   /// \param options as for `Spin_transformation`
@@ -132,34 +97,16 @@ class Robust_spin_transformation {
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
-                        const Go_further& go_further = Always_go_further()) &
-  {
-    Spin_result result = solve(rho, options, go_further);
-    if (!result.report.cancelled) reconstruct(result);
-    return result;
-  }
+                        const Go_further& go_further = Always_go_further()) &;
 
   /// the same for the last time: needs less memory, for the two factors are not there together
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
-                        const Go_further& go_further = Always_go_further()) &&
-  {
-    Spin_result result = solve(rho, options, go_further);
-    dirac_equation().release();
-    if (!result.report.cancelled) reconstruct(result);
-    return result;
-  }
+                        const Go_further& go_further = Always_go_further()) &&;
 
  private:
   /// what belongs to the present positions
   struct State {
-    State(const Mesh_view& mesh_, const Robust_spin_transformation& of)
-        : frame(mesh_.positions()),
-          mesh(frame.to_frame(mesh_.positions()), mesh_.corners()),
-          view(mesh, of.m_mollification, of.m_generators),
-          measured(sound_faces(mesh)),
-          dirac(view, checked(of.in_frame(frame), view, of.m_function), of.m_function),
-          seconds(watch.lap())
-    {}
+    State(const Mesh_view& mesh_, const Robust_spin_transformation& of);
 
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -175,66 +122,16 @@ class Robust_spin_transformation {
   };
 
   static Boundary_condition checked(Boundary_condition condition, const Delaunay_view& view,
-                                    const std::string& function)
-  {
-    require_condition(view, condition, function);
-    return condition;
-  }
+                                    const std::string& function);
 
   /// positions in the frame; directions are the same there
-  Boundary_condition in_frame(const Normalized_frame& frame) const
-  {
-    Boundary_condition condition = m_condition;
-    if (condition.kind == Boundary_condition::Kind::positions)
-      condition.targets = frame.to_frame(std::move(condition.targets));
-    return condition;
-  }
-
-  Spin_report::Mollification mollification() const
-  {
-    const bool is_longer = view().added_length() > 0;
-    return {m_mollification,
-            view().size_of_thin_faces(),
-            is_longer ? m_state->mesh.size_of_edges() : 0,
-            view().added_length() * unit(),
-            view().size_of_flips(),
-            m_state->measured.mesh.size_of_faces(),
-            m_state->measured.share};
-  }
+  Boundary_condition in_frame(const Normalized_frame& frame) const;
+  Spin_report::Mollification mollification() const;
 
   /// lambda, with the part of the report that tells of it and of the triangulation
-  Spin_result solve(const Curvature_potential& rho, Dirac_options options, const Go_further& go_further)
-  {
-    require_potential(rho);
-    options.kernel_tolerance *= unit();
-    Dirac_solution s = dirac_equation().solve({rho.on, rho.values * unit()}, options, go_further);
-    Spin_result result;
-    result.report = report_of(s, unit());
-    result.report.seconds.setup = m_state->seconds;
-    result.report.mollification = mollification();
-    result.lambda = std::move(s.lambda);
-    return result;
-  }
-
-  void reconstruct(Spin_result& result)
-  {
-    Stopwatch watch;
-    State& now = *m_state;
-    Spin_report& r = result.report;
-    const Eigen::MatrixX3d edges = transformed_edges(now.view, result.lambda);
-    Points f = now.dirac.positions() ? now.dirac.positions()->positions(edges)
-                                     : reconstruction().positions(edges);
-    r.closure_residual = reconstruction().residual(f, edges);
-    r.seconds.reconstruction = watch.lap();
-    // Not by the other faces: those of no area may have got wrinkled.
-    if (!now.dirac.positions()) restore_area(now.measured.mesh, f, result.lambda);
-    result.positions = now.frame.from_frame(f);
-    f = now.frame.to_frame(result.positions);  // as they are rounded
-    internal::certify(now.measured.mesh, f, result.lambda, r);
-    const auto moved = [&] { return Delaunay_view({f, now.mesh.corners()}, m_mollification); };
-    internal::judge_boundary(now.view, moved, f.allFinite(), now.dirac, unit(), r);
-    r.seconds.certificate = watch.lap();
-  }
+  Spin_result solve(const Curvature_potential& rho, Dirac_options options,
+                    const Go_further& go_further);
+  void reconstruct(Spin_result& result);
 
   std::string m_function;
   double m_mollification;
@@ -244,5 +141,9 @@ class Robust_spin_transformation {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Robust_spin_transformation_templates.h>
+#endif
 
 #endif

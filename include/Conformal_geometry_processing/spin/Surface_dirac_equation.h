@@ -5,7 +5,6 @@
 
 #include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
@@ -13,12 +12,10 @@
 #include <Conformal_geometry_processing/spin/Prescribed_directions.h>
 #include <Conformal_geometry_processing/spin/Prescribed_positions.h>
 #include <Conformal_geometry_processing/spin/Reduced_dirac_equation.h>
-#include <Conformal_geometry_processing/spin/free_boundary.h>
 
 #include <Eigen/Core>
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -105,19 +102,7 @@ class Surface_dirac_equation {
   /// \throw Precondition_error if positions need another spin structure
   /// \throw Solver_error if the analysis fails
   Surface_dirac_equation(const Surface& mesh, const Boundary_condition& condition,
-                         const std::string& function)
-      : m_is_closed(boundary_loops(mesh).empty()), m_kind(condition.kind), m_closed(mesh)
-  {
-    if (m_kind == Boundary_condition::Kind::directions) {
-      m_is_self_adjoint = condition.is_self_adjoint();
-      m_directions = std::make_unique<Directions>(
-          mesh, condition, problem().matrix().shared_pattern(), problem().solver());
-      m_reduced = std::make_unique<Reduced>(m_closed.problem(), *m_directions);
-    }
-    if (m_kind == Boundary_condition::Kind::positions)
-      m_positions = std::make_unique<Prescribed_positions<SolverTraits, Problem>>(
-          m_closed.problem(), condition, function);
-  }
+                         const std::string& function);
 
   Surface_dirac_equation(const Surface_dirac_equation&) = delete;
   Surface_dirac_equation& operator=(const Surface_dirac_equation&) = delete;
@@ -138,51 +123,21 @@ class Surface_dirac_equation {
 
   /// the mesh has new positions
   /// \pre the condition is not one of positions
-  void update_geometry()
-  {
-    m_closed.update_geometry();
-    if (m_directions) m_directions->update_geometry();
-  }
+  void update_geometry();
 
   /// \brief the change of lambda = 1 that answers to sources c for rho = 0, in the space that the
   /// condition at the boundary allows; the last factorization is lost.
   /// \pre the surface has a boundary, and no positions are prescribed
   /// \throw Solver_error if a matrix cannot be factored
-  Block<Quaternion<double>> response(const Block<Quaternion<double>>& c)
-  {
-    return m_reduced ? m_reduced->response(c) : free_response(m_closed.problem(), c);
-  }
+  Block<Quaternion<double>> response(const Block<Quaternion<double>>& c);
 
   /// gives back the memory of factors, until the next `solve()`
-  void release()
-  {
-    m_closed.release();
-    if (m_reduced) m_reduced->release();
-  }
+  void release();
 
   /// \brief see `Dirac_equation::solve()`.
   /// \throw Precondition_error if the generalized problem is asked for on a surface with boundary
   Dirac_solution solve(const Curvature_potential& rho, const Dirac_options& options = {},
-                       const Go_further& go_further = Always_go_further())
-  {
-    if (m_is_closed) return m_closed.solve(rho, options, go_further);
-    if (options.problem == Eigenproblem::generalized)
-      throw Precondition_error("Dirac_equation",
-                               "the generalized problem is for closed surfaces only");
-    Dirac_solution s;
-    if (m_reduced)
-      m_reduced->solve(rho, m_is_self_adjoint, options, s, go_further);
-    else if (m_positions)
-      m_positions->solve(rho, s);
-    else
-      solve_with_free_boundary(m_closed.problem(), rho, s);
-    if (!m_reduced) {
-      const Quaternion_vector<double> one =
-          Quaternion_vector<double>::Constant(problem().areas().size(), {1, 0, 0, 0});
-      s.overlap = problem().overlap(s.lambda, one);
-    }
-    return s;
-  }
+                       const Go_further& go_further = Always_go_further());
 
  private:
   bool m_is_closed, m_is_self_adjoint = false;
@@ -194,5 +149,9 @@ class Surface_dirac_equation {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Surface_dirac_equation_templates.h>
+#endif
 
 #endif

@@ -4,16 +4,10 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_ASSOCIATED_FAMILY_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/normals.h>
-#include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
 
-#include <cmath>
-#include <memory>
 #include <string>
 
 namespace Conformal_geometry_processing {
@@ -41,29 +35,13 @@ class Associated_family {
   /// coordinates and positive areas
   /// \throw Solver_error if the Laplacian cannot be factored
   explicit Associated_family(const Mesh_view& mesh,
-                             const std::string& function = "Associated_family")
-      : m_mesh((require_surface(mesh, function), mesh)),
-        m_normals(vertex_normals(mesh, Normal_weight::angle)),
-        m_reconstruction(m_mesh, vertex_graph(m_mesh))
-  {}
+                             const std::string& function = "Associated_family");
 
   Associated_family(const Associated_family&) = delete;
   Associated_family& operator=(const Associated_family&) = delete;
 
   /// \param theta in radians; half a turn gives the mirror image in a point
-  Associated_surface operator()(double theta) const
-  {
-    Quaternion_vector<double> lambda(m_mesh.size_of_vertices());
-    for (int v = 0; v < m_mesh.size_of_vertices(); ++v) {
-      const Eigen::Vector3d n = std::sin(theta / 2) * m_normals.col(v);
-      lambda[v] = {std::cos(theta / 2), n.x(), n.y(), n.z()};
-    }
-    const Eigen::MatrixX3d edges = transformed_edges(m_mesh, lambda);
-    Associated_surface surface;
-    surface.positions = m_reconstruction.positions(edges);
-    surface.closure_residual = m_reconstruction.residual(surface.positions, edges);
-    return surface;
-  }
+  Associated_surface operator()(double theta) const;
 
  private:
   Mesh_view m_mesh;
@@ -72,5 +50,9 @@ class Associated_family {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/surfaces/associated_family_templates.h>
+#endif
 
 #endif

@@ -6,19 +6,13 @@
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/guarded.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/release_factor.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Refactorization_rule.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 
 #include <Eigen/Core>
-
-#include <cmath>
-#include <limits>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -52,19 +46,10 @@ class Lagged_solver {
   Lagged_solver(const Lagged_solver&) = delete;
   Lagged_solver& operator=(const Lagged_solver&) = delete;
 
-  Solver_status analyze(const Sparse_pattern& pattern)
-  {
-    return adopt(pattern, m_solver.analyze(pattern));
-  }
-  Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order)
-  {
-    return adopt(pattern, m_solver.analyze(pattern, order));
-  }
+  Solver_status analyze(const Sparse_pattern& pattern);
+  Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order);
   Solver_status analyze_with_positions(const Sparse_pattern& pattern,
-                                       const Eigen::Matrix3Xd& positions)
-  {
-    return adopt(pattern, m_solver.analyze_with_positions(pattern, positions));
-  }
+                                       const Eigen::Matrix3Xd& positions);
   template <class OtherSolver>
   Solver_status analyze_like(const Sparse_pattern& pattern, const OtherSolver& other)
   {
@@ -79,69 +64,21 @@ class Lagged_solver {
   const Ordering& ordering() const { return m_solver.ordering(); }
 
   /// takes the values; factors them where that is cheaper than to go on with the old factor
-  Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
-  {
-    return internal::guarded([&] {
-      const int n = static_cast<int>(ordering().size());
-      if (n == 0 || A.size() != n || A.pattern().size_of_entries() != m_entries ||
-          (shift.size() != 0 && shift.size() != n))
-        return Solver_status::wrong_state;
-      m_is_ready = m_is_current = false;
-      m_A = A;
-      m_shift = shift;
-      if (!add_shift()) return Solver_status::numerical_issue;
-      const bool is_worn = m_rule.begin_step();
-      if (is_worn || !m_has_factor || !has_positive_diagonal()) return renew();
-      m_is_ready = true;
-      return Solver_status::success;
-    });
-  }
+  Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift);
 
   /// the exact solution where the factor is that of the present matrix, else one to `tolerance()`
-  Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const
-  {
-    return internal::guarded([&] {
-      if (!m_is_ready || b.rows() != m_A.size()) return Solver_status::wrong_state;
-      m_iterations = 0;
-      if (!m_is_current) {
-        if (iterate(b, x)) return Solver_status::success;
-        const Solver_status status = renew_in_the_midst();
-        if (status != Solver_status::success) return status;
-      }
-      return m_solver.solve(b, x);
-    });
-  }
+  Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;
 
   /// \brief one application of the factor at hand, old or new.
   ///
   /// Its matrix may be replaced by the present one between two calls.
-  Solver_status precondition(const Block<Scalar>& b, Block<Scalar>& x) const
-  {
-    return internal::guarded([&] {
-      if (!m_is_ready || b.rows() != m_A.size()) return Solver_status::wrong_state;
-      if (!m_is_current && m_rule.budget() <= 0) {
-        const Solver_status status = renew_preconditioner();
-        if (status != Solver_status::success) return status;
-      }
-      m_rule.add(work_per_preconditioned_pass * passes(b));
-      return apply_inverse(m_solver, b, x);
-    });
-  }
+  Solver_status precondition(const Block<Scalar>& b, Block<Scalar>& x) const;
 
   /// gives back the memory of the factor, if `Solver_` can; the next `factorize()` makes a new one
-  void release()
-  {
-    release_factor(m_solver);
-    m_has_factor = m_is_ready = m_is_current = false;
-  }
+  void release();
 
   /// the cost of a factorization; the memory includes that of the values
-  Solver_statistics statistics() const
-  {
-    Solver_statistics s = m_solver.statistics();
-    if (s.factor_entries > 0) s.bytes += static_cast<double>(sizeof(Scalar)) * m_entries;
-    return s;
-  }
+  Solver_statistics statistics() const;
 
   /// the estimated relative error of `solve()` in the energy norm, 1e-9 if not set
   FT tolerance() const { return m_tolerance; }
@@ -170,95 +107,17 @@ class Lagged_solver {
   // products, and Gram matrices of three vectors.
   static constexpr double work_per_preconditioned_pass = 2;
 
-  static double passes(const Block<Scalar>& b)
-  {
-    return std::ceil(static_cast<double>(b.cols()) * planes / 4);
-  }
+  static double passes(const Block<Scalar>& b);
+  Solver_status adopt(const Sparse_pattern& pattern, Solver_status status);
+  bool add_shift();
+  int diagonal_position(Eigen::Index j) const;
+  bool has_positive_diagonal() const;
 
-  Solver_status adopt(const Sparse_pattern& pattern, Solver_status status)
-  {
-    m_entries = pattern.size_of_entries();
-    m_has_factor = m_is_ready = m_is_current = false;
-    m_factorizations = m_iterations = 0;
-    m_rule = {};
-    return status;
-  }
+  Solver_status renew(const Vector<FT>& more = {}) const;
 
-  // Returns false where a value is not finite.
-  bool add_shift()
-  {
-    bool is_finite = true;
-    for (Eigen::Index j = 0; j < m_shift.size(); ++j)
-      m_A.value(diagonal_position(j)) += Scalar_traits<Scalar>::from_real(m_shift[j]);
-    for (int k = 0; k < m_entries; ++k) {
-      FT c[planes];
-      Scalar_planes<Scalar>::get(m_A.value(k), c);
-      for (const FT number : c) is_finite = is_finite && std::isfinite(number);
-    }
-    return is_finite;
-  }
-
-  int diagonal_position(Eigen::Index j) const
-  {
-    return m_A.pattern().offsets[static_cast<std::size_t>(j)];
-  }
-
-  // Where it has not, no iteration is needed to see that the matrix is not definite.
-  bool has_positive_diagonal() const
-  {
-    for (int j = 0; j < m_A.size(); ++j)
-      if (!(m_A.diagonal(j) > 0)) return false;
-    return true;
-  }
-
-  Solver_status renew(const Vector<FT>& more = {}) const
-  {
-    m_has_factor = m_is_ready = m_is_current = false;
-    ++m_factorizations;
-    const Solver_status status = m_solver.factorize(m_A, more);
-    if (status != Solver_status::success) return status;
-    m_has_factor = m_is_ready = true;
-    m_is_current = more.size() == 0;
-    m_rule.set_price(factorization_price(m_solver.statistics(), planes));
-    m_rule.renewed();
-    return status;
-  }
-
-  Solver_status renew_in_the_midst() const
-  {
-    const Solver_status status = renew();
-    m_rule.renewed_in_the_midst();
-    return status;
-  }
-
-  // A shift guards against rounding, and may turn out too small for that. Whoever set it would have
-  // heard of it in factorize(), and taken a larger one; to a preconditioner that is open now, too.
-  Solver_status renew_preconditioner() const
-  {
-    const Solver_status status = renew_in_the_midst();
-    if (status != Solver_status::not_positive_definite || m_shift.size() == 0) return status;
-    return renew(9 * m_shift);
-  }
-
-  // Conjugate gradients, for as long as they are cheaper than a factorization and a direct solve.
-  bool iterate(const Block<Scalar>& b, Block<Scalar>& x) const
-  {
-    const double direct = passes(b), work = work_per_pass * direct;
-    const auto precondition = [&](const Block<Scalar>& r, Block<Scalar>& z) {
-      if (apply_inverse(m_solver, r, z) != Solver_status::success)
-        z = r * std::numeric_limits<FT>::quiet_NaN();
-    };
-    Conjugate_gradients_options options;
-    options.tolerance = static_cast<double>(m_tolerance);
-    options.max_iterations = work == 0 ? 0 : static_cast<int>((m_rule.budget() + direct) / work);
-    Block<Scalar> solution;
-    const auto result =
-        conjugate_gradients(block_operator(m_A), precondition, b, solution, options);
-    m_iterations = result.iterations;
-    m_rule.add(work * result.iterations - direct);
-    if (result.converged) x = std::move(solution);
-    return result.converged;
-  }
+  Solver_status renew_in_the_midst() const;
+  Solver_status renew_preconditioner() const;
+  bool iterate(const Block<Scalar>& b, Block<Scalar>& x) const;
 
   int m_entries = 0;
   Hermitian_sparse_matrix<Scalar> m_A;  // the present matrix, shift included
@@ -282,5 +141,9 @@ struct Lagged_solver_traits {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver_templates.h>
+#endif
 
 #endif

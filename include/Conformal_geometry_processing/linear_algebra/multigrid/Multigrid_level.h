@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -31,10 +30,7 @@ class Multigrid_level {
   using Matrix = Hermitian_sparse_matrix<Entry>;
 
   /// \pre the diagonal of A is positive
-  Multigrid_level(Matrix A, Prolongation P) : m_matrix(std::move(A)), m_prolongation(std::move(P))
-  {
-    m_vectors.resize(std::int64_t(stride) * size());
-  }
+  Multigrid_level(Matrix A, Prolongation P);
 
   int size() const { return m_matrix.size(); }
   const Matrix& matrix() const { return m_matrix; }
@@ -46,31 +42,7 @@ class Multigrid_level {
 
   /// x = (D + L^H)^-1 b, in the place of b, and the residual r = b - A x = -L x; L is the strictly
   /// lower triangle
-  void smooth_first()
-  {
-    for (int j = size() - 1; j >= 0; --j) {
-      Register x;
-      Lanes::load(vector(j), x);
-      Conjugate_sum<Entry> sum;
-      const int diagonal = begin(j), end = begin(j + 1);
-      for (int k = diagonal + 1; k < end; ++k) {
-        Register xi;
-        Lanes::load(vector(row(k)), xi);
-        sum.add(m_matrix.value(k), xi);
-      }
-      sum.subtract_from(x);
-      x /= Scalar_traits<Entry>::real(m_matrix.value(diagonal));
-      Lanes::store(vector(j), x);
-      Lanes::store(residual(j), Register{});
-      const Scattered_product<Entry> product(x);
-      for (int k = diagonal + 1; k < end; ++k) {
-        Register ri;
-        Lanes::load(residual(row(k)), ri);
-        product.subtract(m_matrix.value(k), ri);
-        Lanes::store(residual(row(k)), ri);
-      }
-    }
-  }
+  void smooth_first();
 
   /// visit(I, c) with the four numbers c of (P^T r)_I, in parts that are to be added
   template <class Visitor>
@@ -104,12 +76,7 @@ class Multigrid_level {
     smooth_last();
   }
 
-  std::int64_t bytes() const
-  {
-    const auto entries = static_cast<std::int64_t>(m_matrix.pattern().indices.size());
-    return entries * std::int64_t(sizeof(Entry)) + std::int64_t(sizeof(float)) * m_vectors.size() +
-           static_cast<std::int64_t>(m_prolongation.bytes());
-  }
+  std::int64_t bytes() const;
 
  private:
   using Lanes = Vertex_lanes<float>;
@@ -120,31 +87,7 @@ class Multigrid_level {
   int row(int k) const { return m_matrix.pattern().indices[static_cast<std::size_t>(k)]; }
   float* residual(int i) { return vector(i) + 4; }
 
-  // From D x in `vector` and the correction e in `residual`: (D + L)^-1 (D x - L^H e).
-  void smooth_last()
-  {
-    for (int j = 0; j < size(); ++j) {
-      Register x;
-      Lanes::load(vector(j), x);
-      Conjugate_sum<Entry> sum;
-      const int diagonal = begin(j), end = begin(j + 1);
-      for (int k = diagonal + 1; k < end; ++k) {
-        Register ei;
-        Lanes::load(residual(row(k)), ei);
-        sum.add(m_matrix.value(k), ei);
-      }
-      sum.subtract_from(x);
-      x /= Scalar_traits<Entry>::real(m_matrix.value(diagonal));
-      Lanes::store(vector(j), x);
-      const Scattered_product<Entry> product(x);
-      for (int k = diagonal + 1; k < end; ++k) {
-        Register xi;
-        Lanes::load(vector(row(k)), xi);
-        product.subtract(m_matrix.value(k), xi);
-        Lanes::store(vector(row(k)), xi);
-      }
-    }
-  }
+  void smooth_last();
 
   Matrix m_matrix;
   Prolongation m_prolongation;
@@ -152,5 +95,9 @@ class Multigrid_level {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_level_templates.h>
+#endif
 
 #endif

@@ -3,12 +3,10 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REAL_REDUCED_SOLVER_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REAL_REDUCED_SOLVER_H
 
-#include <Conformal_geometry_processing/linear_algebra/dense/guarded.h>
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/algebra/Reduced_rows.h>
+#include <Conformal_geometry_processing/algebra/Reduced_basis.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/release_factor.h>
-#include <Conformal_geometry_processing/linear_algebra/reduced/reduced_matrix.h>
-
-#include <memory>
 
 namespace Conformal_geometry_processing {
 
@@ -26,58 +24,11 @@ class Real_reduced_solver {
   using Scalar = Quaternion<FT>;
 
   Solver_status analyze(const Sparse_pattern& pattern, const Reduced_rows& rows,
-                        const Ordering& order)
-  {
-    return internal::guarded([&] {
-      m_rows = {};
-      m_is_factorized = false;
-      if (pattern.size() == 0 || rows.size() != pattern.size() ||
-          order.size() != pattern.offsets.size() - 1 || inverse_permutation(order).empty())
-        return Solver_status::wrong_state;
-      m_matrix = Hermitian_sparse_matrix<FT>(reduced_pattern(pattern, rows));
-      m_entries = pattern.size_of_entries();
-      const Solver_status status =
-          m_solver.analyze(m_matrix.pattern(), reduced_ordering(order, rows));
-      if (status == Solver_status::success) m_rows = rows;
-      return status;
-    });
-  }
-
+                        const Ordering& order);
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& X, const Vector<FT>& shift,
-                          const Reduced_basis<FT>& basis)
-  {
-    return internal::guarded([&] {
-      if (m_rows.size() == 0 || X.size() != m_rows.size() ||
-          X.pattern().size_of_entries() != m_entries || basis.rows() != m_rows ||
-          (shift.size() != 0 && shift.size() != X.size()))
-        return Solver_status::wrong_state;
-      m_is_factorized = false;
-      m_basis = basis;
-      assemble_reduced_matrix(X, m_basis, m_matrix);
-      const Vector<FT> reduced_shift =
-          shift.size() == 0 ? Vector<FT>() : reduced_diagonal(shift, m_rows);
-      const Solver_status status = m_solver.factorize(m_matrix, reduced_shift);
-      m_is_factorized = status == Solver_status::success;
-      return status;
-    });
-  }
-
-  Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const
-  {
-    return internal::guarded([&] {
-      if (!m_is_factorized || b.rows() != m_rows.size()) return Solver_status::wrong_state;
-      Block<FT> solution;
-      const Solver_status status = m_solver.solve(m_basis.coordinates(b), solution);
-      if (status == Solver_status::success) x = m_basis.embed(solution);
-      return status;
-    });
-  }
-
-  void release()
-  {
-    m_is_factorized = false;
-    release_factor(m_solver);
-  }
+                          const Reduced_basis<FT>& basis);
+  Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;
+  void release();
 
   /// of the real factor
   Solver_statistics statistics() const { return m_solver.statistics(); }
@@ -92,5 +43,9 @@ class Real_reduced_solver {
 };
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver_templates.h>
+#endif
 
 #endif

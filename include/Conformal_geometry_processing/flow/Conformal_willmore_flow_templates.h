@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONFORMAL_WILLMORE_FLOW_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONFORMAL_WILLMORE_FLOW_TEMPLATES_H
+
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+#include <Conformal_geometry_processing/flow/step_fault.h>
+#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::Conformal_willmore_flow(
+    const Mesh_view& mesh, const Flow_options& options, Direction direction, std::string function)
+    : m_function(std::move(function)),
+      m_options(checked(options, m_function)),
+      m_transformation(mesh, options.boundary, m_function),
+      m_initial(mesh),
+      m_mesh(mesh),
+      m_next(mesh),
+      m_direction(m_mesh, std::move(direction), options, m_transformation.dirac_equation(),
+                  m_function),
+      m_balance(
+          mesh,
+          options, [&]() -> const auto& { return m_transformation.reconstruction().solver(); },
+          m_function),
+      m_energy(energy_of(mesh)),
+      m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step))
+{}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::energy_of(
+    const Mesh_view& mesh) const
+{
+  return internal::energy_of(m_direction.unconstrained(), mesh);
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::find_time_step(
+    const Eigen::VectorXd& v, Flow_step_report& report, const Go_further& go_further)
+{
+  const double first = m_time_step.value();
+  const Eigen::VectorXd back = m_direction.closing_part(m_balance.potential(m_mesh));
+  for (int slight_rises = 0; !report.accepted && report.stop == Flow_stop::none;) {
+    const double tau = report.time_step = m_time_step.value();
+    ++report.trials;
+    const Verdict verdict = try_step(tau * v + tau / first * back, report, go_further);
+    slight_rises += verdict == Verdict::rises_slightly;
+    if (verdict == Verdict::cancelled)
+      report.stop = Flow_stop::cancelled;
+    else if (verdict == Verdict::good)
+      accept(report);
+    else if (!m_options.backtracking)
+      report.stop = Flow_stop::step_failed;
+    else if (slight_rises == 2)  // half the step has not helped: this is the minimum
+      report.stop = Flow_stop::energy_settled;
+    else if (!m_time_step.halve())
+      report.stop = Flow_stop::time_step_too_small;
+  }
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::try_step(
+    const Eigen::VectorXd& rho, Flow_step_report& report, const Go_further& go_further) -> Verdict
+{
+  try {
+    Spin_result result = m_transformation.transform(Curvature_potential::on_vertices(rho),
+                                                    m_options.dirac, go_further);
+    report.spin = result.report;
+    if (!result.report.cancelled)
+      report.period_defect = m_direction.period_defect(transformed_edges(m_mesh, result.lambda));
+    return result.report.cancelled ? Verdict::cancelled : judge(std::move(result), report);
+  } catch (const Solver_error& error) {
+    if (is_out_of_memory(error)) throw;
+    report.message = error.what();
+    return Verdict::bad;
+  }
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::judge(
+    Spin_result result, Flow_step_report& report) -> Verdict
+{
+  const std::string fault = step_fault(result.report, is_turning(), m_options);
+  if (!fault.empty()) return reject(fault, report);
+  m_next.set_positions(std::move(result.positions));
+  const double energy = energy_of(m_next), rise = energy - m_energy;
+  if (!std::isfinite(energy)) return reject("the energy is not finite", report);
+  if (rise >= forbidden_rise()) {
+    (void)reject("the energy rises by " + std::to_string(rise / m_energy) + " of it", report);
+    return is_small(rise, report.time_step) ? Verdict::rises_slightly : Verdict::bad;
+  }
+  return move_on(balanced(energy), report);
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::balanced(double energy)
+{
+  if (!m_balance.is_by_inversion()) return energy;
+  const Points before = m_next.positions();
+  m_next.set_positions(m_balance.inverted(m_next));
+  const double after = energy_of(m_next);
+  if (after - m_energy < forbidden_rise()) return after;
+  m_next.set_positions(before);
+  return energy;
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::forbidden_rise() const
+{
+  const bool may_rise = !m_options.backtracking || !internal::Has_energy<Direction>::value;
+  return may_rise ? HUGE_VAL : turning_angle() * (std::max)(m_energy, 4 * 3.14159265358979323846);
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::turning_angle() const
+{
+  const auto* const directions = m_transformation.dirac_equation().directions();
+  return directions ? directions->errors(m_mesh).mean() : 0;
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::reject(
+    const std::string& message, Flow_step_report& report) -> Verdict
+{
+  report.message = message;
+  return Verdict::bad;
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+bool Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::is_small(
+    double change, double time) const
+{
+  // A minimal surface, of energy zero, is not approached faster than its mesh allows.
+  const double scale = (std::max)(m_energy, 0.01 * energy_of(m_initial));
+  return std::abs(change) < m_options.energy_tolerance * time * scale;
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::move_on(
+    double energy, Flow_step_report& report) -> Verdict
+{
+  report.quasi_conformal = quasi_conformal_error(m_initial, m_next.positions());
+  try {
+    m_transformation.set_positions(m_next.positions());
+  } catch (const Precondition_error& error) {
+    return reject(error.message(), report);
+  }
+  std::swap(m_mesh, m_next);
+  m_energy = energy;
+  ++m_steps;
+  return Verdict::good;
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::accept(
+    Flow_step_report& report)
+{
+  report.accepted = true;
+  report.energy = m_energy;
+  report.message.clear();
+  m_time_step.grow();
+  const double change = report.energy - report.energy_before;
+  if (internal::Has_energy<Direction>::value && is_small(change, report.time_step))
+    report.stop = Flow_stop::energy_settled;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class Conformal_willmore_flow<Default_solver_traits, Lobpcg_eigensolver_traits,
+                                              Willmore_direction>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif

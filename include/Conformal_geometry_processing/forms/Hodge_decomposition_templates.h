@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_HODGE_DECOMPOSITION_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_HODGE_DECOMPOSITION_TEMPLATES_H
+
+#include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
+#include <Conformal_geometry_processing/forms/tangent_field.h>
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/divergence.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+template <class SolverTraits>
+Hodge_decomposition<SolverTraits>::Hodge_decomposition(const Mesh_view& mesh,
+                                                       const std::string& function)
+    : Hodge_decomposition(Checked_mesh(mesh, function))
+{}
+
+template <class SolverTraits>
+Hodge_decomposition<SolverTraits>::Hodge_decomposition(
+    const Mesh_view& mesh, const Eigen::MatrixXd& generators,
+    const Grounded_solver<SolverTraits>& laplacian)
+    : Hodge_decomposition(mesh, generators, not_owned(laplacian))
+{}
+
+template <class SolverTraits>
+Hodge_parts Hodge_decomposition<SolverTraits>::decompose(const Eigen::MatrixXd& omega) const
+{
+  Hodge_parts parts;
+  parts.potential = potential(omega);
+  parts.exact = differential(m_mesh, parts.potential);
+  const Eigen::MatrixXd rest = omega - parts.exact;
+  parts.harmonic = m_basis.one_forms * m_basis.coefficients(m_weights, rest);
+  parts.coexact = rest - parts.harmonic;
+  return parts;
+}
+
+template <class SolverTraits>
+Hodge_decomposition<SolverTraits>::Checked_mesh::Checked_mesh(const Mesh_view& mesh_,
+                                                              const std::string& function)
+    : mesh(mesh_)
+{
+  require_surface(mesh, function);
+}
+
+template <class SolverTraits>
+Hodge_decomposition<SolverTraits>::Hodge_decomposition(const Checked_mesh& c)
+    : Hodge_decomposition(c.mesh, closed_generators(c.mesh), factored(c.mesh))
+{}
+
+template <class SolverTraits>
+Hodge_decomposition<SolverTraits>::Hodge_decomposition(const Mesh_view& mesh,
+                                                       Eigen::MatrixXd generators,
+                                                       Laplacian laplacian)
+    : m_mesh(mesh), m_weights(cotan_weights(mesh)), m_laplacian(std::move(laplacian))
+{
+  Eigen::MatrixXd& forms = m_basis.one_forms = std::move(generators);
+  internal::remove_exact_parts(mesh, m_weights, *m_laplacian, forms);
+  internal::orthonormalize(mesh, forms);
+  // What the solver has left of the large part of generators.
+  internal::remove_exact_parts(mesh, m_weights, *m_laplacian, forms);
+  for (Eigen::Index i = 0; i < forms.cols(); ++i)
+    m_basis.fields.push_back(tangent_field(mesh, forms.col(i)));
+}
+
+template <class SolverTraits>
+auto Hodge_decomposition<SolverTraits>::factored(const Mesh_view& mesh) -> Laplacian
+{
+  const auto pattern = vertex_graph(mesh);
+  const auto solver = std::make_shared<Grounded_solver<SolverTraits>>(pattern);
+  solver->factorize(cotan_laplacian(mesh, pattern));
+  return solver;
+}
+
+template <class SolverTraits>
+auto Hodge_decomposition<SolverTraits>::not_owned(const Grounded_solver<SolverTraits>& laplacian)
+    -> Laplacian
+{
+  return {std::shared_ptr<const void>(), &laplacian};
+}
+
+template <class SolverTraits>
+Eigen::MatrixXd Hodge_decomposition<SolverTraits>::potential(const Eigen::MatrixXd& omega) const
+{
+  return m_laplacian->solve(codifferential(m_mesh, m_weights, omega));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class Hodge_decomposition<Default_solver_traits>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_INSTANCES_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_INSTANCES_IMPL_H
+
+// The templates that the compiled library contains, for its own solvers.
+
+#include <Conformal_geometry_processing/forms/Dirac_energy_inverse_templates.h>
+#include <Conformal_geometry_processing/forms/Dirac_energy_solver_templates.h>
+#include <Conformal_geometry_processing/forms/Hodge_decomposition_templates.h>
+
+namespace Conformal_geometry_processing {
+
+template class Hodge_decomposition<Default_solver_traits>;
+template class Dirac_energy_inverse<Supernodal_cholesky<Quaternion<double>>>;
+template class Dirac_energy_solver<Default_solver_traits>;
+
+}  // namespace Conformal_geometry_processing
+
+#endif

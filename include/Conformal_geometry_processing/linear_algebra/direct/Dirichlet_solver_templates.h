@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_DIRICHLET_SOLVER_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_DIRICHLET_SOLVER_TEMPLATES_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver.h>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+template <class Scalar, class SolverTraits>
+Dirichlet_solver<Scalar, SolverTraits>::Dirichlet_solver(
+    std::shared_ptr<const Sparse_pattern> pattern, const std::vector<int>& given)
+    : Dirichlet_solver(given, std::move(pattern))
+{
+  check("analysis", m_solver.analyze(m_matrix.pattern()));
+}
+
+template <class Scalar, class SolverTraits>
+void Dirichlet_solver<Scalar, SolverTraits>::factorize(const Matrix& A)
+{
+  int k = 0;
+  A.for_each_entry([&](int i, int j, const Scalar& a) {
+    const bool is_free = !is_given(i) && !is_given(j);
+    m_matrix.value(k++) = is_free ? a : Scalar_traits<Scalar>::from_real(i == j ? 1 : 0);
+  });
+  check("factorization", m_solver.factorize(m_matrix, {}));
+}
+
+template <class Scalar, class SolverTraits>
+Block<Scalar> Dirichlet_solver<Scalar, SolverTraits>::solve(const Matrix& A, const Block<Scalar>& b,
+                                                            const Block<Scalar>& values) const
+{
+  Block<Scalar> known = values, x;
+  for (int i = 0; i < A.size(); ++i)
+    if (!is_given(i)) known.row(i).setConstant(Scalar{});
+  Block<Scalar> right = b - block_operator(A)(known);
+  for (int i = 0; i < A.size(); ++i)
+    if (is_given(i)) right.row(i) = values.row(i);
+  check("solution", m_solver.solve(right, x));
+  return x;
+}
+
+template <class Scalar, class SolverTraits>
+Dirichlet_solver<Scalar, SolverTraits>::Dirichlet_solver(
+    const std::vector<int>& given, std::shared_ptr<const Sparse_pattern> pattern)
+    : m_matrix(std::move(pattern)), m_is_given(static_cast<std::size_t>(m_matrix.size()), 0)
+{
+  for (int i : given) m_is_given[static_cast<std::size_t>(i)] = 1;
+}
+
+template <class Scalar, class SolverTraits>
+void Dirichlet_solver<Scalar, SolverTraits>::check(const char* step, Solver_status status)
+{
+  if (status != Solver_status::success)
+    throw Solver_error("Dirichlet_solver", std::string(step) + " failed: " + to_string(status));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class Dirichlet_solver<double, Default_solver_traits>;
+extern template class Dirichlet_solver<Quaternion<double>, Default_solver_traits>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif

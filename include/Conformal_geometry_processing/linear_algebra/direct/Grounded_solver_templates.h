@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_GROUNDED_SOLVER_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_GROUNDED_SOLVER_TEMPLATES_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+template <class SolverTraits>
+Grounded_solver<SolverTraits>::Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern)
+    : m_grounded(std::move(pattern))
+{
+  check("analysis", m_solver.analyze(m_grounded.pattern()));
+}
+
+template <class SolverTraits>
+Grounded_solver<SolverTraits>::Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern,
+                                               const Ordering& order)
+    : m_grounded(std::move(pattern))
+{
+  check("analysis", m_solver.analyze(m_grounded.pattern(), order));
+}
+
+template <class SolverTraits>
+void Grounded_solver<SolverTraits>::factorize(const Hermitian_sparse_matrix<double>& L)
+{
+  if (!(L.pattern() == m_grounded.pattern()))
+    throw Solver_error("Grounded_solver::factorize", to_string(Solver_status::wrong_state));
+  for (int k = 0; k < L.pattern().size_of_entries(); ++k) m_grounded.value(k) = L.value(k);
+  // Column 0 of the lower triangle is all there is of row and column 0. Times zero, and not zero:
+  // a value that is not finite must not go unnoticed.
+  for (int k = 0; k < L.pattern().offsets[1]; ++k) m_grounded.value(k) *= 0;
+  m_grounded.value(0) += 1;
+  check("factorization", m_solver.factorize(m_grounded, {}));
+}
+
+template <class SolverTraits>
+Block<double> Grounded_solver<SolverTraits>::solve(Block<double> b) const
+{
+  const Eigen::RowVectorXd unreachable = b.colwise().mean();
+  b.rowwise() -= unreachable;
+  b.row(0).setZero();
+  Block<double> x;
+  check("solution", m_solver.solve(b, x));
+  const Eigen::RowVectorXd mean = x.colwise().mean();
+  x.rowwise() -= mean;
+  return x;
+}
+
+template <class SolverTraits>
+void Grounded_solver<SolverTraits>::check(const char* step, Solver_status status)
+{
+  if (status != Solver_status::success)
+    throw Solver_error("Grounded_solver",
+                       std::string(step) + " of the grounded matrix failed: " + to_string(status));
+}
+
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class Grounded_solver<Default_solver_traits>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif

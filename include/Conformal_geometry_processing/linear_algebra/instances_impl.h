@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_INSTANCES_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_INSTANCES_IMPL_H
+
+// The templates that the compiled library contains, for its own solvers.
+
+#include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver_templates.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver_templates.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver_templates.h>
+#include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver_templates.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver_templates.h>
+
+namespace Conformal_geometry_processing {
+
+template class Grounded_solver<Default_solver_traits>;
+template class Dirichlet_solver<double, Default_solver_traits>;
+template class Dirichlet_solver<Quaternion<double>, Default_solver_traits>;
+template class Real_reduced_solver<Supernodal_cholesky<double>>;
+template class Lagged_solver<Supernodal_cholesky<double>>;
+template class Lagged_solver<Supernodal_cholesky<Quaternion<double>>>;
+template class Multigrid_solver<double>;
+template class Multigrid_solver<Quaternion<double>>;
+
+}  // namespace Conformal_geometry_processing
+
+#endif

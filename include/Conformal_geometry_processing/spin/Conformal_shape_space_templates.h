@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_SHAPE_SPACE_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_SHAPE_SPACE_TEMPLATES_H
+
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/operators/averaging.h>
+#include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Conformal_shape_space.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+template <class SolverTraits>
+Conformal_shape_space<SolverTraits>::Conformal_shape_space(const Mesh_view& mesh,
+                                                           const std::string& function)
+    : m_mesh(checked(mesh, function)), m_areas(vertex_areas(mesh)), m_solver(mesh)
+{}
+
+template <class SolverTraits>
+Eigen::VectorXd Conformal_shape_space<SolverTraits>::response(const Eigen::VectorXd& phi) const
+{
+  const Eigen::VectorXd tangent = without_mean(phi);
+  Quaternion_vector<double> source(tangent.size());
+  for (Eigen::Index i = 0; i < source.size(); ++i) source[i] = {tangent[i], 0, 0, 0};
+  Quaternion_vector<double> image = averaging(m_mesh) * source;
+  const Eigen::VectorXd areas = face_areas(m_mesh);
+  for (Eigen::Index f = 0; f < image.size(); ++f) image[f] *= areas[f];
+  const Quaternion_vector<double> change = m_solver(dirac(m_mesh).adjoint_times(image)).col(0);
+  return components(change).row(0).transpose();
+}
+
+template <class SolverTraits>
+Eigen::VectorXd Conformal_shape_space<SolverTraits>::shape_operator(
+    const Eigen::VectorXd& phi) const
+{
+  return 2 / std::sqrt(m_areas.sum()) * response(phi);
+}
+
+template <class SolverTraits>
+double Conformal_shape_space<SolverTraits>::second_order(const Eigen::VectorXd& phi) const
+{
+  return -m_areas.cwiseProduct(without_mean(phi)).dot(response(phi)) / m_areas.sum();
+}
+
+template <class SolverTraits>
+const Mesh_view& Conformal_shape_space<SolverTraits>::checked(const Mesh_view& mesh,
+                                                              const std::string& function)
+{
+  require_surface(mesh, function);
+  require_closed(mesh, function);
+  return mesh;
+}
+
+template <class SolverTraits>
+Eigen::VectorXd Conformal_shape_space<SolverTraits>::without_mean(const Eigen::VectorXd& phi) const
+{
+  return phi.array() + first_order(phi);
+}
+
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class Conformal_shape_space<Default_solver_traits>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif

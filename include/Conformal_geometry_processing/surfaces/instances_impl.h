@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_INSTANCES_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_INSTANCES_IMPL_H
+
+// The templates that the compiled library contains, for its own solvers.
+
+#include <Conformal_geometry_processing/surfaces/associated_family_templates.h>
+
+namespace Conformal_geometry_processing {
+
+template class Associated_family<Default_solver_traits>;
+
+}  // namespace Conformal_geometry_processing
+
+#endif
