@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/templates.h>
+
 #include "stage.h"
 #include "support/Willmore_flow.h"
 #include "support/workloads.h"

@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Schur_reduced_solver.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
 #include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>

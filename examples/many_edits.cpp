@@ -8,6 +8,7 @@
 // A mesh is two arrays here; the linear solver is the library's own with a counter, which is the
 // least that a model of SparseHermitianSolver can be.
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>

@@ -4,6 +4,7 @@
 #define BENCHMARK_FAIRING_IMPLICIT_MEAN_CURVATURE_H
 
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include "Fairing_flow.h"
 #include "Real_cholesky.h"

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 namespace cgp_benchmark {
 

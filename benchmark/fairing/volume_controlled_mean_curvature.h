@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include "Fairing_flow.h"
 #include "Real_cholesky.h"

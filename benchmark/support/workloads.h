@@ -4,6 +4,7 @@
 #define BENCHMARK_SUPPORT_WORKLOADS_H
 
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <cmath>
 #include <string>

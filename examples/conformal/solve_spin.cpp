@@ -5,6 +5,7 @@
 #include "solve_robustly.h"
 
 #include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
+#include <Conformal_geometry_processing/templates.h>
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
 #include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
 #endif

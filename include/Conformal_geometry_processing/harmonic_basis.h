@@ -11,6 +11,7 @@
 #include <Conformal_geometry_processing/forms/random_closed_forms.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <string>
 #include <utility>

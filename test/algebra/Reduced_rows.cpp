@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include <Conformal_geometry_processing/algebra/Reduced_rows.h>
+#include <Conformal_geometry_processing/exceptions.h>
 
 #include <gtest/gtest.h>
 

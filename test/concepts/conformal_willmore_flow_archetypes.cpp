@@ -5,6 +5,7 @@
 #include "concepts/archetype_maps.h"
 
 #include <Conformal_geometry_processing/conformal_willmore_flow.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include "concepts/archetype_maps.h"
 
 #include <Conformal_geometry_processing/harmonic_basis.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/dirac_spectrum.h>
 #include <Conformal_geometry_processing/dirac_sphere.h>
 #include <Conformal_geometry_processing/spin_transform.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 

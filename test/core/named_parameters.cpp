@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/core/named_parameters.h
 #include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/harmonic_basis.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/curves/close_polygon.h>
 #include <Conformal_geometry_processing/curves/constrained_direction.h>
 #include <Conformal_geometry_processing/curves/curve_alignment.h>
+#include <Conformal_geometry_processing/curves/integrate_curvature.h>
 #include <Conformal_geometry_processing/curves/integrate_tangents.h>
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 // Tests include/Conformal_geometry_processing/flow/Closing_spin_transformation.h
 #include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <gtest/gtest.h>
 

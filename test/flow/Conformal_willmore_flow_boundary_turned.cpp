@@ -3,6 +3,7 @@
 // Tests include/Conformal_geometry_processing/flow/Conformal_willmore_flow.h
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include <Conformal_geometry_processing/flow/Moebius_balancing.h>
 #include <Conformal_geometry_processing/flow/canonical_metric.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <gtest/gtest.h>
 

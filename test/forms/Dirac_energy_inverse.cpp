@@ -3,6 +3,7 @@
 // Tests forms/Dirac_energy_inverse.h, forms/Dirac_energy_solver.h
 #include <Conformal_geometry_processing/forms/Dirac_energy_inverse.h>
 #include <Conformal_geometry_processing/forms/Dirac_energy_solver.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
 
 #include <gtest/gtest.h>

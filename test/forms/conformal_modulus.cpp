@@ -4,6 +4,7 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/forms/conformal_modulus.h>
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
 
 #include <gtest/gtest.h>
 

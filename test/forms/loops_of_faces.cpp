@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/forms/loops_of_faces.h
 #include <Conformal_geometry_processing/forms/loops_of_faces.h>
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
 
 #include <gtest/gtest.h>
 

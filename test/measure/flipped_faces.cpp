@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/flipped_faces.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
 
 #include <gtest/gtest.h>
 

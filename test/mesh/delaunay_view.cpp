@@ -4,6 +4,7 @@
 // Tests mesh/boundary_caps.h
 #include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
+#include <Conformal_geometry_processing/mesh/mollified_lengths.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,9 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/measure/alignment.h>
+#include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 

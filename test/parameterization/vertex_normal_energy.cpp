@@ -3,6 +3,7 @@
 // Tests include/Conformal_geometry_processing/parameterization/vertex_normal_energy.h
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/parameterization/vertex_normal_energy.h>
 
 #include <gtest/gtest.h>

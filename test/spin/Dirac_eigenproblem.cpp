@@ -3,6 +3,7 @@
 // Tests include/Conformal_geometry_processing/spin/Dirac_eigenproblem.h
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
 #include <Conformal_geometry_processing/spin/separate_signs.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <Eigen/Eigenvalues>
 

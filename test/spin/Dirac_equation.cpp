@@ -4,7 +4,9 @@
 // Tests include/Conformal_geometry_processing/spin/Dirac_solution.h
 #include <Conformal_geometry_processing/operators/averaging.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_equation.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <Eigen/Eigenvalues>
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
+#include <Conformal_geometry_processing/spin/spin_structure.h>
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include <Conformal_geometry_processing/measure/flipped_faces.h>
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
+#include <Conformal_geometry_processing/spin/face_spins.h>
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,11 @@
 // Tests include/Conformal_geometry_processing/spin/Poisson_reconstruction.h
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 

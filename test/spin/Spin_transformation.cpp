@@ -3,6 +3,7 @@
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
 // Tests include/Conformal_geometry_processing/spin/restore_area.h
 // Tests include/Conformal_geometry_processing/spin/Spin_report.h
+#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>

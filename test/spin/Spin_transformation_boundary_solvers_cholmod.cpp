@@ -3,6 +3,7 @@
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include "spin/boundary_cases.h"
 

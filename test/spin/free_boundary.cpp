@@ -3,6 +3,8 @@
 // Tests include/Conformal_geometry_processing/spin/free_boundary.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/spin/free_boundary.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include "spin/boundary_tools.h"
 #include "support/dense.h"

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/separate_signs.h
+#include <Conformal_geometry_processing/curves/Closing_functions.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 #include <Conformal_geometry_processing/spin/separate_signs.h>
 
 #include <gtest/gtest.h>

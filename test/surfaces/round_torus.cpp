@@ -6,6 +6,8 @@
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/surfaces/round_torus.h>
+#include <Conformal_geometry_processing/surfaces/stereographic_projection.h>
+#include <Conformal_geometry_processing/surfaces/torus_grid.h>
 #include <Conformal_geometry_processing/surfaces/torus_of_class.h>
 
 #include <gtest/gtest.h>

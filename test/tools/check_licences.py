@@ -48,7 +48,7 @@ def complaints(compiler, header):
     found = []
     for path in closure(compiler, header):
         if "/suitesparse/" in path:
-            found.append(f"{header}: includes {path}, which is for linear_algebra/Cholmod_*.h")
+            found.append(f"{header}: includes {path}, which is for linear_algebra/adapters/Cholmod_*.h")
         elif "/include/CGAL/" in path and not is_permitted(licence(path)):
             found.append(f"{header}: includes {path}, whose licence is {licence(path)}")
     return found
@@ -56,7 +56,7 @@ def complaints(compiler, header):
 
 def main():
     compiler = sys.argv[1:] or ["c++", "-isystem", "/usr/include/eigen3"]
-    core = [header for header in sources.headers()
+    core = [header for header in sources.interfaces()
             if not sources.GPL_HEADER.search(header.as_posix())
             and not sources.OPTIONAL_HEADER.search(header.as_posix())]
     with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:

@@ -14,16 +14,25 @@ FOLDERS = ("include", "test", "examples", "benchmark", "doc")
 # The only headers that may reach CGAL's GPL parts: one per mesh type, the method for CGAL's package
 # of parameterizations, and CHOLMOD's.
 GPL_HEADER = re.compile(r"(_Surface_mesh|_Polyhedron_3|_parameterizer_3)\.h$"
-                        r"|^linear_algebra/Cholmod_[^/]*\.h$")
+                        r"|^linear_algebra/adapters/Cholmod_[^/]*\.h$")
 
 # The headers over libraries that may be missing where the checks run, under licences of their own
 # (SLEPc and PETSc: BSD).
-OPTIONAL_HEADER = re.compile(r"^linear_algebra/(Petsc|Slepc)_[^/]*\.h$")
+OPTIONAL_HEADER = re.compile(r"^linear_algebra/adapters/(Petsc|Slepc)_[^/]*\.h$")
+
+
+# X_impl.h defines the functions that X.h declares, X_templates.h its templates.
+DEFINITIONS = re.compile(r"_(impl|templates)\.h$")
 
 
 def headers():
     """The headers of the library, as paths below include/Conformal_geometry_processing."""
     return sorted(path.relative_to(INCLUDE) for path in INCLUDE.rglob("*.h"))
+
+
+def interfaces():
+    """Those that users include."""
+    return [header for header in headers() if not DEFINITIONS.search(header.name)]
 
 
 def files(*suffixes):

@@ -194,10 +194,33 @@ struct Referred<std::reference_wrapper<T>> {
   using type = std::remove_const_t<T>;
 };
 
-/// the type of a parameter (of what `std::ref` refers to, if it was passed so), or the fallback
+/// defined in templates.h, and so complete where that is included
+template <class T>
+struct Templates_are_included;
+
+template <class T, class = void>
+constexpr bool is_complete = false;
+template <class T>
+constexpr bool is_complete<T, std::void_t<decltype(sizeof(T))>> = true;
+
+/// what the library was compiled for, or anything where the definitions of templates are at hand
+template <class T, class Compiled>
+struct Instantiable {
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+  static_assert(std::is_same_v<T, Compiled> || is_complete<Templates_are_included<T>>,
+                "a solver, an eigenvalue solver or a direction of one's own needs "
+                "#include <Conformal_geometry_processing/templates.h>");
+#endif
+  using type = T;
+};
+
+/// \brief the type of a parameter (of what `std::ref` refers to, if it was passed so), or the
+/// fallback, with which the library has been compiled.
 template <class NamedParameters, class Tag, class Fallback>
-using Parameter_type = typename Referred<
-    typename CGAL::internal_np::Lookup_named_param_def<Tag, NamedParameters, Fallback>::type>::type;
+using Parameter_type =
+    typename Instantiable<typename Referred<typename CGAL::internal_np::Lookup_named_param_def<
+                              Tag, NamedParameters, Fallback>::type>::type,
+                          Fallback>::type;
 
 /// the value of a parameter (what `std::ref` refers to, if it was passed so), or else the fallback
 template <class NamedParameters, class Tag, class Fallback>

@@ -3,8 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLOSING_CONSTRAINTS_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLOSING_CONSTRAINTS_TEMPLATES_H
 
-#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/flow/Closing_constraints.h>
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 

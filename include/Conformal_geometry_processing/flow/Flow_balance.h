@@ -3,12 +3,12 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_BALANCE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_BALANCE_H
 
-#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/algebra/Moebius_map.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Moebius_balancing.h>
 #include <Conformal_geometry_processing/flow/canonical_metric.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>

@@ -3,9 +3,9 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_DIRAC_ENERGY_INVERSE_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FORMS_DIRAC_ENERGY_INVERSE_TEMPLATES_H
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/Dirac_energy_inverse.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 
 #include <Eigen/Core>

@@ -8,6 +8,8 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver_templates.h>
+#include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_cycle_templates.h>
+#include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_level_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver_templates.h>
 
@@ -19,6 +21,10 @@ template class Dirichlet_solver<Quaternion<double>, Default_solver_traits>;
 template class Real_reduced_solver<Supernodal_cholesky<double>>;
 template class Lagged_solver<Supernodal_cholesky<double>>;
 template class Lagged_solver<Supernodal_cholesky<Quaternion<double>>>;
+template class Multigrid_level<float>;
+template class Multigrid_level<Quaternion<float>>;
+template class Multigrid_cycle<float>;
+template class Multigrid_cycle<Quaternion<float>>;
 template class Multigrid_solver<double>;
 template class Multigrid_solver<Quaternion<double>>;
 

@@ -5,9 +5,9 @@
 
 // The templates that the compiled library contains, for its own solvers.
 
+#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/mesh/delaunay_boundary.h>
 #include <Conformal_geometry_processing/operators/delaunay_operators.h>
-#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem_templates.h>
 #include <Conformal_geometry_processing/spin/Dirac_equation_templates.h>
 #include <Conformal_geometry_processing/spin/Dirac_search_templates.h>

@@ -35,7 +35,8 @@ void require_on_faces(const Curvature_potential& rho);
 /// \pre `require_on_faces(rho)` holds
 template <class Problem>
 void solve_generalized_dirac(const Problem& problem, const Curvature_potential& rho,
-                             const Dirac_options& options, Dirac_solution& s, const Go_further& go_further)
+                             const Dirac_options& options, Dirac_solution& s,
+                             const Go_further& go_further)
 {
   const double gamma = dirac_quotient(problem.mesh(), rho, s.lambda);
   if (s.spectral_shift != 0 || gamma == 0 || s.energy <= 0) return;

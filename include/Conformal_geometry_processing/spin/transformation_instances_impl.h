@@ -5,9 +5,9 @@
 
 // The templates that the compiled library contains, for its own solvers.
 
+#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/mesh/delaunay_boundary.h>
 #include <Conformal_geometry_processing/operators/delaunay_operators.h>
-#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation_templates.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
 #include <Conformal_geometry_processing/spin/Robust_spin_transformation_templates.h>

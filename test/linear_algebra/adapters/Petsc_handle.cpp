@@ -4,6 +4,7 @@
 // What happens when the program does not start PETSc, as this one does not: it is not given
 // test/support/slepc_main.cpp.
 #include <Conformal_geometry_processing/linear_algebra/adapters/Slepc_eigensolver_traits.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 // Tests include/Conformal_geometry_processing/linear_algebra/adapters/Slepc_lobpcg.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Slepc_eigensolver_traits.h>
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,9 @@
 // Tests linear_algebra/dense/quaternionic_householder.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/curves/Closing_functions.h>
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/quaternionic_householder.h>
 
 #include <gtest/gtest.h>

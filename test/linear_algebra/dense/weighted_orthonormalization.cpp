@@ -1,6 +1,7 @@
 // Tests include/Conformal_geometry_processing/linear_algebra/dense/weighted_orthonormalization.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/weighted_orthonormalization.h>
 
 #include <gtest/gtest.h>

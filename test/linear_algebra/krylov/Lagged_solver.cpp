@@ -4,6 +4,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include <Eigen/Dense>
 

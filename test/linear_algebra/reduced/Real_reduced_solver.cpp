@@ -4,6 +4,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver.h>
+#include <Conformal_geometry_processing/templates.h>
 
 #include "linear_algebra/reduced_solver_laws.h"
 

@@ -5,6 +5,7 @@
 // Tests operators/calculus/shape_operator.h, operators/calculus/fundamental_forms.h
 // Tests operators/calculus/normals_and_curvatures.h, operators/calculus/laplacians.h
 // Tests operators/calculus/covariant_derivative.h
+#include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/calculus/covariant_derivative.h>
 #include <Conformal_geometry_processing/operators/calculus/curl.h>
 #include <Conformal_geometry_processing/operators/calculus/divergence.h>

@@ -125,4 +125,13 @@ Solver_status Multigrid_cycle<Entry>::solve_coarsest()
 
 }  // namespace Conformal_geometry_processing
 
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class Multigrid_cycle<float>;
+extern template class Multigrid_cycle<Quaternion<float>>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
 #endif

@@ -81,4 +81,13 @@ void Multigrid_level<Entry>::smooth_last()
 
 }  // namespace Conformal_geometry_processing
 
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class Multigrid_level<float>;
+extern template class Multigrid_level<Quaternion<float>>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
 #endif
