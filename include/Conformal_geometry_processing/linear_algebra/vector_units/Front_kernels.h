@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_FRONT_KERNELS_H
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Panel_layout.h>
-#include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/unit_tags.h>
 
 namespace Conformal_geometry_processing {
 

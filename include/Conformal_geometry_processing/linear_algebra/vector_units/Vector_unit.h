@@ -3,16 +3,9 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_VECTOR_UNIT_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_VECTOR_UNIT_H
 
-namespace Conformal_geometry_processing {
+#include <Conformal_geometry_processing/linear_algebra/vector_units/unit_tags.h>
 
-/// \ingroup PkgLinearAlgebra
-/// \brief the kinds of registers that the dense kernels of the factorizations are compiled for,
-/// narrowest first.
-enum class Vector_unit {
-  baseline,  ///< 16 bytes, which every machine of the target has: SSE2, NEON
-  avx2,      ///< 32 bytes: AVX2 and FMA
-  avx512     ///< 64 bytes: AVX-512 F, VL, DQ and BW
-};
+namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief the name of the unit on this architecture, such as "SSE2".

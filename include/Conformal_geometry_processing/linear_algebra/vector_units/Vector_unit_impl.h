@@ -5,7 +5,6 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
-#include <Conformal_geometry_processing/linear_algebra/vector_units/unit_tags.h>
 
 #include <atomic>
 

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_KERNELS_FOR_H
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Front_kernels.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
 
 namespace Conformal_geometry_processing {
 

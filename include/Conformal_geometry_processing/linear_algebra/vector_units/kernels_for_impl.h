@@ -3,8 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_KERNELS_FOR_IMPL_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_KERNELS_FOR_IMPL_H
 
+#include <Conformal_geometry_processing/linear_algebra/vector_units/compiled_kernels.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/kernels_for.h>
-#include <Conformal_geometry_processing/linear_algebra/vector_units/unit_instances.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/unit_kernels.h>
 
 namespace Conformal_geometry_processing {
