@@ -102,7 +102,10 @@ function(cgp_add_compiled name below)
   set_target_properties(cgp_${name} PROPERTIES OUTPUT_NAME conformal_geometry_${name}
                         VERSION ${PROJECT_VERSION} POSITION_INDEPENDENT_CODE ON
                         SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  target_compile_definitions(cgp_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16)
+  # Compiled for AVX, Eigen looks for what to free where it has put nothing without AVX, unless both
+  # are told that malloc() is not aligned.
+  target_compile_definitions(cgp_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16
+                                                EIGEN_MALLOC_ALREADY_ALIGNED=0)
   target_link_libraries(cgp_${name} PUBLIC ${below} Eigen3::Eigen Threads::Threads)
   if(CGP_HAS_VERSION_SCRIPTS)
     # A program may have been compiled for other vector units. Its copies of inline functions and
