@@ -127,6 +127,8 @@ check_linker_flag(CXX "LINKER:--version-script=${PROJECT_SOURCE_DIR}/.cmake/expo
                   CGP_HAS_VERSION_SCRIPTS)
 
 cgp_add_compiled(linear_algebra "" ${CGP_LINEAR_ALGEBRA_HEADERS})
+include(Vector_units)
+cgp_add_vector_units(cgp_linear_algebra)
 cgp_add_compiled(kernels cgp_linear_algebra ${CGP_KERNELS_HEADERS})
 cgp_add_headers(core "cgp_kernels;CGAL::CGAL" ${CGP_CORE_HEADERS})
 cgp_add_headers(core_header_only "cgp_kernels_header_only;CGAL::CGAL" ${CGP_CORE_HEADERS})
