@@ -40,6 +40,8 @@ TEST(Lane_array, is_changed_in_place)
   expect_lanes(v, 2, 0, 6, -6);
   v *= 0.5;
   expect_lanes(v, 1, 0, 3, -3);
+  v /= 2;
+  expect_lanes(v, 0.5, 0, 1.5, -1.5);
 }
 
 }  // namespace

@@ -39,6 +39,11 @@ struct Lane_array {
     for (int l = 0; l < size; ++l) lanes[l] *= b;
     return *this;
   }
+  CGP_ALWAYS_INLINE Lane_array& operator/=(Real b)
+  {
+    for (int l = 0; l < size; ++l) lanes[l] /= b;
+    return *this;
+  }
 
   friend CGP_ALWAYS_INLINE Lane_array operator+(Lane_array a, const Lane_array& b)
   {
