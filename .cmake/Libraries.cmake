@@ -105,7 +105,10 @@ function(cgp_add_compiled name below)
   set_target_properties(cgp_${name} PROPERTIES OUTPUT_NAME conformal_geometry_${name}
                         VERSION ${PROJECT_VERSION} POSITION_INDEPENDENT_CODE ON
                         SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  target_compile_definitions(cgp_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16)
+  # Compiled for AVX, Eigen looks for what to free where it has put nothing without AVX, unless both
+  # are told that malloc() is not aligned.
+  target_compile_definitions(cgp_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16
+                                                EIGEN_MALLOC_ALREADY_ALIGNED=0)
   target_link_libraries(cgp_${name} PUBLIC ${below} Eigen3::Eigen Threads::Threads)
   if(CGP_HAS_VERSION_SCRIPTS)
     # A program may have been compiled for other vector units. Its copies of inline functions and
@@ -127,8 +130,16 @@ check_linker_flag(CXX "LINKER:--version-script=${PROJECT_SOURCE_DIR}/.cmake/expo
                   CGP_HAS_VERSION_SCRIPTS)
 
 cgp_add_compiled(linear_algebra "" ${CGP_LINEAR_ALGEBRA_HEADERS})
+include(Vector_units)
+cgp_add_vector_units(cgp_linear_algebra)
+include(Vector_units)
+cgp_add_vector_units(cgp_linear_algebra)
 cgp_add_compiled(kernels cgp_linear_algebra ${CGP_KERNELS_HEADERS})
-cgp_add_headers(core "cgp_kernels;CGAL::CGAL" ${CGP_CORE_HEADERS})
+set(kernels cgp_kernels)
+if(CGP_HEADER_ONLY)
+  set(kernels cgp_kernels_header_only)
+endif()
+cgp_add_headers(core "${kernels};CGAL::CGAL" ${CGP_CORE_HEADERS})
 cgp_add_headers(core_header_only "cgp_kernels_header_only;CGAL::CGAL" ${CGP_CORE_HEADERS})
 set_target_properties(cgp_core_header_only PROPERTIES VERIFY_INTERFACE_HEADER_SETS OFF)
 

@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# Which lines of the headers the tests run: with CGP_COVERAGE the tests (not the program and not the
-# examples) count, and `cmake --build FOLDER --target coverage` adds up what they have counted.
+# Which lines of the headers the tests run: with CGP_COVERAGE the compiled libraries and the tests
+# count, and `cmake --build FOLDER --target coverage` adds up what they have counted.
 
 if(CGP_COVERAGE AND (NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR CGP_SANITIZE))
   message(STATUS "Lines are counted with g++ alone, and not beside sanitizers")
@@ -16,17 +16,21 @@ if(CGP_COVERAGE)
   add_custom_target(
     coverage COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/tools/coverage.py
                      --gcov ${CGP_GCOV} --at-least ${CGP_COVERAGE_AT_LEAST} --missing
-                     ${CMAKE_CURRENT_BINARY_DIR}
+                     ${PROJECT_BINARY_DIR}
     USES_TERMINAL VERBATIM)
 endif()
 
-# Has those that link the interface target count the lines of our headers that they run, also where
-# those were inlined into the test. The libraries' code stays as fast as it is. Threads may lose a
-# count: all that is asked is whether it is zero.
-function(cgp_count_lines target)
+# Has a target (PRIVATE), or those that link it (INTERFACE), count the lines of our headers that they
+# run, also where those were inlined. Threads may lose a count: all that is asked is whether it is
+# zero.
+function(cgp_count_lines target scope)
   if(CGP_COVERAGE)
-    target_compile_options(${target} INTERFACE --coverage -fprofile-update=single
+    target_compile_options(${target} ${scope} --coverage -fprofile-update=single
                            "-fprofile-filter-files=/(Conformal_geometry_processing|test)/")
-    target_link_options(${target} INTERFACE --coverage)
+    target_link_options(${target} ${scope} --coverage)
   endif()
 endfunction()
+
+foreach(library linear_algebra kernels)
+  cgp_count_lines(cgp_${library} PRIVATE)
+endforeach()

@@ -18,6 +18,9 @@
 static_assert(EIGEN_MAX_ALIGN_BYTES == 16 || EIGEN_MAX_ALIGN_BYTES == 0,
               "the compiled library wants EIGEN_MAX_ALIGN_BYTES=16: link its target, or define it "
               "for every file that includes Eigen");
+static_assert(EIGEN_MALLOC_ALREADY_ALIGNED == 0 || EIGEN_MAX_ALIGN_BYTES == 0,
+              "the compiled library wants EIGEN_MALLOC_ALREADY_ALIGNED=0: Eigen compiled for AVX "
+              "never frees what it has allocated without");
 #endif
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HARMONIC_BASIS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_HARMONIC_BASIS_H
 
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/Harmonic_forms.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>

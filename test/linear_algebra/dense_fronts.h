@@ -3,7 +3,8 @@
 #ifndef TEST_LINEAR_ALGEBRA_DENSE_FRONTS_H
 #define TEST_LINEAR_ALGEBRA_DENSE_FRONTS_H
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Front_kernels.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/kernels_for.h>
 
 #include <Eigen/Dense>
 
@@ -11,6 +12,7 @@
 
 #include <vector>
 
+#include "linear_algebra/every_unit.h"
 #include "linear_algebra/hermitian_matrices.h"
 
 /// Panels and updates of fronts as dense matrices, read and written by their documented layouts.
@@ -21,8 +23,12 @@ template <class Scalar_, class Real_>
 struct Kind {
   using Scalar = Scalar_;
   using Real = Real_;
-  using Kernels = CGP::Front_kernels<Scalar, Real>;
+  static constexpr int planes = CGP::Scalar_planes<Scalar>::size;
   static constexpr double precision = sizeof(Real) == 4 ? 2e-5 : 1e-12;
+
+  /// of the vector unit in use
+  static CGP::Front_kernels<Real> kernels() { return CGP::kernels_for<Real>(planes); }
+  static CGP::Panel_layout layout() { return kernels().layout; }
 };
 using Kinds = testing::Types<Kind<double, double>, Kind<double, float>,
                              Kind<std::complex<double>, double>, Kind<std::complex<double>, float>,
@@ -44,7 +50,7 @@ CGP::Block<typename Kind::Scalar> random_definite_block(int n, std::uint64_t see
 template <class Kind>
 std::size_t in_panel(int columns, int row, int column)
 {
-  constexpr int lanes = Kind::Kernels::lanes, cell = Kind::Kernels::cell;
+  const int lanes = Kind::layout().lanes(), cell = Kind::planes * lanes;
   const int block =
       row < columns ? row / lanes : (columns + lanes - 1) / lanes + (row - columns) / lanes;
   const int lane = (row < columns ? row : row - columns) % lanes;
@@ -55,7 +61,7 @@ std::size_t in_panel(int columns, int row, int column)
 template <class Kind>
 std::size_t in_update(int rows, int row, int column)
 {
-  constexpr int lanes = Kind::Kernels::lanes, cell = Kind::Kernels::cell;
+  const int lanes = Kind::layout().lanes(), cell = Kind::planes * lanes;
   const int blocks = (rows + lanes - 1) / lanes;
   int tile = row / lanes - column / lanes;
   for (int b = 0; b < column / lanes; ++b) tile += blocks - b;
@@ -65,17 +71,17 @@ std::size_t in_update(int rows, int row, int column)
 template <class Kind>
 void put(const typename Kind::Scalar& value, typename Kind::Real* to)
 {
-  double parts[Kind::Kernels::planes];
+  double parts[Kind::planes];
   CGP::Scalar_planes<typename Kind::Scalar>::get(value, parts);
-  for (int q = 0; q < Kind::Kernels::planes; ++q)
-    to[q * Kind::Kernels::lanes] = static_cast<typename Kind::Real>(parts[q]);
+  for (int q = 0; q < Kind::planes; ++q)
+    to[q * Kind::layout().lanes()] = static_cast<typename Kind::Real>(parts[q]);
 }
 
 template <class Kind>
 typename Kind::Scalar get(const typename Kind::Real* from)
 {
-  double parts[Kind::Kernels::planes];
-  for (int q = 0; q < Kind::Kernels::planes; ++q) parts[q] = from[q * Kind::Kernels::lanes];
+  double parts[Kind::planes];
+  for (int q = 0; q < Kind::planes; ++q) parts[q] = from[q * Kind::layout().lanes()];
   return CGP::Scalar_planes<typename Kind::Scalar>::put(parts);
 }
 

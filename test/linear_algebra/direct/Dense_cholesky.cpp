@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "linear_algebra/every_unit.h"
 #include "support/random.h"
 
 namespace {
@@ -38,37 +39,43 @@ CGP::Dense_cholesky lower_part(const Eigen::MatrixXd& A)
 
 TEST(Dense_cholesky, has_the_factor_of_a_matrix)
 {
-  for (int n : {1, 3, 8, 9, 21, 50}) {
-    const Eigen::MatrixXd A = some_definite_matrix(n);
-    CGP::Dense_cholesky cholesky = lower_part(A);
-    ASSERT_TRUE(cholesky.factorize());
-    Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n, n);
-    for (int j = 0; j < n; ++j)
-      for (int i = j; i < n; ++i) L(i, j) = cholesky(i, j);
-    EXPECT_LE((L * L.transpose() - A).norm(), 1e-13 * A.norm()) << n;
-  }
+  on_every_unit([&] {
+    for (int n : {1, 3, 8, 9, 21, 50}) {
+      const Eigen::MatrixXd A = some_definite_matrix(n);
+      CGP::Dense_cholesky cholesky = lower_part(A);
+      ASSERT_TRUE(cholesky.factorize());
+      Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n, n);
+      for (int j = 0; j < n; ++j)
+        for (int i = j; i < n; ++i) L(i, j) = cholesky(i, j);
+      EXPECT_LE((L * L.transpose() - A).norm(), 1e-13 * A.norm()) << n;
+    }
+  });
 }
 
 TEST(Dense_cholesky, solves)
 {
-  for (int n : {1, 3, 8, 9, 21, 50}) {
-    const Eigen::MatrixXd A = some_definite_matrix(n);
-    CGP::Dense_cholesky cholesky = lower_part(A);
-    ASSERT_TRUE(cholesky.factorize());
-    const Eigen::VectorXd b = random_numbers(n, 5);
-    Eigen::VectorXd x = b;
-    cholesky.solve(x);
-    EXPECT_LE((A * x - b).norm(), 1e-11 * b.norm()) << n;
-  }
+  on_every_unit([&] {
+    for (int n : {1, 3, 8, 9, 21, 50}) {
+      const Eigen::MatrixXd A = some_definite_matrix(n);
+      CGP::Dense_cholesky cholesky = lower_part(A);
+      ASSERT_TRUE(cholesky.factorize());
+      const Eigen::VectorXd b = random_numbers(n, 5);
+      Eigen::VectorXd x = b;
+      cholesky.solve(x);
+      EXPECT_LE((A * x - b).norm(), 1e-11 * b.norm()) << n;
+    }
+  });
 }
 
 TEST(Dense_cholesky, tells_indefinite_matrices)
 {
-  Eigen::MatrixXd A = some_definite_matrix(20);
-  A(19, 19) = -A(19, 19);
-  EXPECT_FALSE(lower_part(A).factorize());
-  A(19, 19) = std::nan("");
-  EXPECT_FALSE(lower_part(A).factorize());
+  on_every_unit([&] {
+    Eigen::MatrixXd A = some_definite_matrix(20);
+    A(19, 19) = -A(19, 19);
+    EXPECT_FALSE(lower_part(A).factorize());
+    A(19, 19) = std::nan("");
+    EXPECT_FALSE(lower_part(A).factorize());
+  });
 }
 
 TEST(Dense_cholesky, of_no_rows_has_nothing_to_do)

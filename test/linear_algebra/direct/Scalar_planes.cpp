@@ -14,23 +14,8 @@ namespace {
 template <class Scalar>
 class Scalar_planes : public testing::Test {
  protected:
-  using Components = CGP::Scalar_planes<Scalar>;
-
-  // Starting from c, the product is applied to the components of c, a and b, and compared.
-  template <class Product>
-  void expect_product(Product product, const Scalar& expected)
-  {
-    double x[Components::size], y[Components::size], z[Components::size];
-    Components::get(m_c, x), Components::get(m_a, y), Components::get(m_b, z);
-    product(x, y, z);
-    double e[Components::size];
-    Components::get(expected, e);
-    for (int q = 0; q < Components::size; ++q) EXPECT_NEAR(x[q], e[q], 1e-15);
-  }
-
   Random random{4};
-  Scalar m_a = random_scalar<Scalar>(random), m_b = random_scalar<Scalar>(random),
-         m_c = random_scalar<Scalar>(random);
+  Scalar m_a = random_scalar<Scalar>(random);
 };
 using Scalars = testing::Types<double, std::complex<double>, Quaternion<double>>;
 TYPED_TEST_SUITE(Scalar_planes, Scalars);
@@ -43,17 +28,6 @@ TYPED_TEST(Scalar_planes, are_the_components)
   EXPECT_EQ(parts[0], CGP::Scalar_traits<TypeParam>::real(this->m_a));
   EXPECT_TRUE(Planes::put(parts) == this->m_a);
   EXPECT_EQ(sizeof(parts), sizeof(TypeParam));
-}
-
-TYPED_TEST(Scalar_planes, multiply_as_the_scalars_do)
-{
-  using Planes = CGP::Scalar_planes<TypeParam>;
-  const TypeParam a = this->m_a, b = this->m_b, c = this->m_c;
-  this->expect_product([](auto* x, auto* y, auto* z) { Planes::subtract_conjugated(x, y, z); },
-                       c - a * CGP::conjugate(b));
-  this->expect_product([](auto* x, auto* y, auto* z) { Planes::subtract(x, y, z); }, c - a * b);
-  this->expect_product([](auto* x, auto* y, auto* z) { Planes::add_conjugate(x, y, z); },
-                       c + CGP::conjugate(a) * b);
 }
 
 TEST(Scalar_planes, of_floats_are_components_too)

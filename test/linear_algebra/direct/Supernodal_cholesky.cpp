@@ -13,6 +13,7 @@
 #include <new>
 #include <vector>
 
+#include "linear_algebra/every_unit.h"
 #include "linear_algebra/solver_laws.h"
 
 namespace {
@@ -64,14 +65,16 @@ TYPED_TEST_SUITE(Float_factor, Scalars);
 
 TYPED_TEST(Float_factor, solves_to_single_precision)
 {
-  const Pattern pattern = grid_pattern(15, 15);
-  const auto A = random_definite<TypeParam>(pattern, 3);
-  CGP::Supernodal_cholesky<TypeParam, float> single;
-  ASSERT_EQ(single.analyze(*pattern), Solver_status::success);
-  ASSERT_EQ(single.factorize(A, {}), Solver_status::success);
-  const auto b = random_block<TypeParam>(A.size(), 2, 4);
-  const Eigen::MatrixXd expected = dense(A).llt().solve(real_columns(b));
-  EXPECT_LE((solution(single, b) - expected).norm(), 1e-5 * expected.norm());
+  on_every_unit([&] {
+    const Pattern pattern = grid_pattern(15, 15);
+    const auto A = random_definite<TypeParam>(pattern, 3);
+    CGP::Supernodal_cholesky<TypeParam, float> single;
+    ASSERT_EQ(single.analyze(*pattern), Solver_status::success);
+    ASSERT_EQ(single.factorize(A, {}), Solver_status::success);
+    const auto b = random_block<TypeParam>(A.size(), 2, 4);
+    const Eigen::MatrixXd expected = dense(A).llt().solve(real_columns(b));
+    EXPECT_LE((solution(single, b) - expected).norm(), 1e-5 * expected.norm());
+  });
 }
 
 TYPED_TEST(Float_factor, needs_little_more_than_half_of_the_memory)
@@ -112,16 +115,18 @@ TYPED_TEST_SUITE(Supernodal_cholesky, Models);
 
 TYPED_TEST(Supernodal_cholesky, solves_with_one_vertex_without_edges_and_in_many_parts)
 {
-  using Scalar = typename TypeParam::Scalar;
-  for (const Pattern& pattern : {pattern_of_edges(1, {}), pattern_of_edges(9, {}),
-                                 pattern_of_edges(8, {{0, 4}, {4, 7}, {7, 0}, {1, 5}, {2, 6}})}) {
-    const auto A = random_definite<Scalar>(pattern, 8);
-    ASSERT_EQ(this->solver.analyze(*pattern), Solver_status::success);
-    ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
-    const auto b = random_block<Scalar>(A.size(), 3, 9);
-    const Eigen::MatrixXd expected = dense(A).llt().solve(real_columns(b));
-    EXPECT_LE((solution(this->solver, b) - expected).norm(), 1e-12 * expected.norm());
-  }
+  on_every_unit([&] {
+    using Scalar = typename TypeParam::Scalar;
+    for (const Pattern& pattern : {pattern_of_edges(1, {}), pattern_of_edges(9, {}),
+                                   pattern_of_edges(8, {{0, 4}, {4, 7}, {7, 0}, {1, 5}, {2, 6}})}) {
+      const auto A = random_definite<Scalar>(pattern, 8);
+      ASSERT_EQ(this->solver.analyze(*pattern), Solver_status::success);
+      ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
+      const auto b = random_block<Scalar>(A.size(), 3, 9);
+      const Eigen::MatrixXd expected = dense(A).llt().solve(real_columns(b));
+      EXPECT_LE((solution(this->solver, b) - expected).norm(), 1e-12 * expected.norm());
+    }
+  });
 }
 
 TYPED_TEST(Supernodal_cholesky, solves_with_a_dense_matrix_of_300_rows)
@@ -198,32 +203,36 @@ TYPED_TEST(Supernodal_cholesky, counts_the_operations_of_its_scalars)
 
 TYPED_TEST(Supernodal_cholesky, overwrites_its_right_hand_side_if_asked_to)
 {
-  const auto A = random_definite<typename TypeParam::Scalar>(random_pattern(30, 16), 17);
-  ASSERT_EQ(this->solver.analyze(A.pattern()), Solver_status::success);
-  ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
-  auto b = random_block<typename TypeParam::Scalar>(30, 6, 18);
-  const Eigen::MatrixXd expected = solution(this->solver, b);
-  ASSERT_EQ(this->solver.solve(b, b), Solver_status::success);
-  EXPECT_EQ(real_columns(b), expected);
+  on_every_unit([&] {
+    const auto A = random_definite<typename TypeParam::Scalar>(random_pattern(30, 16), 17);
+    ASSERT_EQ(this->solver.analyze(A.pattern()), Solver_status::success);
+    ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
+    auto b = random_block<typename TypeParam::Scalar>(30, 6, 18);
+    const Eigen::MatrixXd expected = solution(this->solver, b);
+    ASSERT_EQ(this->solver.solve(b, b), Solver_status::success);
+    EXPECT_EQ(real_columns(b), expected);
+  });
 }
 
 TYPED_TEST(Supernodal_cholesky, gives_a_column_the_same_bits_alone_and_among_others)
 {
-  using Scalar = typename TypeParam::Scalar;
-  for (const Pattern& pattern : {full_pattern(90), grid_pattern(12, 12)}) {
-    const auto A = random_definite<Scalar>(pattern, 25);
-    ASSERT_EQ(this->solver.analyze(*pattern), Solver_status::success);
-    ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
-    const auto b = random_block<Scalar>(A.size(), 13, 26);
-    std::vector<Eigen::MatrixXd> alone;
-    for (Eigen::Index c = 0; c < b.cols(); ++c)
-      alone.push_back(solution(this->solver, CGP::Block<Scalar>(b.col(c))));
-    for (Eigen::Index columns = 2; columns <= b.cols(); ++columns) {
-      const Eigen::MatrixXd x = solution(this->solver, CGP::Block<Scalar>(b.leftCols(columns)));
-      for (Eigen::Index c = 0; c < columns; ++c)
-        EXPECT_EQ(x.col(c), alone[at(static_cast<int>(c))].col(0)) << c << " of " << columns;
+  on_every_unit([&] {
+    using Scalar = typename TypeParam::Scalar;
+    for (const Pattern& pattern : {full_pattern(90), grid_pattern(12, 12)}) {
+      const auto A = random_definite<Scalar>(pattern, 25);
+      ASSERT_EQ(this->solver.analyze(*pattern), Solver_status::success);
+      ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
+      const auto b = random_block<Scalar>(A.size(), 13, 26);
+      std::vector<Eigen::MatrixXd> alone;
+      for (Eigen::Index c = 0; c < b.cols(); ++c)
+        alone.push_back(solution(this->solver, CGP::Block<Scalar>(b.col(c))));
+      for (Eigen::Index columns = 2; columns <= b.cols(); ++columns) {
+        const Eigen::MatrixXd x = solution(this->solver, CGP::Block<Scalar>(b.leftCols(columns)));
+        for (Eigen::Index c = 0; c < columns; ++c)
+          EXPECT_EQ(x.col(c), alone[at(static_cast<int>(c))].col(0)) << c << " of " << columns;
+      }
     }
-  }
+  });
 }
 
 TYPED_TEST(Supernodal_cholesky, leaves_the_solution_alone_where_the_right_hand_side_is_not_finite)
@@ -241,6 +250,24 @@ TYPED_TEST(Supernodal_cholesky, leaves_the_solution_alone_where_the_right_hand_s
     EXPECT_EQ(this->solver.solve(b, x), Solver_status::numerical_issue);
     EXPECT_EQ(real_columns(x), before);
   }
+}
+
+TYPED_TEST(Supernodal_cholesky, keeps_the_vector_unit_that_it_was_analyzed_with)
+{
+  using Scalar = typename TypeParam::Scalar;
+  const auto A = random_definite<Scalar>(grid_pattern(9, 9), 27);
+  const auto b = random_block<Scalar>(A.size(), 3, 28);
+  on_every_unit([&] {
+    ASSERT_EQ(this->solver.analyze(A.pattern()), Solver_status::success);
+    ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
+    const Eigen::MatrixXd expected = solution(this->solver, b);
+    for (const CGP::Vector_unit other : units_here()) {
+      const On_unit setting(other);
+      EXPECT_EQ(solution(this->solver, b), expected);
+      ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
+      EXPECT_EQ(solution(this->solver, b), expected);
+    }
+  });
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Tests include/Conformal_geometry_processing/linear_algebra/direct/Supernodal_substitution.h
+// Tests linear_algebra/vector_units/Substitution_kernels.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
@@ -44,7 +45,7 @@ class Supernodal_substitution : public testing::Test {
   using Real = typename Kind::Real;
   using Factor = CGP::Supernodal_factor<Scalar, Real>;
   using Substitution = CGP::Supernodal_substitution<Scalar, Real, Kind::numbers>;
-  static constexpr int planes = Kind::Kernels::planes;
+  static constexpr int planes = Kind::planes;
 
   // As many right-hand sides as fill the numbers per row, compared with dense elimination.
   static void expect_solution(const Pattern& pattern, const CGP::Ordering& order)
@@ -78,88 +79,94 @@ TYPED_TEST_SUITE(Supernodal_substitution, Kinds_with_numbers);
 
 TYPED_TEST(Supernodal_substitution, solves_as_dense_elimination_does)
 {
-  for (const auto& [name, pattern, order] : ordered_graphs()) {
-    SCOPED_TRACE(name);
-    this->expect_solution(pattern, order);
-  }
+  on_every_unit([&] {
+    for (const auto& [name, pattern, order] : ordered_graphs()) {
+      SCOPED_TRACE(name);
+      this->expect_solution(pattern, order);
+    }
+  });
 }
 
 TYPED_TEST(Supernodal_substitution, solves_with_a_dense_matrix_of_many_row_blocks)
 {
-  this->expect_solution(full_pattern(150), random_permutation(150, 7));
+  on_every_unit([&] { this->expect_solution(full_pattern(150), random_permutation(150, 7)); });
 }
 
 TYPED_TEST(Supernodal_substitution, gives_the_same_bits_for_any_number_of_threads)
 {
-  const Mesh_view mesh = geodesic_sphere(TypeParam::Kernels::planes == 4 ? 34 : 60);
-  const Pattern pattern = CGP::vertex_graph(mesh);
-  typename TestFixture::Factor factor(std::make_shared<CGP::Supernodal_structure>(
-      *pattern, CGP::sweep_nested_dissection(*pattern, mesh.positions())));
-  ASSERT_EQ(factor.factorize(random_definite<typename TypeParam::Scalar>(pattern, 8), {}), -1);
-  std::vector<typename TypeParam::Real> b(at(TypeParam::numbers * pattern->size()));
-  for (std::size_t i = 0; i < b.size(); ++i)
-    b[i] = static_cast<typename TypeParam::Real>(std::sin(double(i)));
-  auto expected = b;
-  typename TestFixture::Substitution(factor).solve(expected.data());
-  for (const int threads : {2, 5}) {
-    const Threads setting(threads);
-    ASSERT_GT(factor.panel_bytes(), 5000000);  // enough for threads
-    auto x = b;
-    typename TestFixture::Substitution substitution(factor);
-    substitution.solve(x.data());
-    EXPECT_EQ(x, expected);
-  }
+  on_every_unit([&] {
+    const Mesh_view mesh = geodesic_sphere(TypeParam::planes == 4 ? 34 : 60);
+    const Pattern pattern = CGP::vertex_graph(mesh);
+    typename TestFixture::Factor factor(std::make_shared<CGP::Supernodal_structure>(
+        *pattern, CGP::sweep_nested_dissection(*pattern, mesh.positions())));
+    ASSERT_EQ(factor.factorize(random_definite<typename TypeParam::Scalar>(pattern, 8), {}), -1);
+    std::vector<typename TypeParam::Real> b(at(TypeParam::numbers * pattern->size()));
+    for (std::size_t i = 0; i < b.size(); ++i)
+      b[i] = static_cast<typename TypeParam::Real>(std::sin(double(i)));
+    auto expected = b;
+    typename TestFixture::Substitution(factor).solve(expected.data());
+    for (const int threads : {2, 5}) {
+      const Threads setting(threads);
+      ASSERT_GT(factor.panel_bytes(), 5000000);  // enough for threads
+      auto x = b;
+      typename TestFixture::Substitution substitution(factor);
+      substitution.solve(x.data());
+      EXPECT_EQ(x, expected);
+    }
+  });
 }
 
 TYPED_TEST(Supernodal_substitution, goes_through_kept_rows_in_two_halves)
 {
-  using Number = typename TypeParam::Scalar;
-  using Stored = typename TypeParam::Real;
-  constexpr int parts = TestFixture::planes, numbers_per_row = TypeParam::numbers;
-  const int n = 48, kept = 17, columns = TestFixture::Substitution::columns;
-  const Pattern pattern = random_pattern(n, 9);
-  const auto A = random_definite<Number>(pattern, 10);
-  typename TestFixture::Factor factor(
-      std::make_shared<CGP::Supernodal_structure>(*pattern, random_permutation(n, 11), kept));
-  ASSERT_EQ(factor.factorize(A, {}), -1);
-  const CGP::Ordering& order = factor.structure().order();
+  on_every_unit([&] {
+    using Number = typename TypeParam::Scalar;
+    using Stored = typename TypeParam::Real;
+    constexpr int parts = TestFixture::planes, numbers_per_row = TypeParam::numbers;
+    const int n = 48, kept = 17, columns = TestFixture::Substitution::columns;
+    const Pattern pattern = random_pattern(n, 9);
+    const auto A = random_definite<Number>(pattern, 10);
+    typename TestFixture::Factor factor(
+        std::make_shared<CGP::Supernodal_structure>(*pattern, random_permutation(n, 11), kept));
+    ASSERT_EQ(factor.factorize(A, {}), -1);
+    const CGP::Ordering& order = factor.structure().order();
 
-  const auto x = random_block<Number>(n, columns, 12);  // in the order of elimination
-  CGP::Block<Number> P(n, n);
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) P(i, j) = A.coefficient(order[at(i)], order[at(j)]);
-  const Eigen::MatrixXd all = dense(P), b = all * real_columns(x);
-  const Eigen::Index size = parts * kept;
-  const Eigen::MatrixXd complement = all.inverse().bottomRightCorner(size, size).inverse();
+    const auto x = random_block<Number>(n, columns, 12);  // in the order of elimination
+    CGP::Block<Number> P(n, n);
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) P(i, j) = A.coefficient(order[at(i)], order[at(j)]);
+    const Eigen::MatrixXd all = dense(P), b = all * real_columns(x);
+    const Eigen::Index size = parts * kept;
+    const Eigen::MatrixXd complement = all.inverse().bottomRightCorner(size, size).inverse();
 
-  const auto numbers = [&](const Eigen::MatrixXd& block) {  // [row][column][component]
-    std::vector<Stored> result;
-    for (int i = 0; i < n; ++i)
-      for (int c = 0; c < columns; ++c)
-        for (int q = 0; q < parts; ++q)
-          result.push_back(static_cast<Stored>(block(parts * i + q, c)));
-    return result;
-  };
-  const auto expect_near = [&](const Stored* from, const Stored* expected, int count) {
-    for (int i = 0; i < count; ++i) ASSERT_NEAR(from[i], expected[i], 30 * TypeParam::precision);
-  };
-  Eigen::MatrixXd left = real_columns(x);
-  left.bottomRows(size) = complement * left.bottomRows(size);
-  std::vector<Stored> y = numbers(b);
-  const std::vector<Stored> solution = numbers(real_columns(x)), expected = numbers(left);
-  typename TestFixture::Substitution substitution(factor);
-  substitution.forward(y.data());
-  expect_near(&y[at(numbers_per_row * (n - kept))], &expected[at(numbers_per_row * (n - kept))],
-              numbers_per_row * kept);
-  std::copy(solution.end() - numbers_per_row * kept, solution.end(),
-            y.end() - numbers_per_row * kept);
-  substitution.backward(y.data());
-  expect_near(y.data(), solution.data(), numbers_per_row * n);
+    const auto numbers = [&](const Eigen::MatrixXd& block) {  // [row][column][component]
+      std::vector<Stored> result;
+      for (int i = 0; i < n; ++i)
+        for (int c = 0; c < columns; ++c)
+          for (int q = 0; q < parts; ++q)
+            result.push_back(static_cast<Stored>(block(parts * i + q, c)));
+      return result;
+    };
+    const auto expect_near = [&](const Stored* from, const Stored* expected, int count) {
+      for (int i = 0; i < count; ++i) ASSERT_NEAR(from[i], expected[i], 30 * TypeParam::precision);
+    };
+    Eigen::MatrixXd left = real_columns(x);
+    left.bottomRows(size) = complement * left.bottomRows(size);
+    std::vector<Stored> y = numbers(b);
+    const std::vector<Stored> solution = numbers(real_columns(x)), expected = numbers(left);
+    typename TestFixture::Substitution substitution(factor);
+    substitution.forward(y.data());
+    expect_near(&y[at(numbers_per_row * (n - kept))], &expected[at(numbers_per_row * (n - kept))],
+                numbers_per_row * kept);
+    std::copy(solution.end() - numbers_per_row * kept, solution.end(),
+              y.end() - numbers_per_row * kept);
+    substitution.backward(y.data());
+    expect_near(y.data(), solution.data(), numbers_per_row * n);
+  });
 }
 
 TYPED_TEST(Supernodal_substitution, takes_as_many_right_hand_sides_as_fill_a_row)
 {
-  EXPECT_EQ(TestFixture::Substitution::columns * TypeParam::Kernels::planes, TypeParam::numbers);
+  EXPECT_EQ(TestFixture::Substitution::columns * TypeParam::planes, TypeParam::numbers);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/linear_algebra/direct/expanded_graph.h
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/expanded_graph.h>
 
 #include <gtest/gtest.h>

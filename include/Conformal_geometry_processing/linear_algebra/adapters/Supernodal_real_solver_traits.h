@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/adapters/Embedded_hermitian_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
 
 #include <memory>
 #include <numeric>

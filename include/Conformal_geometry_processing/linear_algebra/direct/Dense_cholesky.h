@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_DENSE_CHOLESKY_H
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Aligned_array.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Front_kernels.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/kernels_for.h>
 
 #include <Eigen/Core>
 
@@ -17,17 +17,17 @@ namespace Conformal_geometry_processing {
 /// \brief A = L L^T for a dense symmetric positive definite matrix of real numbers, in place.
 ///
 /// By the kernels of the sparse factorization, which a program that has one contains anyway. The
-/// matrix is one panel of `Front_kernels`; entries above the diagonal are never read. n^2 numbers,
-/// n^3 / 3 operations, 2 n^2 for a solution.
+/// matrix is one panel of `Front_kernels` for the `vector_unit()` of the time when it was made
+/// zero; entries above the diagonal are never read. n^2 numbers, n^3 / 3 operations, 2 n^2 for a
+/// solution.
 class Dense_cholesky {
-  using Kernels = Front_kernels<double, double>;
-
  public:
   /// makes it the zero matrix of a size
   void set_zero(int size)
   {
     m_size = size;
-    m_panel.resize(Kernels::panel_size(size, 0));
+    m_kernels = kernels_for<double>(1);
+    m_panel.resize(layout().panel_size(size, 0));
     std::fill_n(m_panel.data(), m_panel.size(), 0.);
   }
 
@@ -35,20 +35,24 @@ class Dense_cholesky {
 
   /// \brief an entry of the matrix, of the factor after `factorize()`.
   /// \pre 0 <= column < size(), 0 <= row < size()
-  double& operator()(int row, int column) { return block(row / lanes, column)[row % lanes]; }
-  double operator()(int row, int column) const { return block(row / lanes, column)[row % lanes]; }
+  double& operator()(int row, int column)
+  {
+    return m_panel.data()[layout().in_panel(m_size, row, column)];
+  }
+  double operator()(int row, int column) const
+  {
+    return m_panel.data()[layout().in_panel(m_size, row, column)];
+  }
 
   /// \returns whether the matrix is positive definite; it is lost if not
-  bool factorize()
-  {
-    return Kernels::factor_panel(m_panel.data(), m_size, Kernels::blocks(m_size)) < 0;
-  }
+  bool factorize() { return m_kernels.factor_panel(m_panel.data(), m_size, blocks()) < 0; }
 
   /// \brief from right-hand sides to solutions.
   /// \pre the matrix is factorized, and x has its size
   void solve(Eigen::VectorXd& x) const
   {
-    Eigen::VectorXd y = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(blocks()) * lanes);
+    Eigen::VectorXd y =
+        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(blocks()) * layout().lanes());
     y.head(m_size) = x;
     for (int b = 0; b < blocks(); ++b) forward(b, y.data());
     for (int b = blocks() - 1; b >= 0; --b) backward(b, y.data());
@@ -61,23 +65,19 @@ class Dense_cholesky {
   double bytes() const { return static_cast<double>(m_panel.size()) * sizeof(double); }
 
  private:
-  static constexpr int lanes = Kernels::lanes;
-
-  int blocks() const { return Kernels::blocks(m_size); }
+  const Panel_layout& layout() const { return m_kernels.layout; }
+  int blocks() const { return layout().blocks(m_size); }
 
   // The rows of a block in one column.
-  double* block(int b, int column)
-  {
-    return m_panel.data() + (static_cast<std::int64_t>(b) * m_size + column) * lanes;
-  }
   const double* block(int b, int column) const
   {
-    return m_panel.data() + (static_cast<std::int64_t>(b) * m_size + column) * lanes;
+    return m_panel.data() + (static_cast<std::int64_t>(b) * m_size + column) * layout().lanes();
   }
 
   // The rows of block b of L y = x, when those before are solved.
   void forward(int b, double* x) const
   {
+    const int lanes = layout().lanes();
     double* const y = x + b * lanes;
     const int first = b * lanes, end = (std::min)(first + lanes, m_size);
     for (int j = 0; j < end; ++j) {
@@ -90,6 +90,7 @@ class Dense_cholesky {
   // The rows of block b of L^T x = y, when those after are solved; takes them out of those before.
   void backward(int b, double* x) const
   {
+    const int lanes = layout().lanes();
     double* const y = x + b * lanes;
     const int first = b * lanes, end = (std::min)(first + lanes, m_size);
     for (int j = end - 1; j >= 0; --j) {
@@ -100,6 +101,7 @@ class Dense_cholesky {
   }
 
   int m_size = 0;
+  Front_kernels<double> m_kernels = kernels_for<double>(1);
   Aligned_array<double> m_panel;
 };
 

@@ -4,7 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_VERTEX_LANES_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Lane_array.h>
+
+#include <type_traits>
 
 namespace Conformal_geometry_processing {
 
@@ -17,52 +19,58 @@ namespace Conformal_geometry_processing {
 template <class Real>
 struct Vertex_lanes {
   static constexpr int size = 4;
+#ifdef CGP_HAS_VECTOR_EXTENSIONS
   typedef Real Register __attribute__((vector_size(4 * sizeof(Real))));
+#else
+  using Register = Lane_array<Vertex_lanes, Real, 4>;
+#endif
 
-  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void load(const Real* p, Register& v)
+  static CGP_ALWAYS_INLINE void load(const Real* p, Register& v)
   {
     v = *reinterpret_cast<const Aliasing*>(p);
   }
-  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void store(Real* p, const Register& v)
+  static CGP_ALWAYS_INLINE void store(Real* p, const Register& v)
   {
     *reinterpret_cast<Aliasing*>(p) = v;
   }
 
   /// v becomes i v, j v and k v
-  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void multiply_by_i(Register& v)
+  static CGP_ALWAYS_INLINE void multiply_by_i(Register& v)
   {
-    const Register sign = {-1, 1, -1, 1};
-#ifdef __clang__
-    v = sign * __builtin_shufflevector(v, v, 1, 0, 3, 2);
-#else
-    v = sign * __builtin_shuffle(v, Indices{1, 0, 3, 2});
-#endif
+    exchange<1, 0, 3, 2>(Register{-1, 1, -1, 1}, v);
   }
-  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void multiply_by_j(Register& v)
+  static CGP_ALWAYS_INLINE void multiply_by_j(Register& v)
   {
-    const Register sign = {-1, 1, 1, -1};
-#ifdef __clang__
-    v = sign * __builtin_shufflevector(v, v, 2, 3, 0, 1);
-#else
-    v = sign * __builtin_shuffle(v, Indices{2, 3, 0, 1});
-#endif
+    exchange<2, 3, 0, 1>(Register{-1, 1, 1, -1}, v);
   }
-  static CONFORMAL_GEOMETRY_PROCESSING_INLINE void multiply_by_k(Register& v)
+  static CGP_ALWAYS_INLINE void multiply_by_k(Register& v)
   {
-    const Register sign = {-1, -1, 1, 1};
-#ifdef __clang__
-    v = sign * __builtin_shufflevector(v, v, 3, 2, 1, 0);
-#else
-    v = sign * __builtin_shuffle(v, Indices{3, 2, 1, 0});
-#endif
+    exchange<3, 2, 1, 0>(Register{-1, -1, 1, 1}, v);
   }
 
  private:
+#ifdef CGP_HAS_VECTOR_EXTENSIONS
   // A cache line holds whole vertices, but not every array begins at a cache line.
   typedef Real Aliasing
       __attribute__((vector_size(4 * sizeof(Real)), may_alias, aligned(sizeof(Real))));
   using Index = std::conditional_t<sizeof(Real) == 4, int, long long>;
   typedef Index Indices __attribute__((vector_size(4 * sizeof(Real))));
+#else
+  using Aliasing = Register;
+#endif
+
+  // v becomes its lanes a, b, c, d, times the signs
+  template <int a, int b, int c, int d>
+  static CGP_ALWAYS_INLINE void exchange(const Register& signs, Register& v)
+  {
+#if !defined(CGP_HAS_VECTOR_EXTENSIONS)
+    v = signs * Register{{v[a], v[b], v[c], v[d]}};
+#elif defined(__clang__)
+    v = signs * __builtin_shufflevector(v, v, a, b, c, d);
+#else
+    v = signs * __builtin_shuffle(v, Indices{a, b, c, d});
+#endif
+  }
 };
 
 /// \ingroup PkgLinearAlgebra
@@ -75,14 +83,8 @@ class Conjugate_sum {
   using Lanes = Vertex_lanes<Entry>;
 
  public:
-  CONFORMAL_GEOMETRY_PROCESSING_INLINE void add(Entry a, const typename Lanes::Register& x)
-  {
-    m_sum += a * x;
-  }
-  CONFORMAL_GEOMETRY_PROCESSING_INLINE void subtract_from(typename Lanes::Register& y) const
-  {
-    y -= m_sum;
-  }
+  CGP_ALWAYS_INLINE void add(Entry a, const typename Lanes::Register& x) { m_sum += a * x; }
+  CGP_ALWAYS_INLINE void subtract_from(typename Lanes::Register& y) const { y -= m_sum; }
 
  private:
   typename Lanes::Register m_sum = {};
@@ -93,12 +95,11 @@ class Conjugate_sum<Quaternion<Real>> {
   using Lanes = Vertex_lanes<Real>;
 
  public:
-  CONFORMAL_GEOMETRY_PROCESSING_INLINE void add(const Quaternion<Real>& a,
-                                                const typename Lanes::Register& x)
+  CGP_ALWAYS_INLINE void add(const Quaternion<Real>& a, const typename Lanes::Register& x)
   {
     m_w += a.w * x, m_x += a.x * x, m_y += a.y * x, m_z += a.z * x;
   }
-  CONFORMAL_GEOMETRY_PROCESSING_INLINE void subtract_from(typename Lanes::Register& y) const
+  CGP_ALWAYS_INLINE void subtract_from(typename Lanes::Register& y) const
   {
     typename Lanes::Register i = m_x, j = m_y, k = m_z;
     Lanes::multiply_by_i(i), Lanes::multiply_by_j(j), Lanes::multiply_by_k(k);
@@ -116,13 +117,8 @@ class Scattered_product {
   using Lanes = Vertex_lanes<Entry>;
 
  public:
-  explicit CONFORMAL_GEOMETRY_PROCESSING_INLINE Scattered_product(const typename Lanes::Register& x)
-      : m_x(x)
-  {}
-  CONFORMAL_GEOMETRY_PROCESSING_INLINE void subtract(Entry a, typename Lanes::Register& y) const
-  {
-    y -= a * m_x;
-  }
+  explicit CGP_ALWAYS_INLINE Scattered_product(const typename Lanes::Register& x) : m_x(x) {}
+  CGP_ALWAYS_INLINE void subtract(Entry a, typename Lanes::Register& y) const { y -= a * m_x; }
 
  private:
   typename Lanes::Register m_x;
@@ -133,13 +129,12 @@ class Scattered_product<Quaternion<Real>> {
   using Lanes = Vertex_lanes<Real>;
 
  public:
-  explicit CONFORMAL_GEOMETRY_PROCESSING_INLINE Scattered_product(const typename Lanes::Register& x)
+  explicit CGP_ALWAYS_INLINE Scattered_product(const typename Lanes::Register& x)
       : m_x(x), m_ix(x), m_jx(x), m_kx(x)
   {
     Lanes::multiply_by_i(m_ix), Lanes::multiply_by_j(m_jx), Lanes::multiply_by_k(m_kx);
   }
-  CONFORMAL_GEOMETRY_PROCESSING_INLINE void subtract(const Quaternion<Real>& a,
-                                                     typename Lanes::Register& y) const
+  CGP_ALWAYS_INLINE void subtract(const Quaternion<Real>& a, typename Lanes::Register& y) const
   {
     y -= a.w * m_x, y -= a.x * m_ix, y -= a.y * m_jx, y -= a.z * m_kx;
   }

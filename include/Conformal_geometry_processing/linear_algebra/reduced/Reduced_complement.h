@@ -22,7 +22,6 @@ namespace Conformal_geometry_processing {
 /// complement stays where the elimination has left it.
 class Reduced_complement {
   using Scalar = Quaternion<double>;
-  using Kernels = Front_kernels<Scalar, double>;
 
  public:
   Reduced_complement(const Reduced_complement&) = delete;
@@ -64,7 +63,7 @@ class Reduced_complement {
   void add(const Supernodal_factor<Scalar, double>& factor)
   {
     for (int s = 0; s < factor.structure().size(); ++s)
-      if (factor.structure().parent(s) < 0) add(factor.structure(), s, factor.update(s));
+      if (factor.structure().parent(s) < 0) add(factor, s);
   }
 
   /// \returns whether the matrix is positive definite
@@ -115,16 +114,16 @@ class Reduced_complement {
     return static_cast<Eigen::Index>(2 * k + p);
   }
 
-  // The lower triangle of an update, see `Front_kernels`.
-  void add(const Supernodal_structure& structure, int s, const double* update)
+  // The lower triangle of the update that a supernode leaves.
+  void add(const Supernodal_factor<Scalar, double>& factor, int s)
   {
-    constexpr int lanes = Kernels::lanes;
-    const int* const rows = structure.rows(s);
-    const int height = structure.height(s), blocks = Kernels::blocks(height);
+    const Panel_layout& layout = factor.layout();
+    const int* const rows = factor.structure().rows(s);
+    const int height = factor.structure().height(s);
+    const int blocks = layout.blocks(height), lanes = layout.lanes();
     for (int j = 0; j < height; ++j)
       for (int i = j; i < height; ++i) {
-        const double* const x = update + Kernels::tile(blocks, i / lanes, j / lanes) +
-                                static_cast<std::ptrdiff_t>(j % lanes) * Kernels::cell + i % lanes;
+        const double* const x = factor.update(s) + layout.in_update(blocks, i, j);
         add(rows[i] - m_eliminated, rows[j] - m_eliminated,
             {x[0], x[lanes], x[2 * lanes], x[3 * lanes]});
       }

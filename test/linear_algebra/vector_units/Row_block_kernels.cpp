@@ -1,8 +1,10 @@
-// Tests include/Conformal_geometry_processing/linear_algebra/direct/Substitution_kernels.h
+// Tests include/Conformal_geometry_processing/linear_algebra/vector_units/Row_block_kernels.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Substitution_kernels.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Row_block_kernels.h>
+
+#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
 
 #include <gtest/gtest.h>
 
@@ -15,11 +17,11 @@ namespace {
 
 // Small whole numbers: every sum is exact.
 template <class Kind>
-class Substitution_kernels : public testing::Test {
+class Row_block_kernels : public testing::Test {
  protected:
   using Scalar = typename Kind::Scalar;
-  using Kernels = CGP::Substitution_kernels<Scalar, double, Kind::numbers>;
   using Planes = CGP::Scalar_planes<Scalar>;
+  using Kernels = CGP::Row_block_kernels<CGP::Target_unit, double, Planes::size, Kind::numbers>;
   static constexpr int lanes = Kernels::lanes, numbers = Kind::numbers, planes = Planes::size;
 
   static void fill(double* p, int count, int seed)
@@ -65,9 +67,9 @@ struct Kind_of_row {
 using Kinds_of_rows =
     testing::Types<Kind_of_row<double, 4>, Kind_of_row<std::complex<double>, 8>,
                    Kind_of_row<Quaternion<double>, 4>, Kind_of_row<Quaternion<double>, 8>>;
-TYPED_TEST_SUITE(Substitution_kernels, Kinds_of_rows);
+TYPED_TEST_SUITE(Row_block_kernels, Kinds_of_rows);
 
-TYPED_TEST(Substitution_kernels, subtract_a_column_of_the_factor_times_a_row)
+TYPED_TEST(Row_block_kernels, subtract_a_column_of_the_factor_times_a_row)
 {
   TestFixture::Kernels::subtract(this->acc, this->L, this->row);
   TestFixture::Kernels::store(this->block, this->acc);
@@ -78,7 +80,7 @@ TYPED_TEST(Substitution_kernels, subtract_a_column_of_the_factor_times_a_row)
                              this->scalar(this->L, 0, l) * this->in_row(this->row, c));
 }
 
-TYPED_TEST(Substitution_kernels, add_the_conjugate_of_a_column_of_the_factor_times_a_row_block)
+TYPED_TEST(Row_block_kernels, add_the_conjugate_of_a_column_of_the_factor_times_a_row_block)
 {
   typename TestFixture::Kernels::Accumulators y;
   TestFixture::Kernels::load(this->other, y);
@@ -92,7 +94,7 @@ TYPED_TEST(Substitution_kernels, add_the_conjugate_of_a_column_of_the_factor_tim
               CGP::conjugate(this->scalar(this->L, 0, l)) * this->scalar(this->other, c, l));
 }
 
-TYPED_TEST(Substitution_kernels, solve_a_row_for_the_sums_of_the_lanes)
+TYPED_TEST(Row_block_kernels, solve_a_row_for_the_sums_of_the_lanes)
 {
   double y[TestFixture::numbers];
   std::copy(this->row, this->row + this->numbers, y);
@@ -104,7 +106,7 @@ TYPED_TEST(Substitution_kernels, solve_a_row_for_the_sums_of_the_lanes)
   }
 }
 
-TYPED_TEST(Substitution_kernels, put_a_row_into_its_lane_and_leave_the_others)
+TYPED_TEST(Row_block_kernels, put_a_row_into_its_lane_and_leave_the_others)
 {
   const int lane = this->lanes - 1;
   TestFixture::Kernels::set_lane(this->acc, lane, this->row);

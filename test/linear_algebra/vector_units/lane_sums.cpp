@@ -1,8 +1,8 @@
-// Tests include/Conformal_geometry_processing/linear_algebra/direct/lane_sums.h
+// Tests include/Conformal_geometry_processing/linear_algebra/vector_units/lane_sums.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <Conformal_geometry_processing/linear_algebra/direct/lane_sums.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/lane_sums.h>
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@ namespace {
 namespace CGP = Conformal_geometry_processing;
 
 // Powers of two, so that the sums are exact and tell every number apart from every other.
-template <class Real, int count>
+template <class Unit, class Real, int count>
 void expect_sums()
 {
-  using Simd = CGP::Simd_lanes<Real>;
+  using Simd = CGP::Simd_lanes<Unit, Real>;
   constexpr int lanes = Simd::size;
   typename Simd::Register a[count];
   Real expected[count];
@@ -26,28 +26,35 @@ void expect_sums()
       expected[i] += a[i][l];
     }
   }
-  CGP::sum_lanes<Real>(a);
+  CGP::sum_lanes<Unit, Real>(a);
   for (int i = 0; i < count; ++i) EXPECT_EQ(a[i / lanes][i % lanes], expected[i]) << i;
+}
+
+template <class Unit>
+void expect_sums_of_registers()
+{
+  expect_sums<Unit, double, 1>();
+  expect_sums<Unit, double, 2>();
+  expect_sums<Unit, double, 4>();
+  expect_sums<Unit, double, 8>();
+  expect_sums<Unit, float, 4>();
+  expect_sums<Unit, float, 8>();
 }
 
 TEST(Lane_sums, follow_each_other_for_any_number_of_registers)
 {
-  expect_sums<double, 1>();
-  expect_sums<double, 2>();
-  expect_sums<double, 4>();
-  expect_sums<double, 8>();
-  expect_sums<float, 4>();
-  expect_sums<float, 8>();
+  expect_sums_of_registers<CGP::Baseline_unit>();
+  expect_sums_of_registers<CGP::Target_unit>();
 }
 
 TEST(Lane_sums, of_small_and_large_numbers_are_added_in_pairs)
 {
-  using Simd = CGP::Simd_lanes<double>;
+  using Simd = CGP::Simd_lanes<CGP::Target_unit, double>;
   Simd::Register a[1] = {};
   a[0][0] = 1e300;
   a[0][1] = -1e300;
   if (Simd::size > 2) a[0][Simd::size - 1] = 1;  // pairs before their sums
-  CGP::sum_lanes<double>(a);
+  CGP::sum_lanes<CGP::Target_unit, double>(a);
   EXPECT_EQ(a[0][0], Simd::size > 2 ? 1 : 0);
 }
 

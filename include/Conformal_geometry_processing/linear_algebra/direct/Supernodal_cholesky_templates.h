@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_CHOLESKY_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_CHOLESKY_TEMPLATES_H
+
+#include <Conformal_geometry_processing/linear_algebra/dense/guarded.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_substitution.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+template <class Scalar>
+bool is_finite(const Hermitian_sparse_matrix<Scalar>& A)
+{
+  constexpr int planes = Scalar_planes<Scalar>::size;
+  bool is_finite = true;
+  for (int k = 0; k < A.pattern().size_of_entries(); ++k) {
+    typename Scalar_traits<Scalar>::FT c[planes];
+    Scalar_planes<Scalar>::get(A.value(k), c);
+    for (int q = 0; q < planes; ++q) is_finite = is_finite && std::isfinite(c[q]);
+  }
+  return is_finite;
+}
+
+template <class Real>
+bool is_finite(const Aligned_array<Real>& numbers)
+{
+  bool is_finite = true;
+  for (std::int64_t i = 0; i < numbers.size(); ++i)
+    is_finite = is_finite && std::isfinite(numbers.data()[i]);
+  return is_finite;
+}
+
+}  // namespace internal
+
+template <class Scalar, class Real>
+Supernodal_cholesky<Scalar, Real>::Supernodal_cholesky() = default;
+
+template <class Scalar, class Real>
+Supernodal_cholesky<Scalar, Real>::~Supernodal_cholesky() = default;
+
+template <class Scalar, class Real>
+Solver_status Supernodal_cholesky<Scalar, Real>::analyze(const Sparse_pattern& pattern)
+{
+  return internal::guarded([&] { return analyze(pattern, amd_ordering(pattern)); });
+}
+
+template <class Scalar, class Real>
+Solver_status Supernodal_cholesky<Scalar, Real>::analyze(const Sparse_pattern& pattern,
+                                                         const Ordering& order)
+{
+  return internal::guarded([&] {
+    const bool fits = order.size() == static_cast<std::size_t>(pattern.size()) &&
+                      !inverse_permutation(order).empty();
+    const Solver_status status = analyze_with_structure(
+        pattern, fits ? std::make_shared<Supernodal_structure>(pattern, order) : nullptr);
+    if (fits) m_ordering = order;
+    return status;
+  });
+}
+
+template <class Scalar, class Real>
+Solver_status Supernodal_cholesky<Scalar, Real>::analyze_with_positions(
+    const Sparse_pattern& pattern, const Eigen::Matrix3Xd& positions)
+{
+  const int factorizations = 2;  // a spin transformation often needs a second one
+  return internal::guarded([&] {
+    const bool fits = pattern.size() > 0 && positions.cols() == pattern.size();
+    return analyze_with_structure(
+        pattern, fits ? choose_structure(pattern, &positions, factorizations) : nullptr);
+  });
+}
+
+template <class Scalar, class Real>
+Solver_status Supernodal_cholesky<Scalar, Real>::analyze_with_structure(
+    const Sparse_pattern& pattern, std::shared_ptr<const Supernodal_structure> structure)
+{
+  return internal::guarded([&] {
+    m_factor.reset();
+    m_structure.reset();
+    m_is_factorized = false;
+    if (!structure || structure->size_of_columns() != pattern.size())
+      return Solver_status::wrong_state;
+    m_entries = pattern.size_of_entries();
+    m_ordering = structure->order();
+    m_structure = std::move(structure);
+    m_factor = std::make_unique<Supernodal_factor<Scalar, Real>>(m_structure);
+    return Solver_status::success;
+  });
+}
+
+template <class Scalar, class Real>
+Solver_status Supernodal_cholesky<Scalar, Real>::factorize(const Hermitian_sparse_matrix<Scalar>& A,
+                                                           const Vector<FT>& shift)
+{
+  return internal::guarded([&] {
+    if (!m_factor || A.size() != size() || A.pattern().size_of_entries() != m_entries ||
+        (shift.size() != 0 && shift.size() != A.size()))
+      return Solver_status::wrong_state;
+    m_is_factorized = false;
+    if (!internal::is_finite(A) || !shift.allFinite()) return Solver_status::numerical_issue;
+    m_bad_vertex = m_factor->factorize(A, shift);
+    m_is_factorized = m_bad_vertex < 0;
+    return m_is_factorized ? Solver_status::success : Solver_status::not_positive_definite;
+  });
+}
+
+template <class Scalar, class Real>
+void Supernodal_cholesky<Scalar, Real>::release()
+{
+  m_is_factorized = false;
+  if (m_factor) m_factor->release();
+}
+
+template <class Scalar, class Real>
+Solver_status Supernodal_cholesky<Scalar, Real>::solve(const Block<Scalar>& b,
+                                                       Block<Scalar>& x) const
+{
+  // Numbers per row: twice as many in one go cost little more, for the factor comes from memory.
+  constexpr int narrow = 4, wide = 8, planes = Scalar_planes<Scalar>::size;
+  return internal::guarded([&] {
+    if (!m_is_factorized || b.rows() != size()) return Solver_status::wrong_state;
+    // Solved in one go, x of the right size takes the solution itself.
+    const bool is_direct =
+        b.cols() <= wide / planes && x.rows() == b.rows() && x.cols() == b.cols();
+    Block<Scalar> other;
+    if (!is_direct) other.resize(b.rows(), b.cols());
+    Block<Scalar>& solution = is_direct ? x : other;
+    const Eigen::Index rest = b.cols() % (wide / planes),
+                       first = b.cols() - (rest <= narrow / planes ? rest : 0);
+    if (!substitute<wide>(b, 0, first, solution) ||
+        !substitute<narrow>(b, first, b.cols(), solution))
+      return Solver_status::numerical_issue;
+    if (!is_direct) x = std::move(other);
+    return Solver_status::success;
+  });
+}
+
+template <class Scalar, class Real>
+Solver_statistics Supernodal_cholesky<Scalar, Real>::statistics() const
+{
+  constexpr int planes = Scalar_planes<Scalar>::size;
+  Solver_statistics s;
+  if (!m_factor) return s;
+  s.factor_entries = m_factor->structure().stored_entries();
+  s.flops = m_factor->structure().operations() * planes * planes;
+  s.bytes = static_cast<double>(m_factor->bytes());
+  return s;
+}
+
+// Solves for the columns begin <= c < end; false if the solution is not finite.
+template <class Scalar, class Real>
+template <int numbers>
+bool Supernodal_cholesky<Scalar, Real>::substitute(const Block<Scalar>& b, Eigen::Index begin,
+                                                   Eigen::Index end, Block<Scalar>& x) const
+{
+  if (begin == end) return true;
+  Supernodal_substitution<Scalar, Real, numbers> substitution(*m_factor);
+  constexpr int columns = Supernodal_substitution<Scalar, Real, numbers>::columns;
+  Aligned_array<Real> packed;
+  packed.resize(static_cast<std::int64_t>(size()) * numbers);
+  for (Eigen::Index c = begin; c < end; c += columns) {
+    pack(b, c, columns, packed.data());
+    substitution.solve(packed.data());
+    if (!internal::is_finite(packed)) return false;
+    unpack(packed.data(), c, columns, x);
+  }
+  return true;
+}
+
+// So many columns of b, from c on, in the order of elimination; those that do not exist are zero.
+template <class Scalar, class Real>
+void Supernodal_cholesky<Scalar, Real>::pack(const Block<Scalar>& b, Eigen::Index c, int columns,
+                                             Real* to) const
+{
+  constexpr int planes = Scalar_planes<Scalar>::size;
+  for (int k : m_structure->order())
+    for (int i = 0; i < columns; ++i, to += planes) {
+      FT s[planes] = {};
+      if (c + i < b.cols()) Scalar_planes<Scalar>::get(b(k, c + i), s);
+      for (int q = 0; q < planes; ++q) to[q] = static_cast<Real>(s[q]);
+    }
+}
+
+template <class Scalar, class Real>
+void Supernodal_cholesky<Scalar, Real>::unpack(const Real* from, Eigen::Index c, int columns,
+                                               Block<Scalar>& x) const
+{
+  constexpr int planes = Scalar_planes<Scalar>::size;
+  for (int k : m_structure->order())
+    for (int i = 0; i < columns; ++i, from += planes) {
+      if (c + i >= x.cols()) continue;
+      FT s[planes];
+      for (int q = 0; q < planes; ++q) s[q] = from[q];
+      x(k, c + i) = Scalar_planes<Scalar>::put(s);
+    }
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_INSTANCES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_INSTANCES_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion.h>
+
+#include <complex>
+
+/// \file
+/// What the compiled library has of the class templates `Supernodal_factor`,
+/// `Supernodal_substitution` and `Supernodal_cholesky`: apply(Scalar, Real) for each combination of
+/// the entries of a matrix and the numbers of its factor that this library uses itself.
+#define CGP_FOR_SUPERNODAL_INSTANCES(apply)                                                    \
+  apply(double, double) apply(std::complex<double>, double) apply(Quaternion<double>, double)  \
+      apply(double, float) apply(std::complex<double>, float) apply(Quaternion<double>, float) \
+          apply(float, float) apply(Quaternion<float>, float)
+
+#endif

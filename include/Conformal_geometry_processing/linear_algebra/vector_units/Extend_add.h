@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_EXTEND_ADD_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_EXTEND_ADD_H
+
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Front_kernels.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Simd_lanes.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/plain_functions.h>
+
+#include <cstdint>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief adds the update that a child leaves to the front of its parent: some columns belong to
+/// the panel of the parent, the others to its own update (see `Panel_layout`).
+///
+/// Rows of the child become rows of the front by a list of places, so every number goes its own
+/// way. Only the rows of the front between two bounds are served, so that parts of a front can be
+/// added to at the same time: each number is the same sum whatever the parts.
+template <class Unit, class Real, int planes>
+class Extend_add {
+  static constexpr Panel_layout layout = Simd_lanes<Unit, Real>::layout(planes);
+  static constexpr int lanes = layout.lanes(), cell = layout.cell();
+
+ public:
+  using Child = Child_update<Real>;
+
+  /// `Front_kernels::add_to_panel`
+  static void add_to_panel(const Child& child, int columns, Real* panel, int begin, int end)
+  {
+    const int last_column = find(child, columns), last = find(child, end);
+    Rows rows;
+    for (rows.first = find(child, begin); rows.first < last; rows.first += Rows::most) {
+      look_up(rows, last);
+      for (int i = 0; i < rows.count; ++i)
+        rows.target[i] = layout.panel_row(columns, child.place[rows.first + i]);
+      for (int j = 0; j < internal::least(last_column, rows.first + rows.count); ++j)
+        add_column(child, j, rows, panel + static_cast<std::int64_t>(child.place[j]) * cell);
+    }
+  }
+
+  /// `Front_kernels::add_to_update`
+  static void add_to_update(const Child& child, int columns, int rows_below, Real* update,
+                            int begin, int end)
+  {
+    const int first_column = find(child, columns), blocks = layout.blocks(rows_below);
+    const int last = find(child, columns + end);
+    Rows rows;
+    for (rows.first = find(child, columns + begin); rows.first < last; rows.first += Rows::most) {
+      look_up(rows, last);
+      for (int i = 0; i < rows.count; ++i)
+        rows.target[i] = tile_row(child.place[rows.first + i] - columns);
+      for (int j = first_column; j < rows.first + rows.count; ++j)
+        add_column(child, j, rows, update + tile_column(blocks, child.place[j] - columns));
+    }
+  }
+
+ private:
+  // Some rows of the child, whose places are looked up at once for all columns.
+  struct Rows {
+    static constexpr int most = 256;
+    int first, count;
+    int source[most], target[most];
+  };
+
+  // Within a block column of tiles rows are this far from where row 0 would be.
+  static CGP_ALWAYS_INLINE int tile_row(int row)
+  {
+    return layout.block(row) * (lanes * cell) + layout.lane(row);
+  }
+
+  // Where row 0 of a column would be, had its tiles above the diagonal been stored.
+  static CGP_ALWAYS_INLINE std::int64_t tile_column(int blocks, int column)
+  {
+    const int b = layout.block(column);
+    return layout.tile(blocks, b, b) - static_cast<std::int64_t>(b) * lanes * cell +
+           layout.lane(column) * cell;
+  }
+
+  // The first row of the child at that place of the front or after it.
+  static int find(const Child& child, int place)
+  {
+    int first = 0, count = child.rows;
+    while (count > 0) {
+      const int half = count / 2;
+      const bool is_later = child.place[first + half] < place;
+      first = is_later ? first + half + 1 : first;
+      count = is_later ? count - half - 1 : half;
+    }
+    return first;
+  }
+
+  // The group of rows that begins at its first one.
+  static CGP_ALWAYS_INLINE void look_up(Rows& rows, int last)
+  {
+    rows.count = internal::least(Rows::most, last - rows.first);
+    for (int i = 0; i < rows.count; ++i) rows.source[i] = tile_row(rows.first + i);
+  }
+
+  static void add_column(const Child& child, int column, const Rows& rows, Real* to)
+  {
+    const Real* const from = child.numbers + tile_column(layout.blocks(child.rows), column);
+    for (int i = internal::greatest(0, column - rows.first); i < rows.count; ++i) {
+      const Real* const f = from + rows.source[i];
+      Real* const t = to + rows.target[i];
+      CGP_UNROLL(4)
+      for (int q = 0; q < planes; ++q) t[q * lanes] += f[q * lanes];
+    }
+  }
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

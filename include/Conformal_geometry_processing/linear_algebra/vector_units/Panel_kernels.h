@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_PANEL_KERNELS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_PANEL_KERNELS_H
+
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Pivot_triangle.h>
+
+#include <cstdint>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the elimination of one front by one vector unit, for scalars of so many real components:
+/// what `Front_kernels` tells of the functions.
+///
+/// All of it is one microkernel: registers of several columns minus a panel times the conjugate of
+/// another.
+template <class Unit, class Real, int planes>
+class Panel_kernels {
+  using Simd = Simd_lanes<Unit, Real>;
+  using Register = typename Simd::Register;
+  using Triangle = Pivot_triangle<Unit, Real, planes>;
+
+ public:
+  static constexpr int lanes = Simd::size;
+  static constexpr int cell = planes * lanes;  ///< numbers per row block and column
+
+  /// \brief replaces the panel A = (A11; A21) by L11 with A11 = L11 L11^H and L21 = A21 L11^-H.
+  /// \param row_blocks of the panel; with those of the triangle alone, `solve_below()` does the
+  /// rest \returns the first column whose pivot is not positive, -1 if all are
+  static int factor_panel(Real* panel, int columns, int row_blocks)
+  {
+    for (int j = 0; j < columns; j += group) {
+      const int width = internal::least(group, columns - j), diagonal = j / lanes, lane = j % lanes;
+      Triangle triangle;
+      Register acc[group][planes];
+      Real* const corner = panel + place(columns, diagonal, j);
+      load(corner, width, acc);
+      subtract_earlier(acc, panel, columns, diagonal, j);
+      const int bad = triangle.factor(acc, lane, width);
+      if (bad >= 0) return j + bad;
+      triangle.solve(acc, width);
+      store(corner, width, acc);
+      triangle.write(corner, lane, width);
+      solve_columns(panel, columns, j, triangle, diagonal + 1, row_blocks);
+    }
+    return -1;
+  }
+
+  /// \brief the same for the row blocks begin <= block < end below a triangle that is factored.
+  static void solve_below(Real* panel, int columns, int begin, int end)
+  {
+    for (int j = 0; j < columns; j += group) {
+      const int width = internal::least(group, columns - j), diagonal = j / lanes;
+      Triangle triangle;
+      triangle.read(panel + place(columns, diagonal, j), j % lanes, width);
+      solve_columns(panel, columns, j, triangle, begin, end);
+    }
+  }
+
+  /// \brief update = -L21 L21^H in the row blocks begin <= block < end of its lower triangle.
+  /// \param below the row blocks of the panel under its triangle
+  static void set_outer_product(Real* update, const Real* below, int columns, int rows, int begin,
+                                int end)
+  {
+    const int nb = layout.blocks(rows);
+    const std::int64_t stride = static_cast<std::int64_t>(columns) * cell;
+    for (int jb = 0; jb < end; ++jb)
+      for (int ib = internal::greatest(jb, begin); ib < end; ++ib)
+        for (int c = 0; c < internal::least(lanes, rows - jb * lanes); c += group) {
+          Register acc[group][planes] = {};
+          subtract_products(acc, below + ib * stride, below + jb * stride + c, columns);
+          store(update + layout.tile(nb, ib, jb) + c * cell, group, acc);
+        }
+  }
+
+ private:
+  using Planes = Plane_products<planes>;
+  static constexpr Panel_layout layout = Simd::layout(planes);
+  static constexpr int group = Triangle::group;  // columns per kernel call
+
+  static CGP_ALWAYS_INLINE std::int64_t place(int columns, int block, int column)
+  {
+    return (static_cast<std::int64_t>(block) * columns + column) * cell;
+  }
+
+  // Subtracts what the columns before j contribute to the row block.
+  static CGP_ALWAYS_INLINE void subtract_earlier(Register (&acc)[group][planes], const Real* panel,
+                                                 int columns, int block, int j)
+  {
+    subtract_products(acc, panel + place(columns, block, 0),
+                      panel + place(columns, j / lanes, 0) + j % lanes, j);
+  }
+
+  // Columns j, j + 1, ... of the row blocks begin <= block < end.
+  static CGP_ALWAYS_INLINE void solve_columns(Real* panel, int columns, int j,
+                                              const Triangle& triangle, int begin, int end)
+  {
+    const int width = internal::least(group, columns - j);
+    Register acc[group][planes];
+    for (int block = begin; block < end; ++block) {
+      Real* const cells = panel + place(columns, block, j);
+      load(cells, width, acc);
+      subtract_earlier(acc, panel, columns, block, j);
+      triangle.solve(acc, width);
+      store(cells, width, acc);
+    }
+  }
+
+  static CGP_ALWAYS_INLINE void load(const Real* from, int width, Register (&acc)[group][planes])
+  {
+    CGP_UNROLL(16)
+    for (int c = 0; c < group; ++c) {
+      CGP_UNROLL(4)
+      for (int q = 0; q < planes; ++q)
+        acc[c][q] = c < width ? Simd::load(from + c * cell + q * lanes) : Register{};
+    }
+  }
+
+  static CGP_ALWAYS_INLINE void store(Real* to, int width, const Register (&acc)[group][planes])
+  {
+    for (int c = 0; c < width; ++c) {
+      CGP_UNROLL(4)
+      for (int q = 0; q < planes; ++q) Simd::store(to + c * cell + q * lanes, acc[c][q]);
+    }
+  }
+
+  /// the microkernel: acc_c -= sum over the first `count` columns p of A_p conjugate(B_p,c), where
+  /// B points to the lane of the first of the `group` rows of B
+  static CGP_ALWAYS_INLINE void subtract_products(Register (&acc)[group][planes], const Real* A,
+                                                  const Real* B, int count)
+  {
+    for (int p = 0; p < count; ++p, A += cell, B += cell) {
+      Register a[planes];
+      CGP_UNROLL(4)
+      for (int q = 0; q < planes; ++q) a[q] = Simd::load(A + q * lanes);
+      CGP_UNROLL(16)
+      for (int c = 0; c < group; ++c) {
+        Real b[planes];
+        CGP_UNROLL(4)
+        for (int q = 0; q < planes; ++q) b[q] = B[q * lanes + c];
+        Planes::subtract_conjugated(acc[c], a, b);
+      }
+    }
+  }
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_PLANE_PRODUCTS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_PLANE_PRODUCTS_H
+
+#include <Conformal_geometry_processing/linear_algebra/vector_units/compiler_hints.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief products of scalars that are arrays of their real components: 1 of a real number, 2 of a
+/// complex one, 4 of a quaternion. One dense kernel serves all three.
+///
+/// In all products `a` and `c` may be vectors of several scalars (one register per component) and b
+/// one scalar, or the other way round.
+template <int planes>
+struct Plane_products;
+
+template <>
+struct Plane_products<1> {
+  /// c -= a conjugate(b)
+  template <class C, class A, class B>
+  static CGP_ALWAYS_INLINE void subtract_conjugated(C* c, const A* a, const B* b)
+  {
+    c[0] -= a[0] * b[0];
+  }
+  /// c -= a b
+  template <class C, class A, class B>
+  static CGP_ALWAYS_INLINE void subtract(C* c, const A* a, const B* b)
+  {
+    c[0] -= a[0] * b[0];
+  }
+  /// c += conjugate(a) b
+  template <class C, class A, class B>
+  static CGP_ALWAYS_INLINE void add_conjugate(C* c, const A* a, const B* b)
+  {
+    c[0] += a[0] * b[0];
+  }
+};
+
+template <>
+struct Plane_products<2> {
+  template <class C, class A, class B>
+  static CGP_ALWAYS_INLINE void subtract_conjugated(C* c, const A* a, const B* b)
+  {
+    c[0] -= a[0] * b[0], c[1] -= a[1] * b[0];
+    c[0] -= a[1] * b[1], c[1] += a[0] * b[1];
+  }
+  template <class C, class A, class B>
+  static CGP_ALWAYS_INLINE void subtract(C* c, const A* a, const B* b)
+  {
+    c[0] -= a[0] * b[0], c[1] -= a[1] * b[0];
+    c[0] += a[1] * b[1], c[1] -= a[0] * b[1];
+  }
+  template <class C, class A, class B>
+  static CGP_ALWAYS_INLINE void add_conjugate(C* c, const A* a, const B* b)
+  {
+    c[0] += a[0] * b[0], c[1] += a[0] * b[1];
+    c[0] += a[1] * b[1], c[1] -= a[1] * b[0];
+  }
+};
+
+template <>
+struct Plane_products<4> {
+  template <class C, class A, class B>
+  static CGP_ALWAYS_INLINE void subtract_conjugated(C* c, const A* a, const B* b)
+  {
+    c[0] -= a[0] * b[0], c[1] += a[0] * b[1], c[2] += a[0] * b[2], c[3] += a[0] * b[3];
+    c[0] -= a[1] * b[1], c[1] -= a[1] * b[0], c[2] -= a[1] * b[3], c[3] += a[1] * b[2];
+    c[0] -= a[2] * b[2], c[1] += a[2] * b[3], c[2] -= a[2] * b[0], c[3] -= a[2] * b[1];
+    c[0] -= a[3] * b[3], c[1] -= a[3] * b[2], c[2] += a[3] * b[1], c[3] -= a[3] * b[0];
+  }
+  template <class C, class A, class B>
+  static CGP_ALWAYS_INLINE void subtract(C* c, const A* a, const B* b)
+  {
+    c[0] -= a[0] * b[0], c[1] -= a[0] * b[1], c[2] -= a[0] * b[2], c[3] -= a[0] * b[3];
+    c[0] += a[1] * b[1], c[1] -= a[1] * b[0], c[2] += a[1] * b[3], c[3] -= a[1] * b[2];
+    c[0] += a[2] * b[2], c[1] -= a[2] * b[3], c[2] -= a[2] * b[0], c[3] += a[2] * b[1];
+    c[0] += a[3] * b[3], c[1] += a[3] * b[2], c[2] -= a[3] * b[1], c[3] -= a[3] * b[0];
+  }
+  template <class C, class A, class B>
+  static CGP_ALWAYS_INLINE void add_conjugate(C* c, const A* a, const B* b)
+  {
+    c[0] += a[0] * b[0], c[1] += a[0] * b[1], c[2] += a[0] * b[2], c[3] += a[0] * b[3];
+    c[0] += a[1] * b[1], c[1] -= a[1] * b[0], c[2] += a[1] * b[3], c[3] -= a[1] * b[2];
+    c[0] += a[2] * b[2], c[1] -= a[2] * b[3], c[2] -= a[2] * b[0], c[3] += a[2] * b[1];
+    c[0] += a[3] * b[3], c[1] += a[3] * b[2], c[2] -= a[3] * b[1], c[3] -= a[3] * b[0];
+  }
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_VECTOR_UNIT_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_VECTOR_UNIT_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
+
+#include <atomic>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+// Whether the machine, and its operating system, can run the unit.
+CGP_INLINE bool machine_has(Vector_unit unit)
+{
+#ifdef CGP_HAS_X86_UNITS
+  __builtin_cpu_init();
+  switch (unit) {
+    case Vector_unit::avx512:
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+             __builtin_cpu_supports("fma");
+    case Vector_unit::avx2:
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    case Vector_unit::baseline:
+      break;
+  }
+  return true;
+#else
+  return unit == Library_unit::unit;
+#endif
+}
+
+CGP_INLINE Vector_unit widest_unit()
+{
+  if (machine_has(Vector_unit::avx512)) return Vector_unit::avx512;
+  return machine_has(Vector_unit::avx2) ? Vector_unit::avx2 : Vector_unit::baseline;
+}
+
+CGP_INLINE std::atomic<Vector_unit>& unit_setting()
+{
+  static std::atomic<Vector_unit> unit{widest_unit()};
+  return unit;
+}
+
+}  // namespace internal
+
+CGP_INLINE const char* to_string(Vector_unit unit)
+{
+  switch (unit) {
+    case Vector_unit::avx512:
+      return "AVX-512";
+    case Vector_unit::avx2:
+      return "AVX2";
+    case Vector_unit::baseline:
+      break;
+  }
+#if defined(__SSE2__) || defined(_M_X64)
+  return "SSE2";
+#elif defined(__ARM_NEON) || defined(_M_ARM64)
+  return "NEON";
+#else
+  return "baseline";
+#endif
+}
+
+CGP_INLINE bool has_vector_unit(Vector_unit unit)
+{
+  return internal::machine_has(unit);
+}
+
+CGP_INLINE Vector_unit vector_unit()
+{
+  return internal::unit_setting();
+}
+
+CGP_INLINE bool set_vector_unit(Vector_unit unit)
+{
+  if (!has_vector_unit(unit)) return false;
+  internal::unit_setting() = unit;
+  return true;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_COMPILED_KERNELS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_COMPILED_KERNELS_H
+
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Front_kernels.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/unit_tags.h>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+// The kernels that the compiled library has for other units than that of every machine. No
+// templates: nobody but the file that is compiled for a unit may instantiate them.
+Front_kernels<double> compiled_kernels(Avx2_unit, double, int planes);
+Front_kernels<float> compiled_kernels(Avx2_unit, float, int planes);
+Front_kernels<double> compiled_kernels(Avx512_unit, double, int planes);
+Front_kernels<float> compiled_kernels(Avx512_unit, float, int planes);
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_COMPILER_HINTS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_COMPILER_HINTS_H
+
+// What the dense kernels ask of a compiler, where it has it. This file, and all that a kernel
+// includes, define no function that could be called from a file compiled for another vector unit:
+// of two such functions with one name a linker keeps any.
+
+#if defined(__GNUC__) && !defined(CONFORMAL_GEOMETRY_PROCESSING_NO_VECTOR_EXTENSIONS)
+#define CGP_HAS_VECTOR_EXTENSIONS  // types of registers
+#endif
+
+#define CGP_PRAGMA(text) _Pragma(#text)
+
+#if defined(__clang__)
+#define CGP_ALWAYS_INLINE inline __attribute__((always_inline))
+#define CGP_UNROLL(count) CGP_PRAGMA(unroll)
+#define CGP_PREFETCH(address) __builtin_prefetch(address)
+#elif defined(__GNUC__)
+#define CGP_ALWAYS_INLINE inline __attribute__((always_inline))
+#define CGP_UNROLL(count) CGP_PRAGMA(GCC unroll count)
+#define CGP_PREFETCH(address) __builtin_prefetch(address)
+#else
+#ifdef _MSC_VER
+#define CGP_ALWAYS_INLINE __forceinline
+#else
+#define CGP_ALWAYS_INLINE inline
+#endif
+#define CGP_UNROLL(count)
+#define CGP_PREFETCH(address) static_cast<void>(address)
+#endif
+
+#endif

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_UNIT_KERNELS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_UNIT_KERNELS_H
+
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Extend_add.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Panel_kernels.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Substitution_kernels.h>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+template <class Unit, class Real, int planes>
+Front_kernels<Real> unit_kernels_of()
+{
+  using Panel = Panel_kernels<Unit, Real, planes>;
+  using Add = Extend_add<Unit, Real, planes>;
+  using Narrow = Substitution_kernels<Unit, Real, planes, 4>;
+  using Wide = Substitution_kernels<Unit, Real, planes, 8>;
+  return {Unit::unit,
+          Simd_lanes<Unit, Real>::layout(planes),
+          Panel::factor_panel,
+          Panel::solve_below,
+          Panel::set_outer_product,
+          Add::add_to_panel,
+          Add::add_to_update,
+          {Narrow::add_child, Narrow::forward, Narrow::backward},
+          {Wide::add_child, Wide::forward, Wide::backward}};
+}
+
+}  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the kernels of a vector unit for scalars of 1, 2 or 4 real components, compiled here.
+///
+/// Only for a unit that the including file is compiled for; `kernels_for()` has those of others.
+template <class Unit, class Real>
+Front_kernels<Real> unit_kernels(int planes)
+{
+  return planes == 1   ? internal::unit_kernels_of<Unit, Real, 1>()
+         : planes == 2 ? internal::unit_kernels_of<Unit, Real, 2>()
+                       : internal::unit_kernels_of<Unit, Real, 4>();
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_UNIT_TAGS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_UNIT_TAGS_H
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief the kinds of registers that the dense kernels of the factorizations are compiled for,
+/// narrowest first.
+enum class Vector_unit {
+  baseline,  ///< 16 bytes, which every machine of the target has: SSE2, NEON
+  avx2,      ///< 32 bytes: AVX2 and FMA
+  avx512     ///< 64 bytes: AVX-512 F, VL, DQ and BW
+};
+
+/// \ingroup PkgLinearAlgebra
+/// \name Vector units
+/// Types that stand for the vector units. All code that depends on the width of a register has one
+/// as its template parameter, so that what is compiled for different units has different names.
+/// @{
+
+/// 16 bytes
+struct Baseline_unit {
+  static constexpr Vector_unit unit = Vector_unit::baseline;
+  static constexpr int bytes = 16;      ///< in a register
+  static constexpr int registers = 16;  ///< that a kernel may fill
+};
+
+/// 32 bytes
+struct Avx2_unit {
+  static constexpr Vector_unit unit = Vector_unit::avx2;
+  static constexpr int bytes = 32;
+  static constexpr int registers = 16;
+};
+
+/// 64 bytes
+struct Avx512_unit {
+  static constexpr Vector_unit unit = Vector_unit::avx512;
+  static constexpr int bytes = 64;
+  static constexpr int registers = 32;
+};
+
+/// the widest for which this file is compiled: a wider kernel would be spilled to memory, several
+/// times slower than a narrow one
+#if defined(__AVX512F__)
+using Target_unit = Avx512_unit;
+#elif defined(__AVX2__)
+using Target_unit = Avx2_unit;
+#else
+using Target_unit = Baseline_unit;
+#endif
+
+/// what the library has where it does not have several
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+using Library_unit = Target_unit;
+#else
+using Library_unit = Baseline_unit;
+#endif
+/// @}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,64 @@
+// Tests include/Conformal_geometry_processing/linear_algebra/vector_units/Simd_lanes.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Simd_lanes.h>
+
+#include <gtest/gtest.h>
+
+namespace cgp_test {
+namespace {
+
+namespace CGP = Conformal_geometry_processing;
+
+// The unit of every machine, and the widest for which this file is compiled.
+template <class Lanes>
+class Simd_lanes : public testing::Test {};
+using All_lanes = testing::Types<
+    CGP::Simd_lanes<CGP::Baseline_unit, float>, CGP::Simd_lanes<CGP::Baseline_unit, double>,
+    CGP::Simd_lanes<CGP::Target_unit, float>, CGP::Simd_lanes<CGP::Target_unit, double>>;
+TYPED_TEST_SUITE(Simd_lanes, All_lanes);
+
+template <class Unit, class Real>
+Real number_of(CGP::Simd_lanes<Unit, Real>);
+template <class Lanes>
+using Number = decltype(number_of(Lanes()));
+
+TYPED_TEST(Simd_lanes, fill_a_register)
+{
+  EXPECT_EQ(sizeof(typename TypeParam::Register), sizeof(Number<TypeParam>) * TypeParam::size);
+  EXPECT_GE(TypeParam::size, 2);
+  EXPECT_EQ(64 % sizeof(typename TypeParam::Register), 0u);  // arrays are aligned to 64 bytes
+}
+
+TYPED_TEST(Simd_lanes, are_computed_one_by_one)
+{
+  using Real = Number<TypeParam>;
+  alignas(64) Real a[TypeParam::size], b[TypeParam::size];
+  for (int i = 0; i < TypeParam::size; ++i) a[i] = Real(i + 1), b[i] = Real(3 * i - 5);
+  TypeParam::store(a, TypeParam::load(b) - TypeParam::load(a) * b[1]);
+  for (int i = 0; i < TypeParam::size; ++i)
+    EXPECT_EQ(a[i], Real(3 * i - 5) - Real(i + 1) * Real(-2));
+}
+
+TYPED_TEST(Simd_lanes, can_be_set_alone)
+{
+  using Real = Number<TypeParam>;
+  alignas(64) Real a[TypeParam::size];
+  for (int lane = 0; lane < TypeParam::size; ++lane) {
+    typename TypeParam::Register v = {};
+    TypeParam::set_lane(v, lane, Real(7));
+    TypeParam::store(a, v);
+    for (int i = 0; i < TypeParam::size; ++i) EXPECT_EQ(a[i], i == lane ? Real(7) : Real(0));
+  }
+}
+
+TYPED_TEST(Simd_lanes, are_the_rows_of_a_row_block)
+{
+  const CGP::Panel_layout layout = TypeParam::layout(4);
+  EXPECT_EQ(layout.lanes(), TypeParam::size);
+  EXPECT_EQ(layout.planes, 4);
+}
+
+}  // namespace
+}  // namespace cgp_test
