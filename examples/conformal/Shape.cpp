@@ -4,6 +4,7 @@
 
 #include <Conformal_geometry_processing/core/boundary_parameters.h>
 #include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
+#include <Conformal_geometry_processing/isometric_curve_flow.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/filter_curvature.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Pivot_triangle.h>
 #include <Conformal_geometry_processing/spin/Dirac_pencil.h>
 #include <Conformal_geometry_processing/surfaces/hopf_torus.h>
 
