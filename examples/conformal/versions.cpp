@@ -58,7 +58,8 @@ std::string versions()
 {
   return "conformal " CONFORMAL_GEOMETRY_PROCESSING_VERSION "\nCGAL " CGAL_VERSION_STR "\nEigen " +
          dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION) + "\nCHOLMOD " +
-         cholmod() + "\nBLAS " + blas() + "\nvector unit " + CGP::to_string(CGP::vector_unit()) + '\n';
+         cholmod() + "\nBLAS " + blas() + "\nvector unit " + CGP::to_string(CGP::vector_unit()) +
+         '\n';
 }
 
 }  // namespace conformal
