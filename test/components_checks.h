@@ -60,7 +60,7 @@ inline void expect_equal(const CGP::Spin_report& a, const CGP::Spin_report& b)
 
 inline Points columns(const Points& all, const std::vector<int>& vertices)
 {
-  return all(Eigen::all, vertices);
+  return all(Eigen::indexing::all, vertices);
 }
 
 /// to the bit

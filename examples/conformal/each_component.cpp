@@ -141,7 +141,7 @@ CGP::Points each_component(const Surface_input& input, Session& session, const C
     Session own(silent, "");
     report_counts(components[c], own.report());
     const std::string reason = failures.attempt(components[c].name, [&] {
-      positions(Eigen::all, components[c].vertices) = work(components[c], own);
+      positions(Eigen::indexing::all, components[c].vertices) = work(components[c], own);
     });
     if (!reason.empty()) own.report().set("verified", false);
     if (!reason.empty()) own.report().set("error", reason.c_str());

@@ -68,7 +68,7 @@ Mesh_piece mesh_piece(const CGP::Mesh_view& mesh, std::vector<int> faces,
       }
       corners[k][i] = n;
     }
-  CGP::Points positions = mesh.positions()(Eigen::all, vertices);
+  CGP::Points positions = mesh.positions()(Eigen::indexing::all, vertices);
   return {std::move(faces), CGP::Mesh_view(std::move(positions), std::move(corners))};
 }
 

@@ -56,7 +56,7 @@ Component_reports<Flow_report> conformal_willmore_flow_components(
         return result;
       },
       [&](const std::vector<int>& vertices, const internal::Flow_result& result) {
-        positions(Eigen::all, vertices) = result.positions;
+        positions(Eigen::indexing::all, vertices) = result.positions;
       });
   internal::write_points(mesh, graph, positions, np);
   return reports;

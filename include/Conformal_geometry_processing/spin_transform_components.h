@@ -69,7 +69,7 @@ Component_reports<Spin_report> spin_transform_components(
       },
       [&](const std::vector<int>& vertices, const Spin_result& result) {
         if (!result.report) return;
-        all.positions(Eigen::all, vertices) = result.positions;
+        all.positions(Eigen::indexing::all, vertices) = result.positions;
         all.lambda(vertices) = result.lambda;
       });
   if (reports) internal::write_spin_result(mesh, graph, all, np);

@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <cmath>

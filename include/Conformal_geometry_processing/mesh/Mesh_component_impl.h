@@ -39,7 +39,7 @@ CGP_INLINE std::vector<Mesh_component> mesh_components(const Mesh_view& mesh)
   }
   for (std::size_t c = 0; c < parts.size(); ++c)
     parts[c].mesh =
-        Mesh_view(mesh.positions()(Eigen::all, parts[c].vertices), std::move(corners[c]));
+        Mesh_view(mesh.positions()(Eigen::indexing::all, parts[c].vertices), std::move(corners[c]));
   return parts;
 }
 

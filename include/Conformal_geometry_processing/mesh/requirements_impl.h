@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstddef>

@@ -11,6 +11,7 @@
 #include <Conformal_geometry_processing/spin/least_twist.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <cstddef>

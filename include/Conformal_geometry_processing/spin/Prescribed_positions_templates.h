@@ -13,6 +13,7 @@
 #include <Conformal_geometry_processing/spin/boundary_planes.h>
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>

@@ -14,6 +14,7 @@
 #include <Conformal_geometry_processing/spin/Reduced_dirac_equation.h>
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <memory>
 #include <string>

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <cmath>

@@ -69,7 +69,7 @@ CGP_INLINE std::vector<int> relaxed_supernodes(const std::vector<int>& parent,
     const int pieces = (width[at(s)] + max_supernode_width - 1) / max_supernode_width;
     for (int p = 0; p < pieces; ++p)
       result.push_back(first[at(s)] +
-                       static_cast<int>(static_cast<long>(width[at(s)]) * p / pieces));
+                       static_cast<int>(static_cast<long long>(width[at(s)]) * p / pieces));
   }
   result.push_back(first.back());
   return result;
