@@ -14,8 +14,7 @@ using namespace cgp_test;
 
 class Dirac_search : public testing::Test {
  protected:
-  using Search =
-      CGP::internal::Dirac_search<CGP::Dirac_eigenproblem<>, const CGP::Always_go_further>;
+  using Search = CGP::internal::Dirac_search<CGP::Dirac_eigenproblem<>>;
 
   Search search_for(const Curvature_potential& rho)
   {
@@ -36,7 +35,7 @@ class Dirac_search : public testing::Test {
   const Quaternion_vector<double> one =
       Quaternion_vector<double>::Constant(sphere.size_of_vertices(), {1, 0, 0, 0});
   CGP::Dirac_options options;
-  const CGP::Always_go_further always{};
+  const CGP::Go_further always = CGP::Always_go_further();
 };
 
 /// the eigenvalue -2 of the normal and that of the identity become nearly opposite
@@ -117,7 +116,7 @@ TEST(Dirac_search_on_bumps, finds_a_mixture_before_its_vector_has_converged)
   problem.set_potential(rho, seconds);
   const auto one = Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0});
   const Quaternion_vector<double> guide = one;
-  const CGP::Always_go_further always{};
+  const CGP::Go_further always = CGP::Always_go_further();
   CGP::internal::Dirac_search search(problem, rho, guide, CGP::Dirac_options(), always);
   search.run(guide);
   ASSERT_TRUE(search.is_mixed());

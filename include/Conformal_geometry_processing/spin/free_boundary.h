@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_FREE_BOUNDARY_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_FREE_BOUNDARY_H
 
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/mesh/mean_edge_length.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
