@@ -14,12 +14,11 @@ Traits::Matrix path(std::size_t n)
   Traits::Matrix A(n, n);
   for (std::size_t i = 0; i < n; ++i) {
     const bool is_fixed = i == 0 || i + 1 == n;
-    A.set_coef(i, i, is_fixed ? 1 : 2);
+    A.set_coef(i, i, is_fixed ? 1 : 2, true);
     if (is_fixed) continue;
-    A.set_coef(i, i - 1, -1);
-    A.set_coef(i, i + 1, -1);
+    A.set_coef(i, i - 1, -1, true);
+    A.set_coef(i, i + 1, -1, true);
   }
-  A.assemble_matrix();
   return A;
 }
 
@@ -40,9 +39,8 @@ TEST(Supernodal_linear_algebra_traits, harmonic_between_fixed_values_is_linear)
 TEST(Supernodal_linear_algebra_traits, refuses_what_is_not_positive_definite)
 {
   Traits::Matrix A(2, 2);
-  A.set_coef(0, 0, 2);
-  A.set_coef(1, 1, -2);
-  A.assemble_matrix();
+  A.set_coef(0, 0, 2, true);
+  A.set_coef(1, 1, -2, true);
   Traits::Vector b(2), x(2);
   b.set(0, 1), b.set(1, 1), x.set(0, 3), x.set(1, 4);
   double denominator = 0;

@@ -124,11 +124,20 @@ TEST_F(Flow, filter_keeps_large_features)
 
 TEST_F(Flow, balance_brings_areas_back)
 {
-  write("a.off", off(cgp_test::storus(24)));
+  cgp_test::Mesh_view bent = cgp_test::storus(24);  // straight, it is balanced by its symmetry
+  cgp_test::Points positions = bent.positions();
+  positions.row(1) += .2 * positions.row(0).cwiseAbs2();
+  bent.set_positions(positions);
+  write("a.off", off(bent));
   for (const std::string balance : {"none", "initial", "canonical"})
     EXPECT_EQ(run("flow -q a.off --steps 2 --balance " + balance + " -o " + balance + ".ply").code,
               0);
-  EXPECT_NE(content(path("none.ply")), content(path("canonical.ply")));
+  const auto none = read_surface(path("none.ply")).points,
+             canonical = read_surface(path("canonical.ply")).points;
+  double most = 0;
+  for (std::size_t v = 0; v < none.size(); ++v)
+    most = (std::max)(most, std::abs(none[v][0] - canonical[v][0]));
+  EXPECT_GT(most, 1e-3);
   write("sphere.off", off(cgp_test::bumpy_sphere(2)));
   EXPECT_EQ(run("flow -q sphere.off --steps 2 --balance initial -o b.ply").code, 0);
   EXPECT_TRUE(fails(run("flow sphere.off --steps 2 --balance canonical -o c.ply"), 4,
