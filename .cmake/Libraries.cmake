@@ -104,6 +104,7 @@ function(cgp_add_compiled name below)
   target_sources(cgp_${name} PRIVATE ${sources})
   set_target_properties(cgp_${name} PROPERTIES OUTPUT_NAME conformal_geometry_${name}
                         VERSION ${PROJECT_VERSION} POSITION_INDEPENDENT_CODE ON
+                        INSTALL_RPATH "$ORIGIN" # where the library below is
                         SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   # Compiled for AVX, Eigen looks for what to free where it has put nothing without AVX, unless both
   # are told that malloc() is not aligned.

@@ -13,7 +13,8 @@ else()
     endif()
   endforeach()
   set(headers_alone_arguments ${licences_arguments})
-  foreach(what headers_alone layers licences mirrored_tests format lengths heads performance thesis_map manual)
+  set(hostile_macros_arguments ${licences_arguments})
+  foreach(what headers_alone hostile_macros layers licences mirrored_tests format lengths heads performance thesis_map manual)
     add_test(NAME sources.${what} COMMAND ${Python3_EXECUTABLE}
              ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_${what}.py ${${what}_arguments})
   endforeach()
@@ -84,8 +85,15 @@ foreach(source IN LISTS failing)
                        PASS_REGULAR_EXPRESSION "${expectation}")
 endforeach()
 
-# Projects that use the library as its users do: found after installation, and as a subdirectory.
-foreach(way installed subdirectory)
+# Projects that use the library as its users do: found after installation, from Debian packages, and
+# as a subdirectory.
+set(ways installed subdirectory)
+if(CPACK_DEB_COMPONENT_INSTALL AND TARGET conformal AND EXISTS /usr/bin/dpkg-shlibdeps)
+  list(APPEND ways packages)
+else()
+  message(STATUS "No test of Debian packages; on Debian: apt-get install dpkg-dev")
+endif()
+foreach(way IN LISTS ways)
   add_test(NAME downstream.${way} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_downstream.sh
            ${way} ${PROJECT_BINARY_DIR} ${CMAKE_CXX_COMPILER} ${CMAKE_GENERATOR})
   set_tests_properties(downstream.${way} PROPERTIES TIMEOUT 600)

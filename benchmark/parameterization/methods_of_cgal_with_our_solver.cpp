@@ -1,18 +1,19 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/core/Supernodal_linear_algebra_traits.h>
+
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 
-#include "parameterization/Native_linear_algebra.h"
 #include "parameterization/cgal_method.h"
 
 namespace cgp_benchmark {
 
 std::vector<Method> methods_of_cgal_with_our_solver()
 {
-  using Solver = Native_linear_algebra;
+  using Solver = Conformal_geometry_processing::Supernodal_linear_algebra_traits;
   using Pins = SMP::Two_vertices_parameterizer_3<Surface>;
   using Circle = SMP::Circular_border_arc_length_parameterizer_3<Surface>;
   using ARAP = SMP::ARAP_parameterizer_3<Surface, Pins, Solver>;

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Shape.h"
 
-#include <Conformal_geometry_processing/core/boundary_parameters.h>
-#include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/surfaces/hopf_torus.h>
 
 #include <algorithm>
 #include <cmath>

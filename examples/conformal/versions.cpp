@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "versions.h"
 
+#include <Conformal_geometry_processing/linear_algebra/settings.h>
 #include <Conformal_geometry_processing/version.h>
 
 #include <CGAL/version.h>
@@ -16,6 +17,9 @@
 #include <cstdlib>
 
 namespace conformal {
+
+namespace CGP = Conformal_geometry_processing;
+
 namespace {
 
 std::string dotted(int major, int minor, int patch)
@@ -54,7 +58,8 @@ std::string versions()
 {
   return "conformal " CONFORMAL_GEOMETRY_PROCESSING_VERSION "\nCGAL " CGAL_VERSION_STR "\nEigen " +
          dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION) + "\nCHOLMOD " +
-         cholmod() + "\nBLAS " + blas() + '\n';
+         cholmod() + "\nBLAS " + blas() + "\nvector unit " + CGP::to_string(CGP::vector_unit()) +
+         '\n';
 }
 
 }  // namespace conformal

@@ -3,7 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HARMONIC_BASIS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_HARMONIC_BASIS_H
 
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/Harmonic_forms.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
@@ -12,6 +11,7 @@
 #include <Conformal_geometry_processing/forms/random_closed_forms.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <string>

@@ -5,13 +5,6 @@
 #include "concepts/triangle_mesh_archetype.h"
 
 #include <Conformal_geometry_processing/compute_vertex_normals.h>
-#include <Conformal_geometry_processing/core/Harmonic_forms.h>
-#include <Conformal_geometry_processing/core/boundary_parameters.h>
-#include <Conformal_geometry_processing/forms/Exactness_constraints.h>
-#include <Conformal_geometry_processing/forms/tree_cotree.h>
-#include <Conformal_geometry_processing/spin/Dirac_pencil.h>
-#include <Conformal_geometry_processing/surfaces/geodesic_sphere.h>
-#include <Conformal_geometry_processing/surfaces/hopf_torus.h>
 
 #include <gtest/gtest.h>
 

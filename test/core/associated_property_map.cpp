@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/core/Associated_property_map.h
 #include <Conformal_geometry_processing/core/Associated_property_map.h>
-#include <Conformal_geometry_processing/surfaces/geodesic_sphere.h>
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/core/geometry_traits.h
-#include <Conformal_geometry_processing/algebra/Reduced_rows.h>
-#include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
-#include <Conformal_geometry_processing/filter_curvature.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/spin/Dirac_pencil.h>
-#include <Conformal_geometry_processing/surfaces/hopf_torus.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>

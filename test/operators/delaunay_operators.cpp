@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/operators/delaunay_operators.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Builds and runs test/downstream/ as a user of the library would.
-# usage: check_downstream.sh installed|subdirectory BUILD_FOLDER COMPILER GENERATOR
+# usage: check_downstream.sh installed|packages|subdirectory BUILD_FOLDER COMPILER GENERATOR
 set -euo pipefail
 
 way=$1 build=$2 compiler=$3 generator=$4
@@ -13,8 +13,19 @@ trap 'rm -rf "$work"' EXIT
 arguments=(-S "$root/test/downstream" -B "$work/build" -G "$generator"
            -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Release)
 if [ "$way" = installed ]; then
-  cmake --install "$build" --component headers --prefix "$work/prefix" >"$work/log"
+  for component in libraries headers; do
+    cmake --install "$build" --component $component --prefix "$work/prefix" >>"$work/log"
+  done
   arguments+=(-DCMAKE_PREFIX_PATH="$work/prefix")
+elif [ "$way" = packages ]; then # unpacked as root would install them
+  (cd "$work" && cpack -G DEB --config "$build/CPackConfig.cmake" >"$work/log" 2>&1) ||
+    { cat "$work/log"; exit 1; }
+  for package in "$work"/*.deb; do
+    dpkg-deb --field "$package" Package Depends
+    dpkg-deb --extract "$package" "$work/prefix"
+  done
+  "$work/prefix/usr/bin/conformal" --version
+  arguments+=(-DCMAKE_PREFIX_PATH="$work/prefix/usr")
 else
   arguments+=(-DSUBDIRECTORY="$root")
 fi

@@ -142,7 +142,19 @@ def check_torus(program):
         sys.exit(f"the energy is {energy}, the least is {least}")
 
 
+def check_rotations(program):
+    """The rotations found are nearly the true ones, and without noise they are."""
+    for noise, least in ((0.1, 0.9), (0, 1 - 1e-9)):
+        text = subprocess.run([program, "300", str(noise)], check=True, stdout=subprocess.PIPE,
+                              text=True).stdout
+        overlap = float(text.split()[-1])
+        if not overlap >= least:
+            sys.exit(f"the overlap is {overlap}, wanted {least}, with noise {noise}")
+
+
 def main():
+    if pathlib.Path(sys.argv[1]).stem == "average_rotations":
+        return check_rotations(sys.argv[1])
     if pathlib.Path(sys.argv[1]).stem == "smoothest_torus":
         return check_torus(sys.argv[1])
     if pathlib.Path(sys.argv[1]).stem == "unwind_a_curve":

@@ -7,7 +7,6 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseLU>
 
 #include <string>
 

@@ -1,7 +1,6 @@
 // Tests include/Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver.h>
 #include <Conformal_geometry_processing/templates.h>

@@ -6,8 +6,6 @@
 #include <Conformal_geometry_processing/algebra/Sparse_pattern.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
-#include <Eigen/OrderingMethods>
-
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra

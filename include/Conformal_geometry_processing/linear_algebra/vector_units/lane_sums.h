@@ -12,6 +12,7 @@ namespace internal {
 template <int... lane>
 struct Lane_list {};
 
+/// \cond a recursion that Doxygen takes for an error
 // 0, 1, ..., count - 1
 template <int count, int... lane>
 struct Lanes_up_to : Lanes_up_to<count - 1, count - 1, lane...> {};
@@ -19,6 +20,7 @@ template <int... lane>
 struct Lanes_up_to<0, lane...> {
   using List = Lane_list<lane...>;
 };
+/// \endcond
 
 // The lanes first, first + 2, ... of a and then of b, by one instruction where compilers have it.
 template <int first, class Register, int... lane>

@@ -1,24 +1,29 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef BENCHMARK_PARAMETERIZATION_NATIVE_LINEAR_ALGEBRA_H
-#define BENCHMARK_PARAMETERIZATION_NATIVE_LINEAR_ALGEBRA_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CORE_SUPERNODAL_LINEAR_ALGEBRA_TRAITS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CORE_SUPERNODAL_LINEAR_ALGEBRA_TRAITS_H
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 
 #include <CGAL/Eigen_matrix.h>
 #include <CGAL/Eigen_vector.h>
+#include <Eigen/Core>
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
-namespace cgp_benchmark {
+namespace Conformal_geometry_processing {
 
-/// \brief the solver of this library as a model of CGAL's `SparseLinearAlgebraTraits_d`, for
-/// matrices that are symmetric and positive definite but for rows of the identity, where CGAL's
-/// parameterizers fix vertices: these are taken out.
+/// \ingroup PkgEntryPoints
+/// \brief the sparse Cholesky factorization of this library for CGAL's own packages: a model of
+/// `SparseLinearAlgebraTraits_d`, as CGAL's parameterizers and deformations take one.
 ///
-/// As with CGAL's own, every call factorizes anew.
-class Native_linear_algebra {
+/// For matrices that are symmetric and positive definite but for rows of the identity, by which
+/// CGAL fixes unknowns: these are taken out, and what they contribute to other rows goes to the
+/// right-hand side. As with CGAL's own, every call factorizes anew.
+/// \cgalModels{SparseLinearAlgebraTraits_d}
+class Supernodal_linear_algebra_traits {
   using Sparse = CGAL::Eigen_sparse_matrix<double>::EigenType;
 
  public:
@@ -26,13 +31,15 @@ class Native_linear_algebra {
   using Vector = CGAL::Eigen_vector<double>;
   using Matrix = CGAL::Eigen_sparse_matrix<double>;
 
+  /// \brief solves A x = b.
+  /// \param denominator becomes 1
+  /// \returns false, with x as it was, if A is not positive definite or memory is short
   bool linear_solver(const Matrix& A, const Vector& b, Vector& x, NT& denominator)
   {
     denominator = 1;
     const Sparse rows = Sparse(A.eigen_object().transpose());  // a column of this is a row of A
     number_free_rows(rows);
-    namespace CGP = Conformal_geometry_processing;
-    CGP::Hermitian_sparse_matrix<double> lower(pattern_of(rows));
+    Hermitian_sparse_matrix<double> lower(pattern_of(rows));
     Eigen::MatrixXd right(m_free.size(), 1), solution;
     for (std::size_t k = 0; k < m_free.size(); ++k) {
       const int i = m_free[k];
@@ -46,8 +53,8 @@ class Native_linear_algebra {
       }
       right(static_cast<Eigen::Index>(k), 0) = sum;
     }
-    CGP::Supernodal_cholesky<double> solver;
-    const auto success = CGP::Solver_status::success;
+    Supernodal_cholesky<double> solver;
+    const auto success = Solver_status::success;
     if (solver.analyze(lower.pattern()) != success || solver.factorize(lower, {}) != success ||
         solver.solve(right, solution) != success)
       return false;
@@ -73,10 +80,9 @@ class Native_linear_algebra {
     }
   }
 
-  std::shared_ptr<const Conformal_geometry_processing::Sparse_pattern> pattern_of(
-      const Sparse& rows) const
+  std::shared_ptr<const Sparse_pattern> pattern_of(const Sparse& rows) const
   {
-    auto pattern = std::make_shared<Conformal_geometry_processing::Sparse_pattern>();
+    auto pattern = std::make_shared<Sparse_pattern>();
     for (std::size_t k = 0; k < m_free.size(); ++k) {
       pattern->offsets.push_back(pattern->size_of_entries());
       const int column = static_cast<int>(k);
@@ -94,6 +100,6 @@ class Native_linear_algebra {
   std::vector<int> m_number;  // their numbers, -1 for the others
 };
 
-}  // namespace cgp_benchmark
+}  // namespace Conformal_geometry_processing
 
 #endif

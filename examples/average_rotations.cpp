@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Finds the rotations of many cameras from noisy measurements of how each is turned against its
+// neighbours: sparse linear algebra over the quaternions, without any surface.
+//
+//   average_rotations [CAMERAS [NOISE]]
+//
+// Unit quaternions q_i with q_i = r_ij q_j make the sum of |q_i - r_ij q_j|^2 zero. Measured r_ij
+// do not fit together; the smallest eigenvector of that sum's Hermitian matrix comes nearest.
+#include <Conformal_geometry_processing/algebra/random_quaternions.h>
+#include <Conformal_geometry_processing/linear_algebra/direct_solvers.h>
+#include <Conformal_geometry_processing/linear_algebra/eigensolvers.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+
+namespace CGP = Conformal_geometry_processing;
+using Quaternion = CGP::Quaternion<double>;
+
+int main(int argc, char* argv[])
+{
+  const int n = argc > 1 ? std::atoi(argv[1]) : 2000;
+  const double noise = argc > 2 ? std::atof(argv[2]) : .1;
+  if (n < 3) return EXIT_FAILURE;
+  CGP::Quaternion_vector<double> truth = CGP::random_quaternions(n, 1, 1);
+  for (auto& q : truth) q = q / CGP::norm(q);
+  const CGP::Block<Quaternion> errors = CGP::random_quaternions(n, 3, 2);
+
+  //! [matrix]
+  auto pattern = std::make_shared<CGP::Sparse_pattern>();  // each camera sees the next three
+  for (int j = 0; j < n; ++j) {
+    pattern->offsets.push_back(pattern->size_of_entries());
+    for (int i = j; i < (std::min)(j + 4, n); ++i) pattern->indices.push_back(i);
+  }
+  pattern->offsets.push_back(pattern->size_of_entries());
+  CGP::Hermitian_sparse_matrix<Quaternion> A(pattern);
+  for (int j = 0; j < n; ++j)
+    for (int i = j + 1; i < (std::min)(j + 4, n); ++i) {
+      const Quaternion r = truth[i] * CGP::inverse(truth[j]) + noise * errors(j, i - j - 1);
+      A.value(pattern->find(i, j)) = -(1 / CGP::norm(r)) * r;
+      for (int k : {i, j}) A.value(pattern->find(k, k)) += Quaternion{1, 0, 0, 0};
+    }
+  //! [matrix]
+
+  //! [eigenvector]
+  CGP::Supernodal_cholesky<Quaternion> factor;
+  const Eigen::VectorXd masses = Eigen::VectorXd::Ones(n);
+  if (factor.analyze(*pattern) != CGP::Solver_status::success ||
+      factor.factorize(A, 1e-6 * masses) != CGP::Solver_status::success)
+    return EXIT_FAILURE;
+  const CGP::Eigen_result found = CGP::Lobpcg_eigensolver_traits()(
+      A, CGP::Vector<double>(masses), factor, CGP::random_quaternions(n, 1, 3));
+  //! [eigenvector]
+
+  Quaternion overlap{0, 0, 0, 0};  // all may be turned by one rotation, from the right
+  for (int i = 0; i < n; ++i)
+    overlap += CGP::conjugate(truth[i]) * found.vectors(i, 0) / CGP::norm(found.vectors(i, 0));
+  std::cout << n << " rotations in " << found.iterations << " iterations, overlap with the truth "
+            << CGP::norm(overlap) / n << '\n';
+  return found.converged ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SOLVERS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SOLVERS_H
+
+/// \file linear_algebra/direct_solvers.h
+/// \brief sparse Cholesky factorizations of real, complex and quaternionic matrices, by themselves
+/// and for the two problems with a kernel or with given values.
+
+#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
+
+#endif

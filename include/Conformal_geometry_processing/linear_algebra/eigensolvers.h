@@ -1,0 +1,14 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_EIGENSOLVERS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_EIGENSOLVERS_H
+
+/// \file linear_algebra/eigensolvers.h
+/// \brief the smallest eigenpairs of quaternionic Hermitian matrices, and those nearest to a shift.
+
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/subspace_iteration.h>
+
+#endif

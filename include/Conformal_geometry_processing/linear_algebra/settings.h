@@ -1,0 +1,12 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_SETTINGS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_SETTINGS_H
+
+/// \file linear_algebra/settings.h
+/// \brief threads and vector units.
+
+#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
+
+#endif
