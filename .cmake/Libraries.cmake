@@ -133,8 +133,6 @@ check_linker_flag(CXX "LINKER:--version-script=${PROJECT_SOURCE_DIR}/.cmake/expo
 cgp_add_compiled(linear_algebra "" ${CGP_LINEAR_ALGEBRA_HEADERS})
 include(Vector_units)
 cgp_add_vector_units(cgp_linear_algebra)
-include(Vector_units)
-cgp_add_vector_units(cgp_linear_algebra)
 cgp_add_compiled(kernels cgp_linear_algebra ${CGP_KERNELS_HEADERS})
 set(kernels cgp_kernels)
 if(CGP_HEADER_ONLY)

@@ -27,11 +27,12 @@ elif [ "$way" = packages ]; then # unpacked as root would install them
   "$work/prefix/usr/bin/conformal" --version
   arguments+=(-DCMAKE_PREFIX_PATH="$work/prefix/usr")
 else
-  arguments+=(-DSUBDIRECTORY="$root")
+  # The libraries are compiled with it, which is not worth optimizing here.
+  arguments+=(-DSUBDIRECTORY="$root" -DCMAKE_CXX_FLAGS_RELEASE=-O0)
 fi
 
 cmake "${arguments[@]}" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-cmake --build "$work/build" --parallel 1 >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+cmake --build "$work/build" --parallel 2 >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 for program in "$work"/build/downstream_*; do
   "$program"
 done

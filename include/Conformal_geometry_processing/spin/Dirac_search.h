@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SEARCH_H
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
 #include <Eigen/Core>
