@@ -43,7 +43,6 @@ def complaints(compiler, header):
 
 def main():
     compiler = sys.argv[1:] or ["c++", "-isystem", "/usr/include/eigen3"]
-    # Templates are compiled where they are used: of them, all at once.
     headers = [header for header in sources.interfaces() if not needs_more(header)]
     with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
         found = pool.map(functools.partial(complaints, compiler), headers)

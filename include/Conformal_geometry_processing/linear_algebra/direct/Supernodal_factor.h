@@ -22,7 +22,7 @@ namespace Conformal_geometry_processing {
 /// Fronts are eliminated children before parents; the update that a front leaves to its parent
 /// waits in an array (`Update_places`). Subtrees are tasks for several threads, and the large
 /// fronts above them are divided by rows. The cuts follow from the structure alone, and each number
-/// is computed by the same operations in the same order whoever does it: the factor is the same to
+/// is computed by the same operations in the same order on any thread: the factor is the same to
 /// the bit for any number of threads. Memory is allocated once and used again.
 ///
 /// The dense work is done by the kernels of the `vector_unit()` at construction, in whose layout

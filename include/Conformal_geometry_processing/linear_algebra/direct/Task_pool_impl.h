@@ -27,7 +27,7 @@ CGP_INLINE void Task_pool::run(std::vector<int> tasks, const std::function<void(
   std::vector<std::thread> helpers;
   try {
     for (int i = 1; i < m_threads; ++i) helpers.emplace_back([this] { work(); });
-  } catch (...) {  // a thread that cannot be had is done without
+  } catch (...) {  // fewer threads do the same
   }
   work();
   for (std::thread& t : helpers) t.join();

@@ -167,7 +167,7 @@ Solver_status Lagged_solver<Solver_>::renew_in_the_midst() const
   return status;
 }
 
-// A shift guards against rounding, and may turn out too small for that. Whoever set it would have
+// A shift guards against rounding, and may turn out too small for that. The caller would have
 // heard of it in factorize(), and taken a larger one; to a preconditioner that is open now, too.
 template <class Solver_>
 Solver_status Lagged_solver<Solver_>::renew_preconditioner() const

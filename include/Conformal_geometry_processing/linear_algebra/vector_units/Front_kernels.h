@@ -50,7 +50,7 @@ struct Front_substitution {
 /// compiled for one vector unit and one kind of scalar, see `kernels_for()`.
 ///
 /// A call does a whole front or a large part of one, so that it costs nothing to choose among
-/// tables when the program runs. Whoever has laid out numbers by a table keeps the table. All
+/// tables when the program runs. Numbers laid out by a table belong to that table. All
 /// arrays are aligned to registers.
 template <class Real>
 struct Front_kernels {
