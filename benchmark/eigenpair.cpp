@@ -14,7 +14,7 @@ static void eigenpair(benchmark::State& state)
   problem.set_potential(potential_of(mesh), seconds);
   const auto one =
       CGP::Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0}).eval();
-  CGP::Eigen_result result;
+  CGP::Eigensolver_result result;
   run_stage(state, mesh, [&] {
     result = problem.smallest(problem.start(one, 0), 1, CGP::Dirac_options().tolerance, 200,
                               CGP::Always_go_further());

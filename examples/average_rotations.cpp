@@ -50,7 +50,7 @@ int main(int argc, char* argv[])
   if (factor.analyze(*pattern) != CGP::Solver_status::success ||
       factor.factorize(A, 1e-6 * masses) != CGP::Solver_status::success)
     return EXIT_FAILURE;
-  const CGP::Eigen_result found = CGP::Lobpcg_eigensolver_traits()(
+  const CGP::Eigensolver_result found = CGP::Lobpcg_eigensolver_traits()(
       A, CGP::Vector<double>(masses), factor, CGP::random_quaternions(n, 1, 3));
   //! [eigenvector]
 

@@ -16,7 +16,7 @@ using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 struct Visitor_that_cancels : CGP::Spin_visitor {
   int iterations = 0;
-  void on_iteration(const CGP::Eigen_progress&) { ++iterations; }
+  void on_iteration(const CGP::Eigensolver_progress&) { ++iterations; }
   bool go_further() const { return false; }
 };
 

@@ -53,7 +53,7 @@ class Spin_transform : public testing::Test {
 /// counts, and stops after  iterations
 struct Counter : CGP::Spin_visitor {
   explicit Counter(int n) : limit(n) {}
-  void on_iteration(const CGP::Eigen_progress&) { ++count; }
+  void on_iteration(const CGP::Eigensolver_progress&) { ++count; }
   bool go_further() { return count < limit; }
   int count = 0, limit;
 };

@@ -75,7 +75,7 @@ struct Throwing_map {
 };
 
 struct Throwing_visitor : CGP::Spin_visitor {
-  void on_iteration(const CGP::Eigen_progress& progress)
+  void on_iteration(const CGP::Eigensolver_progress& progress)
   {
     if (progress.iteration == 1) throw std::runtime_error("visitor");
   }

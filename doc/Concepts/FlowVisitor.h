@@ -20,7 +20,7 @@ class FlowVisitor {
   void on_flow_begin(const Conformal_geometry_processing::Mesh_view& mesh, double energy);
 
   /// called before every iteration of the eigenvalue solver, as in `SpinVisitor`
-  void on_iteration(const Conformal_geometry_processing::Eigen_progress& progress);
+  void on_iteration(const Conformal_geometry_processing::Eigensolver_progress& progress);
 
   /// asked before every step, and after each call of `on_iteration()`: `false` stops the flow at
   /// the last complete step

@@ -22,7 +22,7 @@ class SparseHermitianEigensolverTraits {
   /// \tparam Masses `Vector<double>`, the diagonal of N; a model may also take a
   /// `Hermitian_sparse_matrix<Quaternion<double>>`
   /// \tparam Solver a model of `SparseHermitianSolver` for quaternions
-  /// \tparam GoFurther a callable `bool(const Eigen_progress&)`
+  /// \tparam GoFurther a callable `bool(const Eigensolver_progress&)`
   /// \param A Hermitian, positive semidefinite
   /// \param N positive definite
   /// \param solver has factorized A plus a small positive definite shift, which does not move the
@@ -31,7 +31,8 @@ class SparseHermitianEigensolverTraits {
   /// \param options when to stop, and how many eigenpairs are wanted: at most the columns of x0
   /// \param go_further is asked before every iteration; false cancels
   template <class Masses, class Solver, class GoFurther = Always_go_further>
-  Eigen_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A, const Masses& N,
-                          const Solver& solver, Block<Quaternion<double>> x0,
-                          const Eigen_options& options = {}, GoFurther go_further = {}) const;
+  Eigensolver_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A,
+                                const Masses& N, const Solver& solver, Block<Quaternion<double>> x0,
+                                const Eigensolver_options& options = {},
+                                GoFurther go_further = {}) const;
 };

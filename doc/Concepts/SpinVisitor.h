@@ -18,7 +18,7 @@ class SpinVisitor {
   /// called before every iteration of the eigenvalue solver, with the number of iterations done in
   /// this solve (it starts at zero again in every substep), the smallest eigenvalue so far, and the
   /// error estimate, which falls to the tolerance
-  void on_iteration(const Conformal_geometry_processing::Eigen_progress& progress);
+  void on_iteration(const Conformal_geometry_processing::Eigensolver_progress& progress);
 
   /// asked after each call of `on_iteration()`: `false` cancels the work
   bool go_further();

@@ -30,7 +30,7 @@ void Flow_watch::on_flow_begin(const CGP::Mesh_view&, double energy)
   show(0, "");
 }
 
-void Flow_watch::on_iteration(const CGP::Eigen_progress& progress)
+void Flow_watch::on_iteration(const CGP::Eigensolver_progress& progress)
 {
   show(std::log(progress.estimate) / std::log(m_session.options().tolerance),
        ", iteration " + std::to_string(progress.iteration));

@@ -26,7 +26,7 @@ class Flow_watch : public CGP::Flow_visitor {
   Flow_watch(const Surface_input& input, const Flow_options& options, Session& session);
 
   void on_flow_begin(const CGP::Mesh_view& mesh, double energy);
-  void on_iteration(const CGP::Eigen_progress& progress);
+  void on_iteration(const CGP::Eigensolver_progress& progress);
   bool go_further() { return signal_received() == 0; }
   void on_step_end(const CGP::Flow_step_report& step, const CGP::Mesh_view& mesh);
 

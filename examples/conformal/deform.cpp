@@ -23,7 +23,7 @@ Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& sol
 {
   Progress progress(common.quiet);
   progress.show(part + "factorization", 0);
-  const auto go_further = [&](const CGP::Eigen_progress& p) {
+  const auto go_further = [&](const CGP::Eigensolver_progress& p) {
     progress.show(
         part + "iteration " + std::to_string(p.iteration) + ", residual " + text_of(p.estimate, 2),
         std::log(p.estimate) / std::log(common.tolerance));

@@ -19,7 +19,7 @@ struct Deformation {
   Spin_solution solution;
 };
 
-using Go_further = std::function<bool(const CGP::Eigen_progress&)>;
+using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
 
 /// \brief Solves under a line of progress, unless a signal comes.
 /// \param part said before the words of progress

@@ -10,7 +10,7 @@ namespace conformal {
 
 Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
                        const Common_options& common,
-                       const std::function<bool(const CGP::Eigen_progress&)>& go_further)
+                       const std::function<bool(const CGP::Eigensolver_progress&)>& go_further)
 {
   CGP::Nearest_spin_transformation<> nearest(mesh, problem.target, "fit", problem.direction);
   if (problem.scales.size() > 0) nearest.scale_lengths(mesh, problem.scales);

@@ -27,7 +27,7 @@ struct Fit_solution {
 /// Calls the library's `Nearest_spin_transformation`. This is the one place that compiles it.
 Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
                        const Common_options& common,
-                       const std::function<bool(const CGP::Eigen_progress&)>& go_further);
+                       const std::function<bool(const CGP::Eigensolver_progress&)>& go_further);
 
 }  // namespace conformal
 

@@ -6,9 +6,9 @@
 
 namespace conformal {
 
-Spin_solution solve_robustly(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                             const CGP::Dirac_options& options,
-                             const std::function<bool(const CGP::Eigen_progress&)>& go_further)
+Spin_solution solve_robustly(
+    const CGP::Mesh_view& mesh, const Spin_problem& problem, const CGP::Dirac_options& options,
+    const std::function<bool(const CGP::Eigensolver_progress&)>& go_further)
 {
   CGP::Closing_options closing;
   if (!problem.closes_loops) closing.exactness.reset();

@@ -11,9 +11,9 @@ namespace conformal {
 
 /// Calls the library's `Robust_closing_spin_transformation`, which takes faces of area zero. This
 /// is the one place that compiles it. \pre `problem.mollification` is between 0 and 1
-Spin_solution solve_robustly(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                             const CGP::Dirac_options& options,
-                             const std::function<bool(const CGP::Eigen_progress&)>& go_further);
+Spin_solution solve_robustly(
+    const CGP::Mesh_view& mesh, const Spin_problem& problem, const CGP::Dirac_options& options,
+    const std::function<bool(const CGP::Eigensolver_progress&)>& go_further);
 
 }  // namespace conformal
 

@@ -15,7 +15,7 @@
 namespace conformal {
 namespace {
 
-using Go_further = std::function<bool(const CGP::Eigen_progress&)>;
+using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
 
 template <class SolverTraits>
 Spin_solution solve_by(const CGP::Mesh_view& mesh, const Spin_problem& problem,

@@ -6,7 +6,7 @@
 #include "Options.h"
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
@@ -41,7 +41,7 @@ struct Spin_problem {
 /// `solve_robustly()`. This is the one place that compiles it.
 Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
                          const Spin_options& options, const Common_options& common,
-                         const std::function<bool(const CGP::Eigen_progress&)>& go_further);
+                         const std::function<bool(const CGP::Eigensolver_progress&)>& go_further);
 
 }  // namespace conformal
 

@@ -133,7 +133,7 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
   Nearest_spin_result result =
-      nearest.transform(internal::dirac_options(np), [&](const Eigen_progress& progress) {
+      nearest.transform(internal::dirac_options(np), [&](const Eigensolver_progress& progress) {
         visitor.on_iteration(progress);
         return visitor.go_further();
       });

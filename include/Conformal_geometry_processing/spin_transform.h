@@ -82,7 +82,7 @@ Spin_result spin_result(const Graph_view<TriangleMesh>& graph, CurvaturePotentia
   const Curvature_potential potential = read_curvature_potential(graph, rho);
   Spin_visitor silent;
   auto&& visitor = parameter_or(np, CGAL::internal_np::visitor, silent);
-  const auto go_further = [&](const Eigen_progress& progress) {
+  const auto go_further = [&](const Eigensolver_progress& progress) {
     visitor.on_iteration(progress);
     return visitor.go_further();
   };
@@ -234,7 +234,7 @@ void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph
 ///                           solved on the intrinsic Delaunay triangulation, and to all edges the
 ///                           length is added that triangles lack, at most this share of the mean
 ///                           one; of `exactness` that of the adjoint. The certificate and the
-///                           area that stays are those of the `sound_faces()`}
+///                           area that stays are those of the `well_shaped_faces()`}
 ///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good one}
 ///     \cgalParamDefault{none: faces of area zero are refused}
 ///   \cgalParamNEnd

@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 
 #include <cmath>
 
@@ -17,11 +17,11 @@ namespace cgp_test {
 /// mass matrices, without use for the solver and the initial vectors.
 struct Sparse_hermitian_eigensolver_archetype {
   template <class Solver, class GoFurther = CGP::Always_go_further>
-  CGP::Eigen_result operator()(const CGP::Hermitian_sparse_matrix<Quaternion<double>>& A,
-                               const CGP::Vector<double>& masses, const Solver&,
-                               const CGP::Block<Quaternion<double>>& x0,
-                               const CGP::Eigen_options& options = {},
-                               GoFurther go_further = {}) const
+  CGP::Eigensolver_result operator()(const CGP::Hermitian_sparse_matrix<Quaternion<double>>& A,
+                                     const CGP::Vector<double>& masses, const Solver&,
+                                     const CGP::Block<Quaternion<double>>& x0,
+                                     const CGP::Eigensolver_options& options = {},
+                                     GoFurther go_further = {}) const
   {
     const int n = A.size();
     CGP::Block<Quaternion<double>> D(n, n);
@@ -29,8 +29,8 @@ struct Sparse_hermitian_eigensolver_archetype {
       for (int i = 0; i < n; ++i) D(i, j) = A.coefficient(i, j) / std::sqrt(masses[i] * masses[j]);
     const auto decomposition = CGP::hermitian_jacobi(D);
 
-    CGP::Eigen_result result;
-    result.cancelled = !go_further(CGP::Eigen_progress{0, decomposition.values[0], 0});
+    CGP::Eigensolver_result result;
+    result.cancelled = !go_further(CGP::Eigensolver_progress{0, decomposition.values[0], 0});
     result.converged = !result.cancelled && options.wanted <= x0.cols();
     result.values = decomposition.values.head(x0.cols());
     result.estimates = CGP::Vector<double>::Zero(x0.cols());

@@ -39,7 +39,7 @@ TEST(Sparse_hermitian_solver_archetype, is_all_that_the_eigenvalue_solvers_need)
   ASSERT_EQ(solver.analyze(A.pattern()), CGP::Solver_status::success);
   ASSERT_EQ(solver.factorize(A, {}), CGP::Solver_status::success);
   const auto x0 = random_block<Q>(20, 2, 7);
-  CGP::Eigen_options options;
+  CGP::Eigensolver_options options;
   options.max_iterations = 2000;
   options.tolerance = 1e-8;
   const auto lobpcg = CGP::Lobpcg_eigensolver_traits{}(A, masses, solver, x0, options);

@@ -26,7 +26,7 @@ struct Visitor {
   Visitor(const Visitor&) = delete;
   Visitor& operator=(const Visitor&) = delete;
   void on_flow_begin(const Mesh_view&, double) { ++begins; }
-  void on_iteration(const CGP::Eigen_progress&) { ++iterations; }
+  void on_iteration(const CGP::Eigensolver_progress&) { ++iterations; }
   bool go_further() { return true; }
   void on_step_end(const CGP::Flow_step_report&, const Mesh_view&) { ++steps; }
   int begins = 0, iterations = 0, steps = 0;

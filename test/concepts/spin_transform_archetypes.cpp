@@ -44,7 +44,7 @@ struct Visitor {
   Visitor() = default;
   Visitor(const Visitor&) = delete;
   Visitor& operator=(const Visitor&) = delete;
-  void on_iteration(const Conformal_geometry_processing::Eigen_progress&) { ++count; }
+  void on_iteration(const Conformal_geometry_processing::Eigensolver_progress&) { ++count; }
   bool go_further() { return true; }
   int count = 0;
 };

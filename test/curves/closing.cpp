@@ -3,8 +3,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/curves/Compensated_sum.h>
+#include <Conformal_geometry_processing/curves/bending_descent.h>
 #include <Conformal_geometry_processing/curves/close_polygon.h>
-#include <Conformal_geometry_processing/curves/constrained_direction.h>
 #include <Conformal_geometry_processing/curves/curve_alignment.h>
 #include <Conformal_geometry_processing/curves/integrate_curvature.h>
 #include <Conformal_geometry_processing/curves/integrate_tangents.h>
@@ -161,7 +161,7 @@ TEST(Close_polygon, closes_with_the_turning_number_it_is_told)
     const CGP::Polygon_lengths lengths(curve, true);
     Eigen::VectorXd kappa = curvatures_of(curve);
     Eigen::VectorXd v;
-    CGP::constrained_direction(kappa, curve, lengths, v);
+    CGP::bending_descent(kappa, curve, lengths, v);
     kappa += .5 * v;
     const int turns = static_cast<int>(std::lround(turns_of(curve)));
     Curve T, points;

@@ -228,9 +228,9 @@ TEST(Closing_spin_transformation, can_be_cancelled_in_a_later_step)
   options.max_period_defect = 1e-3;
   int calls = 0;
   const CGP::Spin_result result =
-      Transformation(mesh, options).transform(wave(mesh, 1), {}, [&](const CGP::Eigen_progress&) {
-        return ++calls < 12;
-      });
+      Transformation(mesh, options)
+          .transform(wave(mesh, 1), {},
+                     [&](const CGP::Eigensolver_progress&) { return ++calls < 12; });
   EXPECT_TRUE(result.report.cancelled);
   EXPECT_FALSE(result.report);
 }

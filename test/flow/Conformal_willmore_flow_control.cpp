@@ -59,7 +59,7 @@ struct Visitor : CGP::Flow_visitor {
     last = mesh.positions();
     EXPECT_GT(energy, 0);
   }
-  void on_iteration(const CGP::Eigen_progress&)
+  void on_iteration(const CGP::Eigensolver_progress&)
   {
     if (iterations++ == throw_at_iteration) throw std::runtime_error("enough");
   }

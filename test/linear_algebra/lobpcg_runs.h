@@ -9,9 +9,9 @@
 
 namespace cgp_test {
 
-inline CGP::Eigen_options until(double tolerance, int wanted = 1, int max_iterations = 200)
+inline CGP::Eigensolver_options until(double tolerance, int wanted = 1, int max_iterations = 200)
 {
-  CGP::Eigen_options options;
+  CGP::Eigensolver_options options;
   options.tolerance = tolerance;
   options.wanted = wanted;
   options.max_iterations = max_iterations;
@@ -19,9 +19,10 @@ inline CGP::Eigen_options until(double tolerance, int wanted = 1, int max_iterat
 }
 
 template <class GoFurther = CGP::Always_go_further>
-CGP::Eigen_result solve(const Spectral_problem& problem, const CGP::Block<Quaternion<double>>& x0,
-                        const CGP::Eigen_options& options, double shift = 1e-3,
-                        GoFurther go_further = {})
+CGP::Eigensolver_result solve(const Spectral_problem& problem,
+                              const CGP::Block<Quaternion<double>>& x0,
+                              const CGP::Eigensolver_options& options, double shift = 1e-3,
+                              GoFurther go_further = {})
 {
   return CGP::lobpcg(problem.k(), problem.n(), problem.inverse(shift), x0, options, go_further);
 }

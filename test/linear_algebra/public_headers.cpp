@@ -72,10 +72,10 @@ TEST(Linear_algebra, finds_the_eigenvalues_of_a_turned_path)
   ASSERT_EQ(factor.analyze(A.pattern()), CGP::Solver_status::success);
   ASSERT_EQ(factor.factorize(A, {}), CGP::Solver_status::success);
   const CGP::Vector<double> masses = CGP::Vector<double>::Ones(n);
-  CGP::Eigen_options options;
+  CGP::Eigensolver_options options;
   options.wanted = 3;
   options.tolerance = 1e-10;
-  const CGP::Eigen_result found = CGP::Lobpcg_eigensolver_traits()(
+  const CGP::Eigensolver_result found = CGP::Lobpcg_eigensolver_traits()(
       A, masses, factor, CGP::random_quaternions(n, 4, 9), options);
   ASSERT_TRUE(found.converged);
   const double pi = std::acos(-1.);

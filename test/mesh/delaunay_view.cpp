@@ -51,7 +51,7 @@ TEST(Delaunay_view, of_a_Delaunay_mesh_has_its_faces_for_sheets)
 {
   const Mesh_view mesh = bumpy_sphere(2);
   const Delaunay_view view(mesh);
-  EXPECT_EQ(view.size_of_flips(), 0);
+  EXPECT_EQ(view.number_of_flips(), 0);
   ASSERT_EQ(view.sheets().size(), at(mesh.size_of_faces()));
   for (int f = 0; f < mesh.size_of_faces(); ++f) {
     const auto& sheet = view.sheets()[at(f)];
@@ -68,7 +68,7 @@ TEST(Delaunay_view, lays_each_triangle_out_in_the_planes_of_the_faces_that_it_pa
 {
   const Mesh_view mesh = stretched_sphere();
   const Delaunay_view view(mesh);
-  EXPECT_GT(view.size_of_flips(), 50);
+  EXPECT_GT(view.number_of_flips(), 50);
   EXPECT_GT(view.sheets().size(), at(view.size_of_triangles() + 50));
   for (const auto& sheet : view.sheets()) {
     EXPECT_GT(sheet.share, 0);
@@ -139,7 +139,7 @@ TEST(Delaunay_view, takes_from_a_face_of_area_zero_its_edges_only)
   EXPECT_LT((edge.normalized().cross(mean.col(0))).norm(), 1e-14);
   EXPECT_LT((edge.normalized().cross(mean.col(1))).norm(), 1e-14);
   // None of it is left when its long edge is flipped, and nothing of the others is lost.
-  EXPECT_GT(Delaunay_view(mesh).size_of_flips(), 0);
+  EXPECT_GT(Delaunay_view(mesh).number_of_flips(), 0);
   const Eigen::VectorXd areas = areas_by_sheets(Delaunay_view(mesh, 1e-10), mesh.size_of_faces());
   EXPECT_LT(areas[5], 1e-10);
   EXPECT_NEAR(areas.sum(), area(mesh), 1e-4 * area(mesh));

@@ -143,7 +143,7 @@ TEST(Delaunay_operators, are_positive_semidefinite_for_every_rho)
        {stretched_sphere(), spoilt(icosphere(1)), spoilt(stretched_sphere())})
     for (const auto on : both) {
       const Delaunay_view view(mesh);
-      EXPECT_GT(view.size_of_flips(), 0);
+      EXPECT_GT(view.number_of_flips(), 0);
       const Quaternion_matrix X = dense(dirac_energy(view, random_potential(mesh, on)));
       EXPECT_LT(hermitian_defect(X), 1e-15);
       const Eigen::VectorXd values =
@@ -158,7 +158,7 @@ TEST(Delaunay_operators, have_the_constants_for_eigenvectors_of_constant_rho)
   // X 1 = rho^2 M 1 and D 1 - rho = -rho, where no length is mollified
   const Mesh_view mesh = stretched_sphere();
   const Delaunay_view view(mesh);
-  EXPECT_GT(view.size_of_flips(), 10);
+  EXPECT_GT(view.number_of_flips(), 10);
   const Eigen::VectorXd areas = vertex_areas(view);
   const auto one = Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0});
   for (const double rho : {0., .7}) {
@@ -188,7 +188,7 @@ TEST(Delaunay_operators, add_what_a_triangle_with_one_corner_twice_has)
   // Both sides of a triangle, one of whose edges has been flipped by its obtuse angles.
   const Mesh_view mesh(points({{0, 0, 0}, {2, .5, 0}, {4, 0, 0}}), {{0, 1, 2}, {0, 2, 1}});
   const Delaunay_view view(mesh);
-  EXPECT_EQ(view.size_of_flips(), 1);
+  EXPECT_EQ(view.number_of_flips(), 1);
   const Eigen::MatrixXd L = dense(cotan_laplacian(view, vertex_graph(view)));
   // Flat and isosceles, twice: the corner 1 is the same distance from both others, which have no
   // edge between them any more.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Dirac_eigenproblem.h
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
-#include <Conformal_geometry_processing/spin/separate_signs.h>
+#include <Conformal_geometry_processing/spin/rayleigh_ritz_of_dirac.h>
 #include <Conformal_geometry_processing/templates.h>
 
 #include <Eigen/Eigenvalues>
@@ -34,7 +34,7 @@ class Dirac_eigenproblem : public testing::Test {
     return Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0});
   }
 
-  CGP::Eigen_result smallest(int wanted) const
+  CGP::Eigensolver_result smallest(int wanted) const
   {
     return problem.smallest(problem.start(one(), 0), wanted, 1e-9, 200, CGP::Always_go_further());
   }
@@ -67,7 +67,7 @@ TEST_F(Dirac_eigenproblem, finds_the_smallest_pairs_of_the_dense_matrix)
 {
   for (const double amplitude : {1., 3.}) {
     set_potential(amplitude);
-    const CGP::Eigen_result r = smallest(2);
+    const CGP::Eigensolver_result r = smallest(2);
     const Eigen::MatrixXd X = real_form(dense(problem.matrix()));
     const Eigen::VectorXd masses =
         problem.areas().transpose().replicate(4, 1).reshaped(X.rows(), 1);
@@ -85,7 +85,7 @@ TEST_F(Dirac_eigenproblem, finds_the_smallest_pairs_of_the_dense_matrix)
 TEST_F(Dirac_eigenproblem, forgets_the_last_potential)
 {
   set_potential(1);
-  const CGP::Eigen_result first = smallest(1);
+  const CGP::Eigensolver_result first = smallest(1);
   set_potential(3);
   set_potential(1);
   EXPECT_TRUE(smallest(1).vectors == first.vectors);
@@ -118,7 +118,7 @@ TEST_F(Dirac_eigenproblem, tells_the_same_errors_in_all_units_of_length)
     const auto start = eigenproblem.start(one(), 0);
     return eigenproblem.smallest(start, 2, 1e-9, 2, CGP::Always_go_further());
   };
-  const CGP::Eigen_result a = after_two_iterations(1), b = after_two_iterations(1024);
+  const CGP::Eigensolver_result a = after_two_iterations(1), b = after_two_iterations(1024);
   EXPECT_GT(a.estimates.maxCoeff(), 1e-6);
   EXPECT_LT((a.estimates - b.estimates).norm(), 1e-6 * a.estimates.norm());
 }
@@ -138,9 +138,9 @@ TEST_F(Dirac_eigenproblem, finds_the_companion_in_a_mixture)
 {
   const auto rho = Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh));
   problem.set_potential(rho, seconds);
-  const CGP::Eigen_result r = smallest(2);
+  const CGP::Eigensolver_result r = smallest(2);
   const Quaternion_matrix pure =
-      CGP::separate_signs(r.vectors, CGP::dirac_forms(mesh, rho, r.vectors));
+      CGP::rayleigh_ritz_of_dirac(r.vectors, CGP::dirac_forms(mesh, rho, r.vectors));
   const Quaternion_vector<double> u = pure.col(0), v = pure.col(1);
   for (const double angle : {0.1, 0.5}) {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -163,7 +163,7 @@ TEST_F(Dirac_eigenproblem, finds_the_companion_in_a_mixture)
 TEST_F(Dirac_eigenproblem, has_the_vector_of_smallest_energy_among_companions)
 {
   set_potential(1);
-  const CGP::Eigen_result r = smallest(2);
+  const CGP::Eigensolver_result r = smallest(2);
   const Quaternion_vector<double> v = r.vectors.col(0), w = r.vectors.col(1);
   Quaternion_matrix companions(v.size(), 2);
   companions << w + random_quaternions(mesh.size_of_vertices(), 2),

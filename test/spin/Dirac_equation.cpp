@@ -240,12 +240,12 @@ TEST(Dirac_equation, reports_progress_and_stops_when_told)
   const Mesh_view mesh = icosphere(2);
   CGP::Dirac_equation<> equation(mesh);
   int iterations = 0;
-  const auto watch = [&](const CGP::Eigen_progress& p) {
+  const auto watch = [&](const CGP::Eigensolver_progress& p) {
     EXPECT_EQ(p.iteration, iterations++);
     return true;
   };
   EXPECT_EQ(equation.solve(shifted(mesh, 0), {}, watch).iterations, iterations);
-  const auto stop = [](const CGP::Eigen_progress& p) { return p.iteration < 2; };
+  const auto stop = [](const CGP::Eigensolver_progress& p) { return p.iteration < 2; };
   const CGP::Dirac_solution s = equation.solve(shifted(mesh, 0), {}, stop);
   EXPECT_TRUE(s.cancelled);
   EXPECT_FALSE(s.converged);
@@ -256,7 +256,9 @@ TEST(Dirac_equation, passes_on_what_the_observer_throws)
 {
   const Mesh_view mesh = icosphere(1);
   CGP::Dirac_equation<> equation(mesh);
-  const auto bad = [](const CGP::Eigen_progress&) -> bool { throw std::runtime_error("bad"); };
+  const auto bad = [](const CGP::Eigensolver_progress&) -> bool {
+    throw std::runtime_error("bad");
+  };
   EXPECT_THROW((void)equation.solve(shifted(mesh, 0), {}, bad), std::runtime_error);
   EXPECT_TRUE(equation.solve(shifted(mesh, 0)).converged);
 }

@@ -90,7 +90,7 @@ TEST_F(Branch_on_icosphere_3, is_not_claimed_when_the_iterations_do_not_suffice)
 TEST_F(Branch_on_icosphere_3, is_left_when_cancelled_within_the_substeps)
 {
   int asked = 0;
-  const auto stop = [&](const CGP::Eigen_progress&) { return ++asked < 12; };
+  const auto stop = [&](const CGP::Eigensolver_progress&) { return ++asked < 12; };
   const CGP::Dirac_solution s = equation.solve(smooth_potential(sphere, 5), {}, stop);
   EXPECT_TRUE(s.cancelled);
   EXPECT_FALSE(s.converged);

@@ -3,7 +3,7 @@
 // Tests include/Conformal_geometry_processing/spin/Dirac_search.h
 #include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
 #include <Conformal_geometry_processing/spin/Dirac_search.h>
-#include <Conformal_geometry_processing/spin/separate_signs.h>
+#include <Conformal_geometry_processing/spin/rayleigh_ritz_of_dirac.h>
 
 #include "spin/branch_tools.h"
 #include "support/dense.h"
@@ -94,7 +94,7 @@ TEST_F(Dirac_search_of_a_mixture, finds_two_vectors_that_the_signed_form_separat
   ASSERT_TRUE(search.is_mixed());
   EXPECT_FALSE(search.is_cancelled());
   const CGP::Dirac_forms forms = CGP::dirac_forms(sphere, rho, search.mixture());
-  const Quaternion_matrix pure = CGP::separate_signs(search.mixture(), forms);
+  const Quaternion_matrix pure = CGP::rayleigh_ritz_of_dirac(search.mixture(), forms);
   const Quaternion_vector<double> u = pure.col(0), v = pure.col(1);
   EXPECT_GT(problem.overlap(u, imaginary_columns(sphere.positions())), 0.9);
   EXPECT_GT(problem.overlap(v, one), 0.9);
@@ -130,7 +130,8 @@ TEST_F(Dirac_search_of_a_mixture, with_a_separated_vector_needs_no_companion)
   mixed.run(one);
   const CGP::Dirac_forms forms = CGP::dirac_forms(sphere, rho, mixed.mixture());
   const auto values = CGP::signed_eigenvalues(forms);
-  const Quaternion_vector<double> start = CGP::separate_signs(mixed.mixture(), forms).col(1);
+  const Quaternion_vector<double> start =
+      CGP::rayleigh_ritz_of_dirac(mixed.mixture(), forms).col(1);
   const Curvature_potential shifted = scaled(rho, 1, values[1]);
   Search search = search_for(shifted);
   search.run(start, values[1] - values[0]);
@@ -161,7 +162,7 @@ TEST_F(Dirac_search, keeps_to_the_iterations_allowed)
 
 TEST_F(Dirac_search, is_cancelled_by_the_caller_only)
 {
-  const auto stop = [](const CGP::Eigen_progress& p) { return p.iteration < 1; };
+  const auto stop = [](const CGP::Eigensolver_progress& p) { return p.iteration < 1; };
   const Curvature_potential rho = smooth_potential(sphere, 1);
   CGP::Dirac_solution::Seconds seconds;
   problem.set_potential(rho, seconds);

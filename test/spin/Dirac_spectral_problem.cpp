@@ -103,7 +103,7 @@ TEST(Standard_problem, mixes_the_signs_that_the_spectrum_tells_apart)
   CGP::Dirac_eigenproblem<> problem(sphere);
   CGP::Dirac_solution::Seconds seconds;
   problem.set_potential(CGP::no_potential(sphere), seconds);
-  const CGP::Eigen_result r =
+  const CGP::Eigensolver_result r =
       problem.smallest(CGP::random_quaternions(sphere.size_of_vertices(), 9, 1), 7, 1e-6, 100,
                        CGP::Always_go_further());
   ASSERT_TRUE(r.converged);

@@ -189,7 +189,7 @@ TEST_F(Reduced_dirac_equation, can_be_cancelled)
   for (int limit = 0; limit < 4; ++limit) {
     int count = 0;
     const CGP::Dirac_solution s =
-        solve(exactly(), false, [&](const CGP::Eigen_progress&) { return count++ < limit; });
+        solve(exactly(), false, [&](const CGP::Eigensolver_progress&) { return count++ < limit; });
     EXPECT_TRUE(s.cancelled);
     EXPECT_EQ(count, limit + 1);
   }

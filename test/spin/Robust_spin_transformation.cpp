@@ -148,8 +148,8 @@ TEST(Robust_spin_transformation, does_not_depend_on_scale_or_position)
 TEST(Robust_spin_transformation, stops_when_it_is_told_to)
 {
   const Mesh_view mesh = icosphere(1);
-  const CGP::Spin_result result =
-      Robust(mesh).transform(rho_of(mesh), {}, [](const CGP::Eigen_progress&) { return false; });
+  const CGP::Spin_result result = Robust(mesh).transform(
+      rho_of(mesh), {}, [](const CGP::Eigensolver_progress&) { return false; });
   EXPECT_TRUE(result.report.cancelled);
   EXPECT_FALSE(result.report);
 }
@@ -219,7 +219,7 @@ TEST(Robust_spin_transformation, measures_the_faces_that_are_not_thin)
   EXPECT_GT(part.measured_area, 1 - 1e-3);
   EXPECT_LT(part.measured_area, 1);
   // What the report says can be found again in the faces of the result, and their area stays.
-  const Mesh_view sound = CGP::sound_faces(mesh).mesh;
+  const Mesh_view sound = CGP::well_shaped_faces(mesh).mesh;
   const auto Q = CGP::quasi_conformal_error(sound, result.positions);
   EXPECT_NEAR(result.report.conformality.quasi_conformal.mean, Q.mean, 1e-9);
   EXPECT_NEAR(result.report.conformality.quasi_conformal.max, Q.max, 1e-9);

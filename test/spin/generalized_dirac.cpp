@@ -125,7 +125,7 @@ TEST(Generalized_dirac, can_be_cancelled)
   CGP::Dirac_equation<> equation(sphere);
   const int standard = equation.solve(potential(sphere, 1)).iterations;
   int asked = 0;
-  const auto stop = [&](const CGP::Eigen_progress&) { return ++asked <= standard + 1; };
+  const auto stop = [&](const CGP::Eigensolver_progress&) { return ++asked <= standard + 1; };
   const CGP::Dirac_solution s = equation.solve(potential(sphere, 1), generalized(), stop);
   EXPECT_TRUE(s.cancelled);
   EXPECT_FALSE(s.is_generalized);

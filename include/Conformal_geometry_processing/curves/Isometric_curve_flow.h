@@ -21,7 +21,7 @@ namespace Conformal_geometry_processing {
 /// \brief makes a polygon in the plane as little bent as its turning number allows, step by step,
 /// without stretching any of its edges [CGP 4.2, 6.4.3].
 ///
-/// The curvature moves along `constrained_direction()`; integrating it twice gives the polygon of
+/// The curvature moves along `bending_descent()`; integrating it twice gives the polygon of
 /// the lengths that the first one had, whatever the number of steps. The centroid stays, and
 /// each curve is turned as near as possible to the one before. A step that would not close up,
 /// change the turning number or raise the energy is tried again with half of tau. O(m) time for a

@@ -5,9 +5,9 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/curves/Isometric_curve_flow.h>
+#include <Conformal_geometry_processing/curves/bending_descent.h>
 #include <Conformal_geometry_processing/curves/bending_energy.h>
 #include <Conformal_geometry_processing/curves/close_polygon.h>
-#include <Conformal_geometry_processing/curves/constrained_direction.h>
 #include <Conformal_geometry_processing/curves/curve_alignment.h>
 #include <Conformal_geometry_processing/curves/curve_requirements.h>
 #include <Conformal_geometry_processing/curves/integrate_curvature.h>
@@ -47,7 +47,7 @@ CGP_INLINE Curve_step_report Isometric_curve_flow::step()
   report.step = m_steps + 1;
   report.turning_number = m_turning_number;
   report.energy_before = energy();
-  constrained_direction(m_curvatures, m_points, m_lengths, m_direction);
+  bending_descent(m_curvatures, m_points, m_lengths, m_direction);
   report.time_step = 2 * m_options.time_step;
   while (!report.accepted && report.trials < max_trials) {
     report.time_step /= 2;

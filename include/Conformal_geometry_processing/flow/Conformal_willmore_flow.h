@@ -12,7 +12,7 @@
 #include <Conformal_geometry_processing/flow/Time_step.h>
 #include <Conformal_geometry_processing/flow/Willmore_direction.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_convergence.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_convergence.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -92,7 +92,7 @@ class Conformal_willmore_flow {
       if (direction.has_vanished(m_options.direction_tolerance) && !is_turning())
         report.stop = Flow_stop::direction_vanished;
       else
-        find_time_step(direction.v, report, [&](const Eigen_progress& progress) {
+        find_time_step(direction.v, report, [&](const Eigensolver_progress& progress) {
           visitor.on_iteration(progress);
           return visitor.go_further();
         });
@@ -135,7 +135,7 @@ class Conformal_willmore_flow {
   double energy_of(const Mesh_view& mesh) const;
 
   // A type of its own for each visitor would have the eigensolver compiled for each.
-  using Go_further = std::function<bool(const Eigen_progress&)>;
+  using Go_further = std::function<bool(const Eigensolver_progress&)>;
 
   /// Tries time steps until one is accepted or none is left.
   void find_time_step(const Eigen::VectorXd& v, Flow_step_report& report,

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_VISITOR_H
 
 #include <Conformal_geometry_processing/flow/Flow_report.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 namespace Conformal_geometry_processing {
@@ -18,7 +18,7 @@ struct Flow_visitor {
   void on_flow_begin(const Mesh_view&, double) {}
 
   /// called before every iteration of the eigensolver
-  void on_iteration(const Eigen_progress&) {}
+  void on_iteration(const Eigensolver_progress&) {}
 
   /// asked before every step and after every iteration: false stops the flow at the last complete
   /// step

@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/flow/Closing_constraints.h>
 #include <Conformal_geometry_processing/forms/Dirac_energy_inverse.h>
-#include <Conformal_geometry_processing/mesh/sound_faces.h>
+#include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
 #include <Conformal_geometry_processing/spin/Robust_spin_transformation.h>
 
 #include <Eigen/Core>
@@ -30,7 +30,7 @@ class Moving_delaunay_view {
   Moving_delaunay_view(const Moving_delaunay_view&) = delete;
   Moving_delaunay_view& operator=(const Moving_delaunay_view&) = delete;
 
-  static Mesh_view measured(const Mesh_view& mesh) { return sound_faces(mesh).mesh; }
+  static Mesh_view measured(const Mesh_view& mesh) { return well_shaped_faces(mesh).mesh; }
 
   /// 2k solves with the Laplacian, a factorization for rho = 0, and 3k solves with that, of k loops
   void update();

@@ -56,10 +56,10 @@ class Delaunay_view {
   Eigen::Vector3d position(int v) const { return m_positions.col(v); }
 
   /// how many edges are not those of the mesh, or have been others meanwhile
-  int size_of_flips() const { return m_flips; }
+  int number_of_flips() const { return m_flips; }
 
   /// how many faces of the mesh had edges that formed no triangle, or nearly none
-  int size_of_thin_faces() const { return m_thin_faces; }
+  int number_of_thin_faces() const { return m_thin_faces; }
 
   /// what was added to the length of every edge therefore
   double added_length() const { return m_added_length; }

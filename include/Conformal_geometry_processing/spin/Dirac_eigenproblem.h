@@ -70,8 +70,8 @@ class Dirac_eigenproblem {
 
   /// \brief the smallest eigenpairs, as many as `start` has columns; `wanted` of them converge.
   /// \pre `set_potential()` has been called
-  Eigen_result smallest(Vectors start, int wanted, double tolerance, int max_iterations,
-                        const Go_further& go_further) const;
+  Eigensolver_result smallest(Vectors start, int wanted, double tolerance, int max_iterations,
+                              const Go_further& go_further) const;
 
   /// \brief two start vectors: `guide`, and X^-1 applied to noise.
   /// \pre `set_potential()` has been called

@@ -76,11 +76,11 @@ auto Dirac_eigenproblem<SolverTraits, EigensolverTraits, Surface>::solve(const V
 }
 
 template <class SolverTraits, class EigensolverTraits, class Surface>
-Eigen_result Dirac_eigenproblem<SolverTraits, EigensolverTraits, Surface>::smallest(
+Eigensolver_result Dirac_eigenproblem<SolverTraits, EigensolverTraits, Surface>::smallest(
     Vectors start, int wanted, double tolerance, int max_iterations,
     const Go_further& go_further) const
 {
-  Eigen_options options;
+  Eigensolver_options options;
   options.wanted = wanted;
   options.tolerance = tolerance;
   options.max_iterations = max_iterations;
@@ -131,7 +131,7 @@ template <class SolverTraits, class EigensolverTraits, class Surface>
 auto Dirac_eigenproblem<SolverTraits, EigensolverTraits, Surface>::with_lowest(
     const Quaternion_vector<double>& v, Vectors companions) const -> Vectors
 {
-  Eigen_panel space =
+  Ritz_panel space =
       make_panel(block_operator(m_X), block_operator(m_areas), std::move(companions));
   orthonormalize(space);
   Vectors both = v;

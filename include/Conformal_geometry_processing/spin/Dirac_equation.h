@@ -52,7 +52,7 @@ class Dirac_equation {
   void release() { m_problem.release(); }
 
   /// \param rho finite values, in 1/length
-  /// \param go_further asked between iterations with an `Eigen_progress`; false cancels
+  /// \param go_further asked between iterations with an `Eigensolver_progress`; false cancels
   /// \throw Precondition_error if the generalized problem is asked for with rho on vertices
   /// \throw Solver_error if a factorization fails. No convergence is not an error but a field of
   /// the result.
@@ -68,7 +68,7 @@ class Dirac_equation {
   };
   /// eigenvectors of X for the potential rho + sigma
   struct Found {
-    Eigen_result r;
+    Eigensolver_result r;
     double sigma;
   };
   static constexpr int max_separations = 4;
@@ -89,7 +89,7 @@ class Dirac_equation {
              const Go_further& go_further, bool is_factored = false);
 
   /// vectors of which no more is known
-  static Eigen_result unconverged(const Block<Quaternion<double>>& vectors);
+  static Eigensolver_result unconverged(const Block<Quaternion<double>>& vectors);
   bool accept(const Found& found, double tolerance, Dirac_solution& s) const;
 
   static double root(double mu) { return std::sqrt((std::max)(mu, 0.)); }

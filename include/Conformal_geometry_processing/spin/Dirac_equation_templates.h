@@ -8,7 +8,7 @@
 #include <Conformal_geometry_processing/spin/Dirac_equation.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
 #include <Conformal_geometry_processing/spin/generalized_dirac.h>
-#include <Conformal_geometry_processing/spin/separate_signs.h>
+#include <Conformal_geometry_processing/spin/rayleigh_ritz_of_dirac.h>
 
 #include <Eigen/Core>
 
@@ -77,7 +77,7 @@ auto Dirac_equation<SolverTraits, EigensolverTraits, Surface>::find(const Step& 
     if (!search.is_mixed() || separations == max_separations)
       return {std::move(search.result()), sigma};
     const Dirac_forms forms = dirac_forms(m_problem.mesh(), rho, search.mixture());
-    const auto separated = separate_signs(search.mixture(), forms);
+    const auto separated = rayleigh_ritz_of_dirac(search.mixture(), forms);
     const auto values = signed_eigenvalues(forms);
     const Eigen::Index nearest = nearest_column(separated, s.lambda);
     if (step.is_between) return {unconverged(separated), sigma};
@@ -88,10 +88,10 @@ auto Dirac_equation<SolverTraits, EigensolverTraits, Surface>::find(const Step& 
 }
 
 template <class SolverTraits, class EigensolverTraits, class Surface>
-Eigen_result Dirac_equation<SolverTraits, EigensolverTraits, Surface>::unconverged(
+Eigensolver_result Dirac_equation<SolverTraits, EigensolverTraits, Surface>::unconverged(
     const Block<Quaternion<double>>& vectors)
 {
-  Eigen_result r;
+  Eigensolver_result r;
   r.vectors = vectors;
   r.values = Eigen::VectorXd::Zero(vectors.cols());
   r.estimates = Eigen::VectorXd::Constant(vectors.cols(), 1);
@@ -103,7 +103,7 @@ bool Dirac_equation<SolverTraits, EigensolverTraits, Surface>::accept(const Foun
                                                                       double tolerance,
                                                                       Dirac_solution& s) const
 {
-  const Eigen_result& r = found.r;
+  const Eigensolver_result& r = found.r;
   const Eigen::Index nearest = nearest_column(r.vectors, s.lambda);
   const Quaternion_vector<double> lambda = r.vectors.col(nearest);
   if (m_problem.overlap(lambda, s.lambda) < same_branch) return false;

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SEARCH_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SEARCH_H
 
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
@@ -41,7 +41,7 @@ class Dirac_search {
   void run(const Quaternion_vector<double>& start, double separation = 0);
 
   /// vectors with values and estimates: one or two columns
-  Eigen_result& result() { return m_result; }
+  Eigensolver_result& result() { return m_result; }
   int iterations() const { return m_iterations; }
   bool is_cancelled() const { return m_is_cancelled; }
 
@@ -89,7 +89,7 @@ class Dirac_search {
   const Quaternion_vector<double>& m_guide;
   const Dirac_options m_options;
   const Go_further& m_go_further;
-  Eigen_result m_result;
+  Eigensolver_result m_result;
   Vectors m_suspects;
   int m_iterations = 0;
   bool m_is_judged = false, m_is_mixed = false, m_is_doubtful = false, m_is_cancelled = false;

@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/spin/Dirac_search.h>
-#include <Conformal_geometry_processing/spin/separate_signs.h>
+#include <Conformal_geometry_processing/spin/rayleigh_ritz_of_dirac.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ template <class Problem>
 void Dirac_search<Problem>::one_column(const Vectors& start, double separation)
 {
   bool is_enough = false;
-  const auto watch = [&](const Eigen_progress& p) {
+  const auto watch = [&](const Eigensolver_progress& p) {
     if (p.vectors && p.estimate <= rough && !m_is_judged && separation == 0)
       judge(p.vectors->col(0), p.value);
     const bool is_slow = p.iteration >= 12 || (p.iteration >= 3 && p.estimate > 3 * rough);

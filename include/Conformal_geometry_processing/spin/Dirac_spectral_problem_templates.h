@@ -7,7 +7,7 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
 #include <Conformal_geometry_processing/spin/Surface_dirac_equation.h>
-#include <Conformal_geometry_processing/spin/separate_signs.h>
+#include <Conformal_geometry_processing/spin/rayleigh_ritz_of_dirac.h>
 
 #include <Eigen/Core>
 
@@ -141,7 +141,7 @@ auto Dirac_spectral_problem<SolverTraits>::at_the_shift(const Krylov_result& r,
   std::vector<Pair> pairs;
   if (count == 0) return pairs;
   const Krylov_result exact = iterate(m_pencil.of_masses(), count, options);
-  const Vectors separated = separate_signs(exact.vectors, m_pencil.forms(exact.vectors));
+  const Vectors separated = rayleigh_ritz_of_dirac(exact.vectors, m_pencil.forms(exact.vectors));
   for (Eigen::Index k = 0; k < separated.cols(); ++k)
     pairs.push_back(pair(separated.col(k), exact.residuals.maxCoeff()));
   return pairs;

@@ -61,26 +61,27 @@ class Reduced_dirac_equation {
   static void check(const char* step, Solver_status status);
 
   /// One column, if it comes near to the guide; else several, of which those that count converge.
-  Eigen_result nearest_to_guide(const Dirac_options& options, double bound, Dirac_solution& s,
-                                const Go_further& go_further) const;
-  Eigen_result smallest(Vectors start, int wanted, double tolerance, const Dirac_options& options,
-                        Dirac_solution& s, const Go_further& go_further) const;
+  Eigensolver_result nearest_to_guide(const Dirac_options& options, double bound, Dirac_solution& s,
+                                      const Go_further& go_further) const;
+  Eigensolver_result smallest(Vectors start, int wanted, double tolerance,
+                              const Dirac_options& options, Dirac_solution& s,
+                              const Go_further& go_further) const;
 
   /// the first columns and X^-1 of noise
   Vectors with_noise(const Vectors& first, int columns, unsigned seed) const;
 
   /// how many of the eigenvectors have to be exact
-  int wanted(const Eigen_result& r, const Dirac_options& options, double bound) const;
-  static double singular_value(const Eigen_result& r, int c);
+  int wanted(const Eigensolver_result& r, const Dirac_options& options, double bound) const;
+  static double singular_value(const Eigensolver_result& r, int c);
 
   /// that of the branch: of those that are solutions up to the discretisation, if there are some
-  int column(const Eigen_result& r, const Dirac_options& options, double bound) const;
+  int column(const Eigensolver_result& r, const Dirac_options& options, double bound) const;
 
   /// the number of singular values that count as zero; of none, one is as good
-  int size_of_kernel(const Eigen_result& r, const Dirac_options& options) const;
+  int size_of_kernel(const Eigensolver_result& r, const Dirac_options& options) const;
 
   /// the vector nearest to the guide, or the projection of the guide on the kernel
-  void take(const Eigen_result& r, const Dirac_options& options, double bound,
+  void take(const Eigensolver_result& r, const Dirac_options& options, double bound,
             Dirac_solution& s) const;
 
   /// the sign of the guide, and a mean of |lambda|^2 of one; no rotation, for directions are fixed

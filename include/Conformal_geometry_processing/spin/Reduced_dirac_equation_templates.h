@@ -64,7 +64,7 @@ void Reduced_dirac_equation<Problem, Directions>::solve(const Curvature_potentia
   Stopwatch watch;
   const double bound =
       is_self_adjoint ? std::numeric_limits<double>::infinity() : greatest_misfit(m_problem.mesh());
-  const Eigen_result found = nearest_to_guide(options, bound, s, go_further);
+  const Eigensolver_result found = nearest_to_guide(options, bound, s, go_further);
   take(found, options, bound, s);
   s.eigenvalue = is_self_adjoint ? dirac_quotient(m_problem.mesh(), rho, s.lambda)
                                  : dirac_misfit(m_problem.mesh(), rho, s.lambda);
@@ -87,7 +87,7 @@ void Reduced_dirac_equation<Problem, Directions>::check(const char* step, Solver
 }
 
 template <class Problem, class Directions>
-Eigen_result Reduced_dirac_equation<Problem, Directions>::nearest_to_guide(
+Eigensolver_result Reduced_dirac_equation<Problem, Directions>::nearest_to_guide(
     const Dirac_options& options, double bound, Dirac_solution& s,
     const Go_further& go_further) const
 {
@@ -95,7 +95,7 @@ Eigen_result Reduced_dirac_equation<Problem, Directions>::nearest_to_guide(
   // The guide may itself be an eigenvector, which says nothing about others.
   const bool is_one_enough = options.kernel_tolerance == 0 && options.branch == Branch::nearest;
   const int columns = 4;
-  Eigen_result r =
+  Eigensolver_result r =
       smallest(guide, 1, is_one_enough ? options.tolerance : 1e-2, options, s, go_further);
   if (s.cancelled || (is_one_enough && r.converged && singular_value(r, 0) <= bound &&
                       overlap(r.vectors.col(0), guide) >= surely_nearest))
@@ -107,19 +107,19 @@ Eigen_result Reduced_dirac_equation<Problem, Directions>::nearest_to_guide(
 }
 
 template <class Problem, class Directions>
-Eigen_result Reduced_dirac_equation<Problem, Directions>::smallest(
+Eigensolver_result Reduced_dirac_equation<Problem, Directions>::smallest(
     Vectors start, int wanted, double tolerance, const Dirac_options& options, Dirac_solution& s,
     const Go_further& go_further) const
 {
-  Eigen_options o;
+  Eigensolver_options o;
   o.wanted = wanted;
   o.tolerance = tolerance;
   o.max_iterations = (std::max)(options.max_iterations - s.iterations, 1);
   o.scale = std::sqrt(m_problem.unit());
   o.coefficients = Coefficients::reals;
-  Eigen_result r = lobpcg(reduced_operator(m_problem.matrix(), m_directions.basis()),
-                          block_operator(m_problem.areas()), inverse_operator(m_solver),
-                          std::move(start), o, std::ref(go_further));
+  Eigensolver_result r = lobpcg(reduced_operator(m_problem.matrix(), m_directions.basis()),
+                                block_operator(m_problem.areas()), inverse_operator(m_solver),
+                                std::move(start), o, std::ref(go_further));
   s.iterations += r.iterations;
   s.cancelled = r.cancelled;
   return r;
@@ -139,7 +139,7 @@ auto Reduced_dirac_equation<Problem, Directions>::with_noise(const Vectors& firs
 }
 
 template <class Problem, class Directions>
-int Reduced_dirac_equation<Problem, Directions>::wanted(const Eigen_result& r,
+int Reduced_dirac_equation<Problem, Directions>::wanted(const Eigensolver_result& r,
                                                         const Dirac_options& options,
                                                         double bound) const
 {
@@ -147,13 +147,14 @@ int Reduced_dirac_equation<Problem, Directions>::wanted(const Eigen_result& r,
 }
 
 template <class Problem, class Directions>
-double Reduced_dirac_equation<Problem, Directions>::singular_value(const Eigen_result& r, int c)
+double Reduced_dirac_equation<Problem, Directions>::singular_value(const Eigensolver_result& r,
+                                                                   int c)
 {
   return std::sqrt((std::max)(r.values[c], 0.));
 }
 
 template <class Problem, class Directions>
-int Reduced_dirac_equation<Problem, Directions>::column(const Eigen_result& r,
+int Reduced_dirac_equation<Problem, Directions>::column(const Eigensolver_result& r,
                                                         const Dirac_options& options,
                                                         double bound) const
 {
@@ -168,7 +169,7 @@ int Reduced_dirac_equation<Problem, Directions>::column(const Eigen_result& r,
 }
 
 template <class Problem, class Directions>
-int Reduced_dirac_equation<Problem, Directions>::size_of_kernel(const Eigen_result& r,
+int Reduced_dirac_equation<Problem, Directions>::size_of_kernel(const Eigensolver_result& r,
                                                                 const Dirac_options& options) const
 {
   int size = 0;
@@ -179,7 +180,7 @@ int Reduced_dirac_equation<Problem, Directions>::size_of_kernel(const Eigen_resu
 }
 
 template <class Problem, class Directions>
-void Reduced_dirac_equation<Problem, Directions>::take(const Eigen_result& r,
+void Reduced_dirac_equation<Problem, Directions>::take(const Eigensolver_result& r,
                                                        const Dirac_options& options, double bound,
                                                        Dirac_solution& s) const
 {

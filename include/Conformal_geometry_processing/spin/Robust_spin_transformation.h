@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/mesh/delaunay_boundary.h>
-#include <Conformal_geometry_processing/mesh/sound_faces.h>
+#include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
 #include <Conformal_geometry_processing/operators/delaunay_operators.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
@@ -27,8 +27,8 @@ namespace Conformal_geometry_processing {
 /// intrinsically Delaunay it finds the same surface. The vertices of a degenerate face end up where
 /// the surface of its neighbours has them. `Closing_spin_transformation` keeps handles closed.
 ///
-/// Area, centroid and certificate are those of the `sound_faces()` of the mesh, which leave out the
-/// thinnest, at most 5 % of the area.
+/// Area, centroid and certificate are those of the `well_shaped_faces()` of the mesh, which leave
+/// out the thinnest, at most 5 % of the area.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
@@ -93,7 +93,7 @@ class Robust_spin_transformation {
 
   /// \param rho in 1/length of the mesh, one number per vertex or per face of the mesh
   /// \param options as for `Spin_transformation`
-  /// \param go_further asked between iterations with an `Eigen_progress`; false cancels
+  /// \param go_further asked between iterations with an `Eigensolver_progress`; false cancels
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
@@ -115,7 +115,7 @@ class Robust_spin_transformation {
     Normalized_frame frame;
     Mesh_view mesh;  // in the frame
     Delaunay_view view;
-    Sound_faces measured;
+    Well_shaped_faces measured;
     Dirac_equation_ dirac;
     std::optional<Poisson_reconstruction<SolverTraits, Delaunay_view>> poisson;
     double seconds;  // that all of this took

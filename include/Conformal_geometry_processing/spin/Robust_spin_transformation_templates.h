@@ -93,7 +93,7 @@ Robust_spin_transformation<SolverTraits, EigensolverTraits>::State::State(
     : frame(mesh_.positions()),
       mesh(frame.to_frame(mesh_.positions()), mesh_.corners()),
       view(mesh, of.m_mollification, of.m_generators),
-      measured(sound_faces(mesh)),
+      measured(well_shaped_faces(mesh)),
       dirac(view, checked(of.in_frame(frame), view, of.m_function), of.m_function),
       seconds(watch.lap())
 {}
@@ -122,10 +122,10 @@ Robust_spin_transformation<SolverTraits, EigensolverTraits>::mollification() con
 {
   const bool is_longer = view().added_length() > 0;
   return {m_mollification,
-          view().size_of_thin_faces(),
+          view().number_of_thin_faces(),
           is_longer ? m_state->mesh.size_of_edges() : 0,
           view().added_length() * unit(),
-          view().size_of_flips(),
+          view().number_of_flips(),
           m_state->measured.mesh.size_of_faces(),
           m_state->measured.share};
 }

@@ -57,7 +57,7 @@ struct [[nodiscard]] Spin_report {
     int longer_edges = 0;      ///< that were made longer: all or none
     double added_length = 0;   ///< to each of them, in the unit of the mesh
     int flipped_edges = 0;     ///< until all were Delaunay
-    int measured_faces = 0;    ///< on which `conformality` is measured: the `sound_faces()`
+    int measured_faces = 0;    ///< on which `conformality` is measured: the `well_shaped_faces()`
     double measured_area = 0;  ///< of those, as a share of all; at least 95 %
   } mollification;
 

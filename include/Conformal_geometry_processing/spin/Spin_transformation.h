@@ -87,7 +87,7 @@ class Spin_transformation {
   void require_potential(const Curvature_potential& rho) const;
 
   /// \param rho in 1/length of the mesh, one number per vertex or per face
-  /// \param go_further asked between iterations with an `Eigen_progress`; false cancels
+  /// \param go_further asked between iterations with an `Eigensolver_progress`; false cancels
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_VISITOR_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_VISITOR_H
 
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 
 namespace Conformal_geometry_processing {
 
@@ -14,7 +14,7 @@ namespace Conformal_geometry_processing {
 /// mesh as it was.
 struct Spin_visitor {
   /// called after every iteration of the eigensolver
-  void on_iteration(const Eigen_progress&) {}
+  void on_iteration(const Eigensolver_progress&) {}
 
   /// asked then: false stops the work, and nothing is written
   bool go_further() { return true; }

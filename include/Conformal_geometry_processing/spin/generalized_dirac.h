@@ -57,12 +57,13 @@ void solve_generalized_dirac(const Problem& problem, const Curvature_potential& 
         y(i, c) += (positive * problem.areas()[i]) * x(i, c);
     return y;
   };
-  Eigen_options eigen;
+  Eigensolver_options eigen;
   eigen.tolerance = options.tolerance;
   eigen.max_iterations = options.max_iterations;
   eigen.scale = std::abs(guess);
-  const Eigen_result r = lobpcg(apply_k, apply_x, inverse_operator(problem.solver()),
-                                problem.start(s.lambda, options.random_seed), eigen, go_further);
+  const Eigensolver_result r =
+      lobpcg(apply_k, apply_x, inverse_operator(problem.solver()),
+             problem.start(s.lambda, options.random_seed), eigen, go_further);
   s.iterations += r.iterations;
   s.cancelled = r.cancelled;
   const Quaternion_vector<double> lambda = r.vectors.col(0);

@@ -20,9 +20,9 @@ using Q = Quaternion<double>;
 
 namespace {
 
-CGP::Eigen_options options_for(double tolerance, int wanted, double scale = 1)
+CGP::Eigensolver_options options_for(double tolerance, int wanted, double scale = 1)
 {
-  CGP::Eigen_options options;
+  CGP::Eigensolver_options options;
   options.tolerance = tolerance;
   options.wanted = wanted;
   options.scale = scale;
@@ -40,7 +40,8 @@ struct Problem {
   }
 
   template <class Eigensolver_traits, class GoFurther = CGP::Always_go_further>
-  CGP::Eigen_result solve(const CGP::Eigen_options& options, GoFurther go_further = {}) const
+  CGP::Eigensolver_result solve(const CGP::Eigensolver_options& options,
+                                GoFurther go_further = {}) const
   {
     return Eigensolver_traits()(dirac.matrix(), dirac.areas(), dirac.solver(), start, options,
                                 go_further);
@@ -113,7 +114,7 @@ TEST(Slepc_eigensolver_traits, lets_itself_be_cancelled_after_any_iteration)
     int calls = 0;
     double value = 0;
     const auto result = problem.solve<CGP::Slepc_eigensolver_traits>(
-        options_for(1e-12, 1), [&](const CGP::Eigen_progress& progress) {
+        options_for(1e-12, 1), [&](const CGP::Eigensolver_progress& progress) {
           EXPECT_EQ(progress.iteration, calls);
           value = progress.value;
           return calls++ < last;

@@ -85,7 +85,7 @@ class Real_problem {
 TEST(Lobpcg, finds_simple_eigenvalues_on_a_space_over_the_reals)
 {
   const Real_problem problem(10);
-  CGP::Eigen_options options = until(1e-10, 3);
+  CGP::Eigensolver_options options = until(1e-10, 3);
   options.coefficients = CGP::Coefficients::reals;
   const auto r = CGP::lobpcg(problem.k(), problem.n(), problem.k(1e-3, -1),
                              random_block<Q>(10, 3, 3), options);
@@ -105,7 +105,7 @@ TEST(Lobpcg, over_the_reals_estimates_the_error_as_over_the_quaternions)
   Block x0(10, 1);
   Eigen::Map<Eigen::VectorXd>(&x0(0, 0).w, 40) =
       problem.vectors().col(0) + e * problem.vectors().col(1);
-  CGP::Eigen_options options = until(0, 1, 0);
+  CGP::Eigensolver_options options = until(0, 1, 0);
   options.coefficients = CGP::Coefficients::reals;
   const auto r = CGP::lobpcg(problem.k(), problem.n(), problem.k(0, -1), x0, options);
   EXPECT_NEAR(r.estimates[0], e * (2 - 1) / std::sqrt(2), 1e-7 * e);
@@ -148,7 +148,7 @@ TEST(Lobpcg, estimates_the_error_in_the_energy_norm)
   const double e = 1e-4;
   Block x0 = problem.vectors().leftCols(1);
   for (int i = 0; i < 10; ++i) x0(i, 0) += e * problem.vectors()(i, 1);
-  CGP::Eigen_options options = until(0, 1, 0);
+  CGP::Eigensolver_options options = until(0, 1, 0);
   options.scale = 3;
   const auto r = solve(problem, x0, options, 0);
   EXPECT_NEAR(r.estimates[0], e * (2 - 1) / std::sqrt(2) / 3, 1e-7 * e);
@@ -229,7 +229,7 @@ TEST(Lobpcg, can_be_cancelled)
   std::vector<int> seen;
   double value = 0;
   const auto r = solve(problem, random_block<Q>(30, 1, 11), until(0), 1e-3,
-                       [&](const CGP::Eigen_progress& progress) {
+                       [&](const CGP::Eigensolver_progress& progress) {
                          seen.push_back(progress.iteration);
                          value = progress.value;
                          EXPECT_GT(progress.estimate, 0);

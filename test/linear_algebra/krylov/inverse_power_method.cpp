@@ -17,16 +17,16 @@ using Q = CGP::Quaternion<double>;
 
 namespace {
 
-CGP::Eigen_options options(double tolerance, int max_iterations)
+CGP::Eigensolver_options options(double tolerance, int max_iterations)
 {
-  CGP::Eigen_options o;
+  CGP::Eigensolver_options o;
   o.tolerance = tolerance;
   o.max_iterations = max_iterations;
   return o;
 }
 
-CGP::Eigen_result solve(const Spectral_problem& p, const CGP::Block<Q>& x0,
-                        const CGP::Eigen_options& o)
+CGP::Eigensolver_result solve(const Spectral_problem& p, const CGP::Block<Q>& x0,
+                              const CGP::Eigensolver_options& o)
 {
   return CGP::inverse_power_method(p.k(), p.n(), p.inverse(), x0, o);
 }

@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Slepc_lobpcg.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_convergence.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_convergence.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 
 #include <algorithm>
@@ -90,21 +90,23 @@ struct Slepc_eigensolver_traits {
   /// \throws Precondition_error if there are fewer columns in x0 than wanted
   /// \throws Solver_error if PETSc is not initialized, or fails
   template <class Solver, class GoFurther = Always_go_further>
-  Eigen_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A,
-                          const Vector<double>& N, const Solver&, Block<Quaternion<double>> x0,
-                          const Eigen_options& options = {}, GoFurther go_further = {}) const
+  Eigensolver_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A,
+                                const Vector<double>& N, const Solver&,
+                                Block<Quaternion<double>> x0,
+                                const Eigensolver_options& options = {},
+                                GoFurther go_further = {}) const
   {
     if (!internal::petsc_is_running())
       throw Solver_error(function, "PETSc is not running; SlepcInitialize() has to be called");
-    const Eigen_convergence checks_arguments(function, options, x0);
+    const Eigensolver_convergence checks_arguments(function, options, x0);
     const internal::Quiet_petsc quiet;
     const internal::Mass_scaling scaling(N, options.scale);
-    const auto ask = [&](Eigen_progress progress) {
+    const auto ask = [&](Eigensolver_progress progress) {
       progress.value = scaling.from_scaled(progress.value);
       return go_further(progress);
     };
     scaling.to_scaled(x0);
-    Eigen_result result = solve(scaling.to_scaled(A), std::move(x0), options, ask);
+    Eigensolver_result result = solve(scaling.to_scaled(A), std::move(x0), options, ask);
     scaling.from_scaled(result.vectors);
     for (double& value : result.values) value = scaling.from_scaled(value);
     if (result.gap) result.gap = scaling.from_scaled(*result.gap);
@@ -116,9 +118,9 @@ struct Slepc_eigensolver_traits {
 
   /// of K x = x theta, with eigenvalues of order one
   template <class GoFurther>
-  static Eigen_result solve(const Hermitian_sparse_matrix<Quaternion<double>>& K,
-                            Block<Quaternion<double>> x, Eigen_options options,
-                            GoFurther go_further)
+  static Eigensolver_result solve(const Hermitian_sparse_matrix<Quaternion<double>>& K,
+                                  Block<Quaternion<double>> x, Eigensolver_options options,
+                                  GoFurther go_further)
   {
     const Vector<double> ones = Vector<double>::Ones(K.size());
     Petsc_hermitian_solver<Quaternion<double>> grids;
@@ -137,10 +139,10 @@ struct Slepc_eigensolver_traits {
       is_cancelled = slepc.is_cancelled();
     }
     options.max_iterations = is_cancelled ? 0 : (std::max)(0, options.max_iterations - iterations);
-    const auto agreed = [&](const Eigen_progress& p) {
+    const auto agreed = [&](const Eigensolver_progress& p) {
       return internal::all_processes(go_further(p));
     };
-    Eigen_result result =
+    Eigensolver_result result =
         Lobpcg_eigensolver_traits()(K, ones, grids, std::move(x), options, agreed);
     result.iterations += iterations;
     result.solves += iterations;
@@ -149,8 +151,8 @@ struct Slepc_eigensolver_traits {
   }
 
   /// the residuals that SLEPc looks at stay above the rounding errors of products with K
-  static Eigen_options above_rounding(Eigen_options options,
-                                      const Hermitian_sparse_matrix<Quaternion<double>>& K)
+  static Eigensolver_options above_rounding(Eigensolver_options options,
+                                            const Hermitian_sparse_matrix<Quaternion<double>>& K)
   {
     const double rounding = std::numeric_limits<double>::epsilon() * internal::norm_bound(K);
     options.tolerance = (std::max)(options.tolerance, 100 * rounding);

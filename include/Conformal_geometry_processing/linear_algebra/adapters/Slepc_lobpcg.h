@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 
 #include <slepceps.h>
 
@@ -55,7 +55,7 @@ template <class GoFurther>
 class Slepc_lobpcg {
  public:
   Slepc_lobpcg(const Petsc_matrix<Quaternion<double>>& K, PC preconditioner,
-               const Eigen_options& options, GoFurther& go_further)
+               const Eigensolver_options& options, GoFurther& go_further)
       : m_K(K), m_options(options), m_go_further(go_further)
   {
     check_petsc(EPSCreate(PETSC_COMM_WORLD, m_eps.renew()));
@@ -179,7 +179,7 @@ class Slepc_lobpcg {
   {
     bool yes = false;
     try {
-      yes = m_go_further(Eigen_progress{m_iterations, m_value, m_estimate});
+      yes = m_go_further(Eigensolver_progress{m_iterations, m_value, m_estimate});
     } catch (...) {  // must not pass through the functions of SLEPc
       m_exception = std::current_exception();
     }
@@ -188,7 +188,7 @@ class Slepc_lobpcg {
   }
 
   const Petsc_matrix<Quaternion<double>>& m_K;
-  const Eigen_options m_options;
+  const Eigensolver_options m_options;
   GoFurther& m_go_further;
   Slepc_eps m_eps;
   int m_wanted = 0, m_measured = 0, m_iterations = 0;

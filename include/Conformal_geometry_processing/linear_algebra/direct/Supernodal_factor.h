@@ -5,8 +5,8 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Aligned_array.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Contribution_stack.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_instances.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Update_places.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Front_kernels.h>
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace Conformal_geometry_processing {
 /// \brief the numbers of a supernodal Cholesky factor L L^H, found by the multifrontal method.
 ///
 /// Fronts are eliminated children before parents; the update that a front leaves to its parent
-/// waits in an array (`Update_places`). Subtrees are tasks for several threads, and the large
+/// waits in an array (`Contribution_stack`). Subtrees are tasks for several threads, and the large
 /// fronts above them are divided by rows. The cuts follow from the structure alone, and each number
 /// is computed by the same operations in the same order on any thread: the factor is the same to
 /// the bit for any number of threads. Memory is allocated once and used again.
@@ -101,7 +101,7 @@ class Supernodal_factor {
   Elimination_tasks m_tasks;
   std::vector<std::int64_t> m_panel_offsets;  // size + 1
   bool m_is_parallel = false;
-  Update_places m_places;
+  Contribution_stack m_places;
   Aligned_array<Real> m_panels, m_updates;
 };
 

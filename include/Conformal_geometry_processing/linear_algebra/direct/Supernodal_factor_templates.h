@@ -122,8 +122,8 @@ void Supernodal_factor<Scalar, Real>::plan()
   if (m_places.size() > 0 && is_parallel == m_is_parallel) return;
   m_is_parallel = is_parallel;
   const auto size = [&](int s) { return layout().update_size(m_structure->height(s)); };
-  m_places =
-      is_parallel ? Update_places(*m_structure, m_tasks, size) : Update_places(*m_structure, size);
+  m_places = is_parallel ? Contribution_stack(*m_structure, m_tasks, size)
+                         : Contribution_stack(*m_structure, size);
 }
 
 template <class Scalar, class Real>

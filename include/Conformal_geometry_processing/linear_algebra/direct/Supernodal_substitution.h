@@ -58,7 +58,7 @@ class Supernodal_substitution {
   const Supernodal_structure& S;
   Front_substitution<Real> m_kernels;
   int m_threads;
-  Update_places m_places;
+  Contribution_stack m_places;
   Aligned_array<Real> m_updates;
 };
 

@@ -21,7 +21,8 @@ Supernodal_substitution<Scalar, Real, numbers>::Supernodal_substitution(const Fa
       m_threads(Factor::threads(static_cast<double>(factor.panel_bytes()) / 5e9))  // read twice
 {
   const auto size = [&](int s) { return static_cast<std::int64_t>(S.height(s)) * numbers; };
-  m_places = m_threads > 1 ? Update_places(S, factor.tasks(), size) : Update_places(S, size);
+  m_places =
+      m_threads > 1 ? Contribution_stack(S, factor.tasks(), size) : Contribution_stack(S, size);
   m_updates.resize(m_places.size());
 }
 

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_KRYLOV_SPACE_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Row_panel.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Row_major_multivector.h>
 
 #include <Eigen/Core>
 
@@ -70,7 +70,7 @@ class Krylov_space {
   void orthonormalize(Vectors w);
 
   const Pencil& m_pencil;
-  Row_panel m_V, m_NV;
+  Row_major_multivector m_V, m_NV;
   Vectors m_projection;  // capacity x capacity
   Vectors m_next, m_remainder;
   Eigen::Index m_last = 0;  // the first column of the last block

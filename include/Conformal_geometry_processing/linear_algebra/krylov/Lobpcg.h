@@ -5,8 +5,8 @@
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_panel.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Ritz_panel.h>
 
 #include <Eigen/Core>
 
@@ -23,9 +23,9 @@ namespace internal {
 struct Lobpcg_space {
   using Vectors = Block<Quaternion<double>>;
 
-  Eigen_panel x, w, p;  // iterates; preconditioned residuals; the steps before
+  Ritz_panel x, w, p;  // iterates; preconditioned residuals; the steps before
 
-  std::array<const Eigen_panel*, 3> panels() const { return {&x, &w, &p}; }
+  std::array<const Ritz_panel*, 3> panels() const { return {&x, &w, &p}; }
   Eigen::Index size_of_directions() const { return w.size() + p.size(); }
 
   // Turns w into directions orthogonal to x and to each other, and p with it.
@@ -56,10 +56,10 @@ Block_function block_function(const Operator& apply)
   };
 }
 
-Eigen_result lobpcg(const Block_function& apply_k, const Block_function& apply_n,
-                    const Block_function& precondition, Block<Quaternion<double>> x0,
-                    const Eigen_options& options,
-                    const std::function<bool(const Eigen_progress&)>& go_further);
+Eigensolver_result lobpcg(const Block_function& apply_k, const Block_function& apply_n,
+                          const Block_function& precondition, Block<Quaternion<double>> x0,
+                          const Eigensolver_options& options,
+                          const std::function<bool(const Eigensolver_progress&)>& go_further);
 
 }  // namespace internal
 
@@ -70,7 +70,7 @@ Eigen_result lobpcg(const Block_function& apply_k, const Block_function& apply_n
 /// Every iteration minimises the Rayleigh quotients over the span of the iterates x, of w = T r
 /// (the preconditioned residuals) and of p (the steps before), with quaternionic coefficients:
 /// each eigenvalue is met once, not four times as in real numbers. On a space over the reals only
-/// (`Eigen_options::coefficients`) the coefficients are real. With T the inverse of K plus a
+/// (`Eigensolver_options::coefficients`) the coefficients are real. With T the inverse of K plus a
 /// small shift, 3 to 8 iterations give 1e-6 where the inverse power method needs 4 to 60.
 /// Deterministic. Cost per iteration: one T, two K and two N on the block.
 ///
@@ -79,14 +79,14 @@ Eigen_result lobpcg(const Block_function& apply_k, const Block_function& apply_n
 ///   inverse of K, Hermitian positive definite. See `block_operators.h`.
 /// \param x0 the initial vectors; their number is the block size. More columns than wanted speed
 ///   up where eigenvalues are close, and tell the gap.
-/// \param go_further called with `Eigen_progress` before every iteration; false cancels
+/// \param go_further called with `Eigensolver_progress` before every iteration; false cancels
 /// \returns the best iterate; look at `converged`
 /// \throws Precondition_error if the columns of x0 are dependent, or fewer than wanted
 /// \throws Solver_error if an operator returns values that are not finite
 template <class K, class N, class T, class GoFurther = Always_go_further>
-Eigen_result lobpcg(const K& apply_k, const N& apply_n, const T& precondition,
-                    Block<Quaternion<double>> x0, const Eigen_options& options = {},
-                    GoFurther go_further = {})
+Eigensolver_result lobpcg(const K& apply_k, const N& apply_n, const T& precondition,
+                          Block<Quaternion<double>> x0, const Eigensolver_options& options = {},
+                          GoFurther go_further = {})
 {
   return internal::lobpcg(internal::block_function(apply_k), internal::block_function(apply_n),
                           internal::block_function(precondition), std::move(x0), options,
@@ -100,9 +100,10 @@ struct Lobpcg_eigensolver_traits {
   /// \param N the masses, or a Hermitian positive definite matrix
   /// \param solver has factorized A plus a small positive definite shift
   template <class Masses, class Solver, class GoFurther = Always_go_further>
-  Eigen_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A, const Masses& N,
-                          const Solver& solver, Block<Quaternion<double>> x0,
-                          const Eigen_options& options = {}, GoFurther go_further = {}) const
+  Eigensolver_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A,
+                                const Masses& N, const Solver& solver, Block<Quaternion<double>> x0,
+                                const Eigensolver_options& options = {},
+                                GoFurther go_further = {}) const
   {
     return lobpcg(block_operator(A), block_operator(N), inverse_operator(solver), std::move(x0),
                   options, std::move(go_further));

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_LOBPCG_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_convergence.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_convergence.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 
 #include <Eigen/Core>
@@ -20,9 +20,9 @@ CGP_INLINE Lobpcg_space::Vectors Lobpcg_space::projection() const
 {
   Vectors G(x.size() + size_of_directions(), x.size() + size_of_directions());
   Eigen::Index column = 0;
-  for (const Eigen_panel* b : panels()) {
+  for (const Ritz_panel* b : panels()) {
     Eigen::Index row = 0;
-    for (const Eigen_panel* a : panels()) {
+    for (const Ritz_panel* a : panels()) {
       if (row <= column) G.block(row, column, a->size(), b->size()) = x.gram(a->v, b->kv);
       row += a->size();
     }
@@ -44,13 +44,14 @@ CGP_INLINE void Lobpcg_space::advance(const Vectors& C)
   replace_by_combination(x.v, c_x, p.v, one);
 }
 
-CGP_INLINE Eigen_result lobpcg(const Block_function& apply_k, const Block_function& apply_n,
-                               const Block_function& precondition, Block<Quaternion<double>> x0,
-                               const Eigen_options& options,
-                               const std::function<bool(const Eigen_progress&)>& go_further)
+CGP_INLINE Eigensolver_result
+lobpcg(const Block_function& apply_k, const Block_function& apply_n,
+       const Block_function& precondition, Block<Quaternion<double>> x0,
+       const Eigensolver_options& options,
+       const std::function<bool(const Eigensolver_progress&)>& go_further)
 {
   using Vectors = Block<Quaternion<double>>;
-  Eigen_convergence convergence("lobpcg", options, x0);
+  Eigensolver_convergence convergence("lobpcg", options, x0);
   Lobpcg_space space;
   auto& [x, w, p] = space;
   x = convergence.initial(make_panel(apply_k, apply_n, std::move(x0), options.coefficients));

@@ -4,9 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_INVERSE_POWER_METHOD_H
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_convergence.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_panel.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_convergence.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Ritz_panel.h>
 
 #include <utility>
 
@@ -24,12 +24,13 @@ namespace Conformal_geometry_processing {
 ///
 /// \param invert b -> the solution of K x = b; the other parameters, and errors, as `lobpcg()` has
 template <class K, class N, class T, class GoFurther = Always_go_further>
-Eigen_result inverse_power_method(const K& apply_k, const N& apply_n, const T& invert,
-                                  Block<Quaternion<double>> x0, const Eigen_options& options = {},
-                                  GoFurther go_further = {})
+Eigensolver_result inverse_power_method(const K& apply_k, const N& apply_n, const T& invert,
+                                        Block<Quaternion<double>> x0,
+                                        const Eigensolver_options& options = {},
+                                        GoFurther go_further = {})
 {
-  Eigen_convergence convergence("inverse_power_method", options, x0);
-  Eigen_panel x =
+  Eigensolver_convergence convergence("inverse_power_method", options, x0);
+  Ritz_panel x =
       convergence.initial(make_panel(apply_k, apply_n, std::move(x0), options.coefficients));
   Block<Quaternion<double>> r, Tr;
   while (true) {
@@ -58,9 +59,10 @@ struct Inverse_power_eigensolver_traits {
   /// \param N the masses, or a Hermitian positive definite matrix
   /// \param solver has factorized A plus a small positive definite shift
   template <class Masses, class Solver, class GoFurther = Always_go_further>
-  Eigen_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A, const Masses& N,
-                          const Solver& solver, Block<Quaternion<double>> x0,
-                          const Eigen_options& options = {}, GoFurther go_further = {}) const
+  Eigensolver_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A,
+                                const Masses& N, const Solver& solver, Block<Quaternion<double>> x0,
+                                const Eigensolver_options& options = {},
+                                GoFurther go_further = {}) const
   {
     return inverse_power_method(block_operator(A), block_operator(N), inverse_operator(solver),
                                 std::move(x0), options, std::move(go_further));

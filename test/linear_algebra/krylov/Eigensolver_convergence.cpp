@@ -1,7 +1,7 @@
-// Tests linear_algebra/krylov/Eigen_convergence.h, linear_algebra/krylov/Eigen_result.h
+// Tests linear_algebra/krylov/Eigensolver_convergence.h, linear_algebra/krylov/Eigensolver_result.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_convergence.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_convergence.h>
 
 #include <gtest/gtest.h>
 
@@ -19,13 +19,13 @@ namespace {
 // Feeds iterates of dimension two: the vector is (1, 0), the residual (0, size).
 class Iteration {
  public:
-  explicit Iteration(const CGP::Eigen_options& options = {})
+  explicit Iteration(const CGP::Eigensolver_options& options = {})
       : m_convergence("run", options, Block(2, 1))
   {}
 
   bool is_last(double theta, double size)
   {
-    CGP::Eigen_panel x{Block(2, 1), Block(2, 1), Block(2, 1)};
+    CGP::Ritz_panel x{Block(2, 1), Block(2, 1), Block(2, 1)};
     x.v(0, 0).w = x.nv(0, 0).w = 1;
     x.kv(0, 0).w = theta;
     Block r(2, 1);
@@ -36,16 +36,16 @@ class Iteration {
     return last;
   }
 
-  CGP::Eigen_result result() { return m_convergence.result(); }
+  CGP::Eigensolver_result result() { return m_convergence.result(); }
 
  private:
-  CGP::Eigen_convergence m_convergence;
+  CGP::Eigensolver_convergence m_convergence;
   CGP::Always_go_further m_go_further;
 };
 
 }  // namespace
 
-TEST(Eigen_convergence, stops_below_the_tolerance)
+TEST(Eigensolver_convergence, stops_below_the_tolerance)
 {
   Iteration run;
   EXPECT_FALSE(run.is_last(3, 1));
@@ -60,18 +60,18 @@ TEST(Eigen_convergence, stops_below_the_tolerance)
   EXPECT_FALSE(r.gap.has_value());
 }
 
-TEST(Eigen_convergence, measures_in_the_given_scale)
+TEST(Eigensolver_convergence, measures_in_the_given_scale)
 {
-  CGP::Eigen_options options;
+  CGP::Eigensolver_options options;
   options.scale = 1e-3;
   Iteration run(options);
   EXPECT_FALSE(run.is_last(1, 1.1e-9));
   EXPECT_TRUE(run.is_last(1, 0.9e-9));
 }
 
-TEST(Eigen_convergence, keeps_the_best_iterate)
+TEST(Eigensolver_convergence, keeps_the_best_iterate)
 {
-  CGP::Eigen_options options;
+  CGP::Eigensolver_options options;
   options.max_iterations = 2;
   Iteration run(options);
   EXPECT_FALSE(run.is_last(5, 1e-3));
@@ -83,7 +83,7 @@ TEST(Eigen_convergence, keeps_the_best_iterate)
   EXPECT_NEAR(r.estimates[0], 1e-5, 1e-18);
 }
 
-TEST(Eigen_convergence, sees_stagnation_after_three_steps_without_progress)
+TEST(Eigensolver_convergence, sees_stagnation_after_three_steps_without_progress)
 {
   Iteration run;
   EXPECT_FALSE(run.is_last(1, 1e-5));
@@ -93,18 +93,18 @@ TEST(Eigen_convergence, sees_stagnation_after_three_steps_without_progress)
   EXPECT_TRUE(run.result().stagnated);
 }
 
-TEST(Eigen_convergence, waits_while_the_eigenvalue_still_falls)
+TEST(Eigensolver_convergence, waits_while_the_eigenvalue_still_falls)
 {
   Iteration run;
   for (int i = 0; i < 50; ++i) EXPECT_FALSE(run.is_last(2 - 0.01 * i, 1e-3 + 1e-5 * i));
 }
 
-TEST(Eigen_convergence, does_not_count_errors_along_the_vector)
+TEST(Eigensolver_convergence, does_not_count_errors_along_the_vector)
 {
   // T r = r + 1e6 x, as an inverse of a nearly singular matrix may give.
-  const CGP::Eigen_options options;
-  CGP::Eigen_convergence convergence("run", options, Block(2, 1));
-  CGP::Eigen_panel x{Block(2, 1), Block(2, 1), Block(2, 1)};
+  const CGP::Eigensolver_options options;
+  CGP::Eigensolver_convergence convergence("run", options, Block(2, 1));
+  CGP::Ritz_panel x{Block(2, 1), Block(2, 1), Block(2, 1)};
   x.v(0, 0).w = x.nv(0, 0).w = x.kv(0, 0).w = 1;
   Block r(2, 1), Tr(2, 1);
   r(0, 0) = {1e-10, 1e-10, 0, 0};
@@ -115,24 +115,24 @@ TEST(Eigen_convergence, does_not_count_errors_along_the_vector)
   EXPECT_NEAR(convergence.result().estimates[0], 1e-4, 1e-16);
 }
 
-TEST(Eigen_convergence, refuses_values_that_are_not_finite)
+TEST(Eigensolver_convergence, refuses_values_that_are_not_finite)
 {
   Iteration run;
   EXPECT_THROW(run.is_last(1, std::numeric_limits<double>::quiet_NaN()), CGP::Solver_error);
 }
 
-TEST(Eigen_convergence, refuses_fewer_vectors_than_wanted)
+TEST(Eigensolver_convergence, refuses_fewer_vectors_than_wanted)
 {
-  CGP::Eigen_options options;
+  CGP::Eigensolver_options options;
   options.wanted = 2;
   EXPECT_THROW(Iteration{options}, CGP::Precondition_error);
   options.wanted = 0;
   EXPECT_THROW(Iteration{options}, CGP::Precondition_error);
 }
 
-TEST(Eigen_result, starts_without_success)
+TEST(Eigensolver_result, starts_without_success)
 {
-  const CGP::Eigen_result r;
+  const CGP::Eigensolver_result r;
   EXPECT_FALSE(r.converged || r.stagnated || r.cancelled);
   EXPECT_EQ(r.iterations, 0);
 }

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_UPDATE_PLACES_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_UPDATE_PLACES_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_CONTRIBUTION_STACK_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_CONTRIBUTION_STACK_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Update_places.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Contribution_stack.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -12,7 +12,8 @@
 namespace Conformal_geometry_processing {
 
 // A single supernode: its update takes what one of the regions inside can spare, and more.
-CGP_INLINE void Update_places::enclose(Region& own, std::int64_t update, const Region& roomiest)
+CGP_INLINE void Contribution_stack::enclose(Region& own, std::int64_t update,
+                                            const Region& roomiest)
 {
   own.padding = (std::max<std::int64_t>)(0, update - roomiest.spare());
   own.size += own.padding;
@@ -20,8 +21,8 @@ CGP_INLINE void Update_places::enclose(Region& own, std::int64_t update, const R
 }
 
 // The region with most to spare lies where the update of the supernode around it goes.
-CGP_INLINE void Update_places::put(Region& own, bool is_roomiest, Region& around,
-                                   bool is_at_low_end)
+CGP_INLINE void Contribution_stack::put(Region& own, bool is_roomiest, Region& around,
+                                        bool is_at_low_end)
 {
   if (is_roomiest)
     own.begin = is_at_low_end ? around.begin + around.padding

@@ -1,7 +1,7 @@
-// Tests linear_algebra/krylov/Row_panel.h
+// Tests linear_algebra/krylov/Row_major_multivector.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/linear_algebra/krylov/Row_panel.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Row_major_multivector.h>
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@ namespace {
 
 const int n = 700;  // more rows than are combined in one go
 
-CGP::Row_panel panel(const CGP::Block<Q>& v, int capacity)
+CGP::Row_major_multivector panel(const CGP::Block<Q>& v, int capacity)
 {
-  CGP::Row_panel p(v.rows(), capacity);
+  CGP::Row_major_multivector p(v.rows(), capacity);
   p.append(v.leftCols(1));
   p.append(v.rightCols(v.cols() - 1));
   return p;
@@ -25,20 +25,20 @@ CGP::Row_panel panel(const CGP::Block<Q>& v, int capacity)
 
 }  // namespace
 
-TEST(Row_panel, holds_the_columns_that_it_was_given)
+TEST(Row_major_multivector, holds_the_columns_that_it_was_given)
 {
   const auto V = random_block<Q>(n, 3, 1);
-  const CGP::Row_panel p = panel(V, 5);
+  const CGP::Row_major_multivector p = panel(V, 5);
   EXPECT_EQ(p.rows(), n);
   EXPECT_EQ(p.size(), 3);
   EXPECT_EQ(p.capacity(), 5);
   EXPECT_EQ(real_columns(p.columns(1, 2)), real_columns(CGP::Block<Q>(V.rightCols(2))));
 }
 
-TEST(Row_panel, has_the_inner_products_of_its_columns)
+TEST(Row_major_multivector, has_the_inner_products_of_its_columns)
 {
   const auto V = random_block<Q>(n, 3, 1), W = random_block<Q>(n, 2, 2);
-  const CGP::Row_panel p = panel(V, 5);
+  const CGP::Row_major_multivector p = panel(V, 5);
   const Eigen::MatrixXd expected = dense(V).transpose() * dense(W);
   EXPECT_LE((dense(p.gram(W, CGP::Coefficients::quaternions)) - expected).norm(), 1e-11);
   const auto G = p.gram(W, CGP::Coefficients::reals);
@@ -49,10 +49,10 @@ TEST(Row_panel, has_the_inner_products_of_its_columns)
     }
 }
 
-TEST(Row_panel, combines_its_columns_from_the_right)
+TEST(Row_major_multivector, combines_its_columns_from_the_right)
 {
   const auto V = random_block<Q>(n, 3, 3), C = random_block<Q>(3, 2, 4);
-  CGP::Row_panel p = panel(V, 4);
+  CGP::Row_major_multivector p = panel(V, 4);
   const Eigen::MatrixXd expected = dense(V) * dense(C);
   EXPECT_LE((dense(p.combination(C)) - expected).norm(), 1e-11);
   p.combine(C);

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_SOUND_FACES_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_MESH_SOUND_FACES_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_WELL_SHAPED_FACES_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_WELL_SHAPED_FACES_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/mesh/sound_faces.h>
+#include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,7 +30,7 @@ CGP_INLINE Face_height face_height(const Mesh_view& mesh, int f)
 
 }  // namespace internal
 
-CGP_INLINE Sound_faces sound_faces(const Mesh_view& mesh)
+CGP_INLINE Well_shaped_faces well_shaped_faces(const Mesh_view& mesh)
 {
   const double least_height = 0.05, greatest_share = 0.05;
   std::vector<internal::Face_height> thin;

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGEN_PANEL_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGEN_PANEL_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_RITZ_PANEL_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_RITZ_PANEL_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_panel.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Ritz_panel.h>
 
 #include <Eigen/Core>
 
@@ -12,33 +12,33 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Block<Quaternion<double>> Eigen_panel::gram(const Block<Quaternion<double>>& A,
-                                                       const Block<Quaternion<double>>& B) const
+CGP_INLINE Block<Quaternion<double>> Ritz_panel::gram(const Block<Quaternion<double>>& A,
+                                                      const Block<Quaternion<double>>& B) const
 {
   return gram_matrix(A, B, coefficients);
 }
 
-CGP_INLINE double Eigen_panel::value(Eigen::Index j) const
+CGP_INLINE double Ritz_panel::value(Eigen::Index j) const
 {
   return inner_product(v.col(j), kv.col(j)).w / inner_product(v.col(j), nv.col(j)).w;
 }
 
-CGP_INLINE void Eigen_panel::residual(Block<Quaternion<double>>& r) const
+CGP_INLINE void Ritz_panel::residual(Block<Quaternion<double>>& r) const
 {
   r = kv;
   for (Eigen::Index j = 0; j < size(); ++j)
     add_multiple(r.col(j), nv.col(j), Quaternion<double>{-value(j), 0, 0, 0});
 }
 
-CGP_INLINE void replace_by_combination(Eigen_panel& p, const Block<Quaternion<double>>& C,
-                                       const Eigen_panel& q, const Block<Quaternion<double>>& D)
+CGP_INLINE void replace_by_combination(Ritz_panel& p, const Block<Quaternion<double>>& C,
+                                       const Ritz_panel& q, const Block<Quaternion<double>>& D)
 {
   replace_by_combination(p.v, C, q.v, D);
   replace_by_combination(p.kv, C, q.kv, D);
   replace_by_combination(p.nv, C, q.nv, D);
 }
 
-CGP_INLINE void project_out(Eigen_panel& p, const Eigen_panel& base)
+CGP_INLINE void project_out(Ritz_panel& p, const Ritz_panel& base)
 {
   if (p.size() == 0 || base.size() == 0) return;
   for (int pass = 0; pass < 2; ++pass) {
@@ -51,12 +51,12 @@ CGP_INLINE void project_out(Eigen_panel& p, const Eigen_panel& base)
 
 namespace internal {
 
-CGP_INLINE double column_norm(const Eigen_panel& p, Eigen::Index j)
+CGP_INLINE double column_norm(const Ritz_panel& p, Eigen::Index j)
 {
   return std::sqrt(inner_product(p.v.col(j), p.nv.col(j)).w);
 }
 
-CGP_INLINE void project_column(Eigen_panel& p, Eigen::Index j)
+CGP_INLINE void project_column(Ritz_panel& p, Eigen::Index j)
 {
   for (int pass = 0; pass < 2; ++pass)
     for (Eigen::Index i = 0; i < j; ++i) {
@@ -68,7 +68,7 @@ CGP_INLINE void project_column(Eigen_panel& p, Eigen::Index j)
 
 }  // namespace internal
 
-CGP_INLINE void orthonormalize(Eigen_panel& p)
+CGP_INLINE void orthonormalize(Ritz_panel& p)
 {
   const double degenerate = 1e-11;
   Eigen::Index kept = 0;

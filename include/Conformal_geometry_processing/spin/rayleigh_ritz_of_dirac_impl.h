@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SEPARATE_SIGNS_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SEPARATE_SIGNS_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_RAYLEIGH_RITZ_OF_DIRAC_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_RAYLEIGH_RITZ_OF_DIRAC_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
-#include <Conformal_geometry_processing/spin/separate_signs.h>
+#include <Conformal_geometry_processing/spin/rayleigh_ritz_of_dirac.h>
 
 #include <Eigen/Core>
 
@@ -46,8 +46,8 @@ CGP_INLINE bool separation_pays(const Dirac_forms& forms)
   return 5 * (std::min)(std::abs(a), std::abs(b)) >= (std::max)(std::abs(a), std::abs(b));
 }
 
-CGP_INLINE Block<Quaternion<double>> separate_signs(const Block<Quaternion<double>>& vectors,
-                                                    const Dirac_forms& forms)
+CGP_INLINE Block<Quaternion<double>> rayleigh_ritz_of_dirac(
+    const Block<Quaternion<double>>& vectors, const Dirac_forms& forms)
 {
   const auto mass = hermitian_jacobi(forms.mass);
   Block<Quaternion<double>> C = mass.vectors;  // C^H mass C = 1

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_UPDATE_PLACES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_UPDATE_PLACES_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_CONTRIBUTION_STACK_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_CONTRIBUTION_STACK_H
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Elimination_tasks.h>
 
@@ -20,21 +20,21 @@ namespace Conformal_geometry_processing {
 /// is complete. Updates of even depth grow from the low end of the array, those of odd depth from
 /// its high end: a stack each, of which one is popped while the other is pushed. With several
 /// threads each task has a region of its own, inside the region of its parent.
-class Update_places {
+class Contribution_stack {
  public:
-  Update_places() = default;
+  Contribution_stack() = default;
 
   /// the places for supernodes that are eliminated one by one, in their order
   /// \param size the numbers in the update of a supernode
   template <class Size>
-  Update_places(const Supernodal_structure& S, Size size) : m_begin(at(S.size()))
+  Contribution_stack(const Supernodal_structure& S, Size size) : m_begin(at(S.size()))
   {
     m_size = stack_up(S, {0, S.size(), -1, 0}, size).size;
   }
 
   /// the places for tasks that are done at the same time
   template <class Size>
-  Update_places(const Supernodal_structure& S, const Elimination_tasks& tasks, Size size)
+  Contribution_stack(const Supernodal_structure& S, const Elimination_tasks& tasks, Size size)
       : m_begin(at(S.size()))
   {
     std::vector<Region> regions(at(tasks.size()));
@@ -118,7 +118,7 @@ class Update_places {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/direct/Update_places_impl.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Contribution_stack_impl.h>
 #endif
 
 #endif

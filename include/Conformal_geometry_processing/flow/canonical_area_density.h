@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_METRIC_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_METRIC_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_AREA_DENSITY_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_AREA_DENSITY_H
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
@@ -38,7 +38,7 @@ Eigen::VectorXd canonical_vertex_areas(const Mesh_view& mesh, const Eigen::Vecto
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/canonical_metric_impl.h>
+#include <Conformal_geometry_processing/flow/canonical_area_density_impl.h>
 #endif
 
 #endif

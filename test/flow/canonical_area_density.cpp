@@ -1,9 +1,9 @@
-// Tests include/Conformal_geometry_processing/flow/canonical_metric.h
+// Tests include/Conformal_geometry_processing/flow/canonical_area_density.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/algebra/Moebius_map.h>
 #include <Conformal_geometry_processing/flow/Moebius_balancing.h>
-#include <Conformal_geometry_processing/flow/canonical_metric.h>
+#include <Conformal_geometry_processing/flow/canonical_area_density.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 

@@ -1,7 +1,7 @@
-// Tests include/Conformal_geometry_processing/mesh/sound_faces.h
+// Tests include/Conformal_geometry_processing/mesh/well_shaped_faces.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/mesh/sound_faces.h>
+#include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
 
 #include <gtest/gtest.h>
 
@@ -22,14 +22,15 @@ CGP::Mesh_view fan(const Eigen::Matrix2Xd& apexes)
 
 }  // namespace
 
-TEST(Sound_faces, leave_out_the_thinnest_of_at_most_a_twentieth_of_the_area)
+TEST(Well_shaped_faces, leave_out_the_thinnest_of_at_most_a_twentieth_of_the_area)
 {
   Eigen::Matrix2Xd apexes(2, 6);
   apexes << .5, .5, .5, .01, 0, .3,  //
       1, .051, .03, .02, 0, .049;
   const CGP::Mesh_view mesh = fan(apexes);
   for (const double unit : {1., 1e-30, 1e30}) {
-    const CGP::Sound_faces sound = CGP::sound_faces({unit * mesh.positions(), mesh.corners()});
+    const CGP::Well_shaped_faces sound =
+        CGP::well_shaped_faces({unit * mesh.positions(), mesh.corners()});
     ASSERT_EQ(sound.mesh.size_of_faces(), 3);
     EXPECT_EQ(sound.mesh.corners(0), mesh.corners(0));
     EXPECT_EQ(sound.mesh.corners(1), mesh.corners(1));
@@ -39,11 +40,11 @@ TEST(Sound_faces, leave_out_the_thinnest_of_at_most_a_twentieth_of_the_area)
   }
 }
 
-TEST(Sound_faces, are_all_but_those_without_area_where_all_are_thin)
+TEST(Well_shaped_faces, are_all_but_those_without_area_where_all_are_thin)
 {
   Eigen::Matrix2Xd apexes(2, 3);
   apexes << .5, 2, .5, .01, 0, .01;
-  const CGP::Sound_faces sound = CGP::sound_faces(fan(apexes));
+  const CGP::Well_shaped_faces sound = CGP::well_shaped_faces(fan(apexes));
   EXPECT_EQ(sound.mesh.size_of_faces(), 2);
   EXPECT_EQ(sound.share, 1);
 }

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGEN_CONVERGENCE_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGEN_CONVERGENCE_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGENSOLVER_CONVERGENCE_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGENSOLVER_CONVERGENCE_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_convergence.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_convergence.h>
 
 #include <Eigen/Core>
 
@@ -15,8 +15,9 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Eigen_convergence::Eigen_convergence(std::string function, const Eigen_options& options,
-                                                const Block<Quaternion<double>>& x0)
+CGP_INLINE Eigensolver_convergence::Eigensolver_convergence(std::string function,
+                                                            const Eigensolver_options& options,
+                                                            const Block<Quaternion<double>>& x0)
     : m_function(std::move(function)), m_options(options)
 {
   if (options.wanted < 1 || options.wanted > x0.cols())
@@ -26,7 +27,7 @@ CGP_INLINE Eigen_convergence::Eigen_convergence(std::string function, const Eige
                                  " initial vectors: wanted at least one vector for each");
 }
 
-CGP_INLINE Eigen_panel Eigen_convergence::initial(Eigen_panel x) const
+CGP_INLINE Ritz_panel Eigensolver_convergence::initial(Ritz_panel x) const
 {
   const Eigen::Index columns = x.size();
   orthonormalize(x);
@@ -36,7 +37,7 @@ CGP_INLINE Eigen_panel Eigen_convergence::initial(Eigen_panel x) const
   return x;
 }
 
-CGP_INLINE Eigen_result Eigen_convergence::result()
+CGP_INLINE Eigensolver_result Eigensolver_convergence::result()
 {
   m_result.iterations = m_iterations;
   if (m_result.values.size() == 1 && std::isfinite(m_next))
@@ -47,8 +48,8 @@ CGP_INLINE Eigen_result Eigen_convergence::result()
 
 // Of T r only the part orthogonal to x counts; along x there are but rounding errors, which a
 // nearly singular K would blow up.
-CGP_INLINE Vector<double> Eigen_convergence::error_estimates(
-    const Eigen_panel& x, const Block<Quaternion<double>>& r,
+CGP_INLINE Vector<double> Eigensolver_convergence::error_estimates(
+    const Ritz_panel& x, const Block<Quaternion<double>>& r,
     const Block<Quaternion<double>>& Tr) const
 {
   Vector<double> estimates(x.size());
@@ -63,8 +64,9 @@ CGP_INLINE Vector<double> Eigen_convergence::error_estimates(
   return estimates;
 }
 
-CGP_INLINE void Eigen_convergence::note_progress(const Eigen_panel& x,
-                                                 const Vector<double>& estimates, double estimate)
+CGP_INLINE void Eigensolver_convergence::note_progress(const Ritz_panel& x,
+                                                       const Vector<double>& estimates,
+                                                       double estimate)
 {
   const double value = x.value(0);
   const double rounding = 1e-14 * (std::max)(std::abs(value), m_options.scale * m_options.scale);

@@ -1,8 +1,8 @@
-// Tests include/Conformal_geometry_processing/linear_algebra/direct/Update_places.h
+// Tests include/Conformal_geometry_processing/linear_algebra/direct/Contribution_stack.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Update_places.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Contribution_stack.h>
 
 #include <gtest/gtest.h>
 
@@ -13,27 +13,27 @@
 namespace cgp_test {
 namespace {
 
+using CGP::Contribution_stack;
 using CGP::Elimination_tasks;
 using CGP::Supernodal_structure;
-using CGP::Update_places;
 
 struct Numbers {
   const Supernodal_structure& S;
   std::int64_t operator()(int s) const { return std::int64_t(S.height(s)) * (S.height(s) + 1) / 2; }
 };
 
-bool overlap(const Supernodal_structure& S, const Update_places& places, int s, int t)
+bool overlap(const Supernodal_structure& S, const Contribution_stack& places, int s, int t)
 {
   return places[s] < places[t] + Numbers{S}(t) && places[t] < places[s] + Numbers{S}(s);
 }
 
 // An update lives from the front of its supernode to that of its parent.
-TEST(Update_places, never_hold_two_updates_that_wait_at_the_same_time)
+TEST(Contribution_stack, never_hold_two_updates_that_wait_at_the_same_time)
 {
   for (const auto& [name, pattern, order] : ordered_graphs()) {
     SCOPED_TRACE(name);
     const Supernodal_structure S(*pattern, order);
-    const Update_places places(S, Numbers{S});
+    const Contribution_stack places(S, Numbers{S});
     std::int64_t all = 0;
     for (int t = 0; t < S.size(); ++t) {
       EXPECT_GE(places[t], 0);
@@ -46,26 +46,26 @@ TEST(Update_places, never_hold_two_updates_that_wait_at_the_same_time)
   }
 }
 
-TEST(Update_places, of_a_long_path_are_as_few_as_two_updates)
+TEST(Contribution_stack, of_a_long_path_are_as_few_as_two_updates)
 {
   std::vector<std::pair<int, int>> edges;
   for (int i = 0; i + 1 < 200; ++i) edges.push_back({i, i + 1});
   CGP::Ordering order(200);
   std::iota(order.begin(), order.end(), 0);
   const Supernodal_structure S(*pattern_of_edges(200, edges), order);
-  EXPECT_EQ(Update_places(S, Numbers{S}).size(), 2);
+  EXPECT_EQ(Contribution_stack(S, Numbers{S}).size(), 2);
 }
 
 // Tasks that are not on one path to a root may be done at any time, the one after the other or both
 // at once: whatever they use must be apart.
-TEST(Update_places, of_tasks_are_apart_unless_one_is_done_before_the_other_begins)
+TEST(Contribution_stack, of_tasks_are_apart_unless_one_is_done_before_the_other_begins)
 {
   for (const auto& [name, pattern, order] : ordered_graphs())
     for (const double share : {0., 0.1, 1.}) {
       SCOPED_TRACE(name);
       const Supernodal_structure S(*pattern, order);
       const Elimination_tasks tasks(S, share);
-      const Update_places places(S, tasks, Numbers{S});
+      const Contribution_stack places(S, tasks, Numbers{S});
       const auto is_above = [&](int t, int s) {
         while (s >= 0 && s < t) s = S.parent(s);
         return s == t;

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGEN_CONVERGENCE_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGEN_CONVERGENCE_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGENSOLVER_CONVERGENCE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGENSOLVER_CONVERGENCE_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_panel.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Ritz_panel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,18 +19,18 @@ namespace Conformal_geometry_processing {
 ///
 /// At the rounding floor the iterates wander; an iteration that neither lowers the estimate nor the
 /// eigenvalue three times running has arrived there.
-class Eigen_convergence {
+class Eigensolver_convergence {
  public:
   /// \param function the name to report errors under
-  Eigen_convergence(std::string function, const Eigen_options& options,
-                    const Block<Quaternion<double>>& x0);
+  Eigensolver_convergence(std::string function, const Eigensolver_options& options,
+                          const Block<Quaternion<double>>& x0);
 
   /// the basis of the initial vectors, if there is one
-  Eigen_panel initial(Eigen_panel x) const;
+  Ritz_panel initial(Ritz_panel x) const;
 
   /// \brief takes note of the iterate x with residual r and T r; true if it is the last one.
   template <class GoFurther>
-  bool is_last(const Eigen_panel& x, const Block<Quaternion<double>>& r,
+  bool is_last(const Ritz_panel& x, const Block<Quaternion<double>>& r,
                const Block<Quaternion<double>>& Tr, GoFurther&& go_further)
   {
     const Vector<double> estimates = error_estimates(x, r, Tr);
@@ -43,7 +43,8 @@ class Eigen_convergence {
     if (m_result.converged) return true;
     m_result.stagnated = m_idle >= 3;
     if (m_result.stagnated || m_iterations >= m_options.max_iterations) return true;
-    m_result.cancelled = !go_further(Eigen_progress{m_iterations, x.value(0), estimate, &x.v});
+    m_result.cancelled =
+        !go_further(Eigensolver_progress{m_iterations, x.value(0), estimate, &x.v});
     return m_result.cancelled;
   }
 
@@ -57,16 +58,16 @@ class Eigen_convergence {
   void note_next_value(double value) { m_next = (std::min)(m_next, value); }
 
   /// the best iterate
-  Eigen_result result();
+  Eigensolver_result result();
 
  private:
-  Vector<double> error_estimates(const Eigen_panel& x, const Block<Quaternion<double>>& r,
+  Vector<double> error_estimates(const Ritz_panel& x, const Block<Quaternion<double>>& r,
                                  const Block<Quaternion<double>>& Tr) const;
-  void note_progress(const Eigen_panel& x, const Vector<double>& estimates, double estimate);
+  void note_progress(const Ritz_panel& x, const Vector<double>& estimates, double estimate);
 
   std::string m_function;
-  Eigen_options m_options;
-  Eigen_result m_result;
+  Eigensolver_options m_options;
+  Eigensolver_result m_result;
   double m_best = std::numeric_limits<double>::infinity();
   double m_lowest = std::numeric_limits<double>::infinity();
   double m_next = std::numeric_limits<double>::infinity();
@@ -76,7 +77,7 @@ class Eigen_convergence {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_convergence_impl.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_convergence_impl.h>
 #endif
 
 #endif

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CONSTRAINED_DIRECTION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CONSTRAINED_DIRECTION_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_BENDING_DESCENT_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_BENDING_DESCENT_H
 
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
 
@@ -17,13 +17,13 @@ namespace Conformal_geometry_processing {
 /// sum d_i v_i = 0 and sum d_i v_i f_i = 0. O(m).
 /// \param curvatures kappa, one per vertex \param points the vertices, 2 x m
 /// \param direction receives m numbers
-void constrained_direction(const Eigen::VectorXd& curvatures, const Plane_points& points,
-                           const Polygon_lengths& lengths, Eigen::VectorXd& direction);
+void bending_descent(const Eigen::VectorXd& curvatures, const Plane_points& points,
+                     const Polygon_lengths& lengths, Eigen::VectorXd& direction);
 
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/curves/constrained_direction_impl.h>
+#include <Conformal_geometry_processing/curves/bending_descent_impl.h>
 #endif
 
 #endif

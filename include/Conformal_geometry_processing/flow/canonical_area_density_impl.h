@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_METRIC_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_METRIC_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_AREA_DENSITY_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_AREA_DENSITY_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/flow/canonical_metric.h>
+#include <Conformal_geometry_processing/flow/canonical_area_density.h>
 #include <Conformal_geometry_processing/forms/tangent_field.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 

@@ -1,8 +1,8 @@
-// Tests curves/constrained_direction.h curves/Closing_functions.h
+// Tests curves/bending_descent.h curves/Closing_functions.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/curves/Closing_functions.h>
-#include <Conformal_geometry_processing/curves/constrained_direction.h>
+#include <Conformal_geometry_processing/curves/bending_descent.h>
 #include <Conformal_geometry_processing/curves/integrate_curvature.h>
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(Constrained_direction, is_orthogonal_to_one_and_the_coordinates)
   for (const Curve& curve : {flower(200), figure_eight(200), limacon(200)}) {
     const CGP::Polygon_lengths lengths(curve, true);
     Eigen::VectorXd v;
-    CGP::constrained_direction(curvatures_of(curve), curve, lengths, v);
+    CGP::bending_descent(curvatures_of(curve), curve, lengths, v);
     const Eigen::VectorXd dv = v.cwiseProduct(lengths.duals());
     EXPECT_NEAR(dv.sum(), 0, 1e-12);
     EXPECT_LT((curve * dv).norm(), 1e-12);
@@ -58,7 +58,7 @@ TEST(Constrained_direction, differs_from_minus_two_kappa_by_the_constraints_alon
   const CGP::Polygon_lengths lengths(curve, true);
   const Eigen::VectorXd kappa = curvatures_of(curve);
   Eigen::VectorXd v;
-  CGP::constrained_direction(kappa, curve, lengths, v);
+  CGP::bending_descent(kappa, curve, lengths, v);
   Eigen::MatrixXd constraints(80, 3);
   constraints << Eigen::VectorXd::Ones(80), curve.transpose();
   const Eigen::VectorXd rest = v + 2 * kappa;
@@ -72,7 +72,7 @@ TEST(Constrained_direction, of_an_open_curve_is_minus_two_kappa)
   const Curve curve = flower(30);
   Eigen::VectorXd v;
   const Eigen::VectorXd kappa = Eigen::VectorXd::LinSpaced(30, -1, 2);
-  CGP::constrained_direction(kappa, curve, CGP::Polygon_lengths(curve, false), v);
+  CGP::bending_descent(kappa, curve, CGP::Polygon_lengths(curve, false), v);
   EXPECT_EQ(v, Eigen::VectorXd(-2 * kappa));
 }
 
@@ -85,7 +85,7 @@ TEST(Constrained_direction, on_a_circle_leaves_all_frequencies_above_one)
   for (const int n : {0, 1, 2, 5, 29}) {
     Eigen::VectorXd wave(m), v;
     for (int i = 0; i < m; ++i) wave[i] = std::cos(2 * pi * n * i / m + 0.3);
-    CGP::constrained_direction(wave, circle, lengths, v);
+    CGP::bending_descent(wave, circle, lengths, v);
     const Eigen::VectorXd expected = n < 2 ? Eigen::VectorXd(0 * wave) : Eigen::VectorXd(-2 * wave);
     EXPECT_LT((v - expected).cwiseAbs().maxCoeff(), 1e-13) << n;
     if (n < 2) continue;
@@ -106,7 +106,7 @@ TEST(Constrained_direction, opens_the_curve_to_second_order_only)
 {
   for (const Curve& curve : {flower(200), figure_eight(200)}) {
     Eigen::VectorXd v;
-    CGP::constrained_direction(curvatures_of(curve), curve, CGP::Polygon_lengths(curve, true), v);
+    CGP::bending_descent(curvatures_of(curve), curve, CGP::Polygon_lengths(curve, true), v);
     const double gaps[] = {gap_after(curve, .1 * v), gap_after(curve, .05 * v),
                            gap_after(curve, .025 * v)};
     EXPECT_NEAR(std::log2(gaps[0] / gaps[1]), 2, 0.05);

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/separate_signs.h
+// Tests include/Conformal_geometry_processing/spin/rayleigh_ritz_of_dirac.h
 #include <Conformal_geometry_processing/curves/Closing_functions.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
-#include <Conformal_geometry_processing/spin/separate_signs.h>
+#include <Conformal_geometry_processing/spin/rayleigh_ritz_of_dirac.h>
 
 #include <gtest/gtest.h>
 
@@ -150,7 +150,7 @@ TEST(Separate_signs, recovers_two_eigenvectors_of_opposite_sign)
     const Quaternion_matrix mixed = CGP::combination(pair, rotation(angle, 6));
     const CGP::Dirac_forms forms = CGP::dirac_forms(sphere, rho, mixed);
     EXPECT_TRUE(CGP::has_mixed_signs(forms));
-    const Quaternion_matrix separated = CGP::separate_signs(mixed, forms);
+    const Quaternion_matrix separated = CGP::rayleigh_ritz_of_dirac(mixed, forms);
     EXPECT_NEAR(overlap(separated.col(0), pair.col(0)), 1, 1e-12);
     EXPECT_NEAR(overlap(separated.col(1), pair.col(1)), 1, 1e-12);
     const CGP::Dirac_forms after = CGP::dirac_forms(sphere, rho, separated);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_ROW_PANEL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_ROW_PANEL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_ROW_MAJOR_MULTIVECTOR_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_ROW_MAJOR_MULTIVECTOR_H
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 
@@ -15,11 +15,11 @@ namespace Conformal_geometry_processing {
 /// vector, where there are hundreds.
 ///
 /// Has a capacity, and columns in use from the left.
-class Row_panel {
+class Row_major_multivector {
  public:
   using Vectors = Block<Quaternion<double>>;
 
-  Row_panel(Eigen::Index rows, Eigen::Index capacity) : m_numbers(rows, 4 * capacity) {}
+  Row_major_multivector(Eigen::Index rows, Eigen::Index capacity) : m_numbers(rows, 4 * capacity) {}
 
   Eigen::Index rows() const { return m_numbers.rows(); }
   Eigen::Index size() const { return m_size; }
@@ -57,7 +57,7 @@ class Row_panel {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/krylov/Row_panel_impl.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Row_major_multivector_impl.h>
 #endif
 
 #endif

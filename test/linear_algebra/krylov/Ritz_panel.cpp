@@ -1,8 +1,8 @@
-// Tests linear_algebra/krylov/Eigen_panel.h
+// Tests linear_algebra/krylov/Ritz_panel.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigen_panel.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Ritz_panel.h>
 
 #include <gtest/gtest.h>
 
@@ -16,15 +16,15 @@ namespace {
 
 constexpr int n = 12;
 
-class Eigen_panel : public testing::Test {
+class Ritz_panel : public testing::Test {
  protected:
-  CGP::Eigen_panel panel(const CGP::Block<Q>& v) const
+  CGP::Ritz_panel panel(const CGP::Block<Q>& v) const
   {
     return CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N), v);
   }
 
   // What a panel claims to be: v, K v, N v.
-  void expect_consistent(const CGP::Eigen_panel& p) const
+  void expect_consistent(const CGP::Ritz_panel& p) const
   {
     EXPECT_LE((real_columns(p.kv) - dense(K) * real_columns(p.v)).norm(), 1e-11);
     EXPECT_LE((real_columns(p.nv) - dense(N) * real_columns(p.v)).norm(), 1e-11);
@@ -41,7 +41,7 @@ double distance_to_identity(const CGP::Block<Q>& A)
 
 }  // namespace
 
-TEST_F(Eigen_panel, holds_what_k_and_n_make_of_the_vectors)
+TEST_F(Ritz_panel, holds_what_k_and_n_make_of_the_vectors)
 {
   auto p = panel(random_block<Q>(n, 3, 5));
   expect_consistent(p);
@@ -50,7 +50,7 @@ TEST_F(Eigen_panel, holds_what_k_and_n_make_of_the_vectors)
   expect_consistent(p);
 }
 
-TEST_F(Eigen_panel, can_be_replaced_by_a_combination_with_another)
+TEST_F(Ritz_panel, can_be_replaced_by_a_combination_with_another)
 {
   const auto q = panel(random_block<Q>(n, 2, 7));
   for (int columns = 0; columns <= 3; ++columns) {  // fewer than before, as many, or more
@@ -64,7 +64,7 @@ TEST_F(Eigen_panel, can_be_replaced_by_a_combination_with_another)
   }
 }
 
-TEST_F(Eigen_panel, has_a_residual_orthogonal_to_the_vector)
+TEST_F(Ritz_panel, has_a_residual_orthogonal_to_the_vector)
 {
   const auto p = panel(random_block<Q>(n, 1, 8));
   CGP::Block<Q> r;
@@ -72,7 +72,7 @@ TEST_F(Eigen_panel, has_a_residual_orthogonal_to_the_vector)
   EXPECT_LE(std::abs(CGP::inner_product(p.v.col(0), r.col(0)).w), 1e-13);
 }
 
-TEST_F(Eigen_panel, becomes_an_orthonormal_basis_of_the_same_span)
+TEST_F(Ritz_panel, becomes_an_orthonormal_basis_of_the_same_span)
 {
   const auto p = panel(random_block<Q>(n, 4, 9));
   auto basis = p;
@@ -85,7 +85,7 @@ TEST_F(Eigen_panel, becomes_an_orthonormal_basis_of_the_same_span)
   EXPECT_LE(real_columns(rest.v).norm(), 1e-13);
 }
 
-TEST_F(Eigen_panel, loses_directions_that_depend_on_others)
+TEST_F(Ritz_panel, loses_directions_that_depend_on_others)
 {
   CGP::Block<Q> v = random_block<Q>(n, 5, 10);
   const Q q{0, 1, -2, 0.5};
@@ -102,7 +102,7 @@ TEST_F(Eigen_panel, loses_directions_that_depend_on_others)
   EXPECT_EQ(zero.size(), 0);
 }
 
-TEST_F(Eigen_panel, is_orthogonal_to_what_was_projected_out)
+TEST_F(Ritz_panel, is_orthogonal_to_what_was_projected_out)
 {
   auto base = panel(random_block<Q>(n, 2, 11));
   CGP::orthonormalize(base);
@@ -115,7 +115,7 @@ TEST_F(Eigen_panel, is_orthogonal_to_what_was_projected_out)
   EXPECT_GT(real_columns(p.v).norm(), 1e-10);
 }
 
-TEST_F(Eigen_panel, over_the_reals_keeps_what_differs_by_a_quaternion)
+TEST_F(Ritz_panel, over_the_reals_keeps_what_differs_by_a_quaternion)
 {
   CGP::Block<Q> v = random_block<Q>(n, 3, 10);
   for (int i = 0; i < n; ++i) {
@@ -132,7 +132,7 @@ TEST_F(Eigen_panel, over_the_reals_keeps_what_differs_by_a_quaternion)
   EXPECT_LE(distance_to_identity(p.gram(p.v, p.nv)), 1e-13);
 }
 
-TEST_F(Eigen_panel, over_the_reals_is_projected_along_real_multiples_only)
+TEST_F(Ritz_panel, over_the_reals_is_projected_along_real_multiples_only)
 {
   auto base = CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N),
                               random_block<Q>(n, 2, 11), CGP::Coefficients::reals);

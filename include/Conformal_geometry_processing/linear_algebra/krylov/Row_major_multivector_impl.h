@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_ROW_PANEL_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_ROW_PANEL_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_ROW_MAJOR_MULTIVECTOR_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_ROW_MAJOR_MULTIVECTOR_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Row_panel.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Row_major_multivector.h>
 
 #include <Eigen/Core>
 
@@ -13,7 +13,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE void Row_panel::append(const Vectors& v)
+CGP_INLINE void Row_major_multivector::append(const Vectors& v)
 {
   for (Eigen::Index j = 0; j < v.cols(); ++j, ++m_size)
     for (Eigen::Index i = 0; i < v.rows(); ++i) {
@@ -22,7 +22,8 @@ CGP_INLINE void Row_panel::append(const Vectors& v)
     }
 }
 
-CGP_INLINE Row_panel::Vectors Row_panel::columns(Eigen::Index first, Eigen::Index count) const
+CGP_INLINE Row_major_multivector::Vectors Row_major_multivector::columns(Eigen::Index first,
+                                                                         Eigen::Index count) const
 {
   Vectors v(rows(), count);
   for (Eigen::Index j = 0; j < count; ++j)
@@ -33,7 +34,8 @@ CGP_INLINE Row_panel::Vectors Row_panel::columns(Eigen::Index first, Eigen::Inde
   return v;
 }
 
-CGP_INLINE Row_panel::Vectors Row_panel::gram(const Vectors& w, Coefficients coefficients) const
+CGP_INLINE Row_major_multivector::Vectors Row_major_multivector::gram(
+    const Vectors& w, Coefficients coefficients) const
 {
   const Numbers products = used().transpose() * numbers(w);
   Vectors G(size(), w.cols());
@@ -48,7 +50,7 @@ CGP_INLINE Row_panel::Vectors Row_panel::gram(const Vectors& w, Coefficients coe
   return G;
 }
 
-CGP_INLINE Row_panel::Vectors Row_panel::combination(const Vectors& C) const
+CGP_INLINE Row_major_multivector::Vectors Row_major_multivector::combination(const Vectors& C) const
 {
   const Numbers products = used() * right_factors(C);
   Vectors v(rows(), C.cols());
@@ -59,7 +61,7 @@ CGP_INLINE Row_panel::Vectors Row_panel::combination(const Vectors& C) const
   return v;
 }
 
-CGP_INLINE void Row_panel::combine(const Vectors& C)
+CGP_INLINE void Row_major_multivector::combine(const Vectors& C)
 {
   const Numbers factors = right_factors(C);
   const Eigen::Index most = 512;
@@ -71,14 +73,14 @@ CGP_INLINE void Row_panel::combine(const Vectors& C)
   m_size = C.cols();
 }
 
-CGP_INLINE Row_panel::Numbers Row_panel::numbers(const Vectors& v)
+CGP_INLINE Row_major_multivector::Numbers Row_major_multivector::numbers(const Vectors& v)
 {
-  Row_panel panel(v.rows(), v.cols());
+  Row_major_multivector panel(v.rows(), v.cols());
   panel.append(v);
   return std::move(panel.m_numbers);
 }
 
-CGP_INLINE Row_panel::Numbers Row_panel::right_factors(const Vectors& C)
+CGP_INLINE Row_major_multivector::Numbers Row_major_multivector::right_factors(const Vectors& C)
 {
   Numbers factors(4 * C.rows(), 4 * C.cols());
   for (Eigen::Index i = 0; i < C.rows(); ++i)

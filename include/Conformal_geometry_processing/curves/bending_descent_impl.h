@@ -1,18 +1,18 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_CONSTRAINED_DIRECTION_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_CONSTRAINED_DIRECTION_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CURVES_BENDING_DESCENT_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CURVES_BENDING_DESCENT_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/curves/Closing_functions.h>
-#include <Conformal_geometry_processing/curves/constrained_direction.h>
+#include <Conformal_geometry_processing/curves/bending_descent.h>
 
 #include <Eigen/Core>
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE void constrained_direction(const Eigen::VectorXd& curvatures, const Plane_points& points,
-                                      const Polygon_lengths& lengths, Eigen::VectorXd& direction)
+CGP_INLINE void bending_descent(const Eigen::VectorXd& curvatures, const Plane_points& points,
+                                const Polygon_lengths& lengths, Eigen::VectorXd& direction)
 {
   direction = -2 * curvatures;
   if (!lengths.is_closed()) return;
