@@ -17,10 +17,6 @@ namespace Conformal_geometry_processing {
 /// boundary vertex one boundary edge goes out
 std::vector<std::vector<int>> boundary_loops(const Mesh_view& mesh);
 
-/// \ingroup PkgMesh
-/// for each vertex, whether it lies on the boundary
-std::vector<char> boundary_vertices(const Mesh_view& mesh);
-
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
