@@ -102,7 +102,9 @@ class Parser {
     add_filter(command, m_spin.rho.filter);
     add_boundary(command, m_spin.boundary);
     add_solver(command, m_spin);
-    add_mollification(command, m_spin.mollification);
+    add_mollification(command, m_spin.mollification,
+                      ". Without this option it is done where the result does not verify "
+                      "otherwise; --mollify=0 never does it");
     command
         .add_option("--problem", m_problem,
                     "standard, or generalized for rho on faces where that can be trusted")

@@ -60,8 +60,9 @@ void Flow_watch::write_snapshot(int step, const CGP::Mesh_view& mesh)
 {
   const std::string path = snapshot_path(m_session.options().output, step);
   CGP::Spin_report report = m_evidence;
-  report.conformality = CGP::conformality(
-      m_input.mesh, mesh.positions(), CGP::neighbourhood_normals(m_input.mesh, mesh.positions()));
+  const CGP::Mesh_view measured = measured_part(m_input.mesh, report.mollification.share > 0);
+  report.conformality = CGP::conformality(measured, mesh.positions(),
+                                          CGP::neighbourhood_normals(measured, mesh.positions()));
   const std::string fault =
       objection(report, mesh.positions(), mesh.size_of_faces(), m_options.limits, easier_than_flow);
   m_progress.clear();

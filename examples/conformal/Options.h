@@ -78,7 +78,8 @@ struct Flow_options {
   int filter_order = 1;
   Balance_choice balance = Balance_choice::none;
   Boundary_choice boundary = Boundary_choice::free;
-  int every = 0;  ///< steps from a snapshot to the next; none if zero
+  std::optional<double> mollification;  ///< share of the mean edge; none or 0: no triangulation
+  int every = 0;                        ///< steps from a snapshot to the next; none if zero
   bool force = false;
   Verification_limits limits;
 };

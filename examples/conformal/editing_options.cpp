@@ -30,6 +30,7 @@ void add_fit_options(CLI::App& command, Fit_options& fit)
                                         "which directions the boundary takes from the target")
       ->check(CLI::IsMember({"tangents", "binormals"}))
       ->default_str("tangents");
+  add_mollification(command, fit.spin.mollification);
   command.add_option("--lambda", fit.spin.lambda,
                      "write the quaternions lambda as vertex properties NAME_w to NAME_z");
 }

@@ -58,8 +58,10 @@ void tell_target(const Surface_input& input, const CGP::Mesh_view& target,
 {
   Report& report = session.report();
   Table table;
+  const CGP::Mesh_view measured =
+      measured_part(input.mesh, solution.spin.report.mollification.share > 0);
   const CGP::Conformality map = CGP::conformality(
-      input.mesh, target.positions(), CGP::neighbourhood_normals(input.mesh, target.positions()));
+      measured, target.positions(), CGP::neighbourhood_normals(measured, target.positions()));
   report.set("result/target/quasi_conformal/mean", map.quasi_conformal.mean);
   report.set("result/target/quasi_conformal/p99", map.quasi_conformal.p99);
   report.set("result/target/quasi_conformal/max", map.quasi_conformal.max);
@@ -96,12 +98,14 @@ Fit_solution solve(const Surface_input& input, const Fit_problem& problem, Sessi
 void fit(const Fit_options& options, Session& session)
 {
   require_writable(session.options().output);
-  const Surface_input input = read_suitable_surface(options.spin.input, session);
+  const Surface_input input =
+      read_suitable_surface(options.spin.input, session, flat_faces(options.spin.mollification));
   const CGP::Mesh_view target = read_surface_like(input, options.target).mesh;
   note_repaired_alike(input, {options.target}, session);
   const CGP::Boundary_condition boundary = boundary_of(input, target, options.boundary);
   const Fit_problem problem{target.positions(), scale_factors(input, options.scale),
-                            boundary.direction, options.blend};
+                            boundary.direction, options.blend,
+                            options.spin.mollification.value_or(0)};
   session.end_stage("prepare");
   Fit_solution solution = solve(input, problem, session);
   session.begin_stage();

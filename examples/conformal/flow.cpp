@@ -131,7 +131,8 @@ Flow_solution flowed_components(const Surface_input& input, const Flow_options& 
 void flow(const Flow_options& options, Session& session)
 {
   require_writable(session.options().output);
-  const Surface_input input = read_suitable_surface(options.input, session);
+  const Surface_input input =
+      read_suitable_surface(options.input, session, flat_faces(options.mollification));
   const Flow_solution solution = session.options().each_component
                                      ? flowed_components(input, options, session)
                                      : flowed(input, options, session);

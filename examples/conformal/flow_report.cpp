@@ -79,6 +79,7 @@ void report_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
   report.set("result/iterations", evidence.iterations);
   report.set("result/closure_residual", evidence.closure_residual);
   report.set("result/period_defect", evidence.period_defect);
+  report_mollification(evidence.mollification, report);
   report_conformality(flow.conformality, report);
   if (CGP::topology(initial).is_sphere()) {
     const Radius r = radius(final_surface(solution, initial));
@@ -120,7 +121,11 @@ Table flow_table(const Flow_solution& solution, const CGP::Mesh_view& initial,
   if (CGP::topology(initial).is_sphere())
     table.add("radius, deviation / mean", radius(final_surface(solution, initial)).deviation);
   table.add("closure residual, worst", text_of(evidence.closure_residual, 3));
-  add_conformality(flow.conformality, initial.size_of_faces(), table);
+  const bool is_mollified = evidence.mollification.share > 0;
+  add_conformality(flow.conformality,
+                   is_mollified ? evidence.mollification.measured_faces : initial.size_of_faces(),
+                   table);
+  add_mollification(evidence.mollification, table);
   return table;
 }
 

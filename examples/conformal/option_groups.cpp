@@ -155,14 +155,17 @@ void add_solver(CLI::App& command, Spin_options& options)
       ->capture_default_str();
 }
 
-void add_mollification(CLI::App& command, std::optional<double>& mollification)
+void add_mollification(CLI::App& command, std::optional<double>& mollification,
+                       const std::string& otherwise)
 {
   const std::string description =
-      "take thin faces as they are, also those of area zero: solve on the intrinsic Delaunay "
-      "triangulation, and add to all edges what triangles lack, at most this share of the mean "
-      "edge (--mollify=0.001; default 1e-6); the report tells how many edges were flipped and by "
-      "how much they were made longer. Without this option it is done where the result does not "
-      "verify otherwise; --mollify=0 never does it";
+      std::string(
+          "take thin faces as they are, also those of area zero: solve on the intrinsic Delaunay "
+          "triangulation, and add to all edges what triangles lack, at most this share of the mean "
+          "edge (--mollify=0.001; default 1e-6); the report tells how many edges were flipped and "
+          "by "
+          "how much they were made longer") +
+      otherwise;
   command.add_flag("--mollify{1e-6}", description)
       ->check(below_one)
       ->each([&mollification](const std::string& text) {

@@ -51,7 +51,9 @@ CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho);
 void add_filter(CLI::App& command, Filter_request& filter);
 
 void add_solver(CLI::App& command, Spin_options& options);
-void add_mollification(CLI::App& command, std::optional<double>& mollification);
+/// \param otherwise what happens without this option, as the end of a sentence
+void add_mollification(CLI::App& command, std::optional<double>& mollification,
+                       const std::string& otherwise = "");
 void add_boundary(CLI::App& command, Boundary_choice& boundary);
 void add_prescription(CLI::App& command, Prescription_options& prescription);
 void add_eigenvector(CLI::App& command, Common_options& options);

@@ -33,6 +33,7 @@ CGP::Flow_options options_of(const Flow_options& options, const Common_options& 
   flow.filter_order = options.filter_order;
   flow.balance = balance_of(options.balance);
   flow.boundary = kept_boundary(options.boundary);
+  if (options.mollification.value_or(0) > 0) flow.mollification = options.mollification;
   flow.dirac.tolerance = common.tolerance;
   flow.dirac.random_seed = common.seed;
   return flow;

@@ -12,8 +12,11 @@ Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
                        const Common_options& common,
                        const std::function<bool(const CGP::Eigensolver_progress&)>& go_further)
 {
-  CGP::Nearest_spin_transformation<> nearest(mesh, problem.target, "fit", problem.direction);
-  if (problem.scales.size() > 0) nearest.scale_lengths(mesh, problem.scales);
+  CGP::Nearest_spin_options own;
+  own.direction = problem.direction;
+  if (problem.mollification > 0) own.mollification = problem.mollification;
+  CGP::Nearest_spin_transformation<> nearest(mesh, problem.target, "fit", own);
+  if (problem.scales.size() > 0) nearest.scale_lengths(problem.scales);
   CGP::Dirac_options dirac;
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;

@@ -15,6 +15,7 @@ struct Fit_problem {
   Eigen::VectorXd scales;              ///< factors for the scales of the target; none if empty
   Eigen::Vector3d direction{1, 0, 0};  ///< of the boundary frame, which becomes the target's
   double blend = 0;                    ///< 0 is conformal, 1 nearest to the target
+  double mollification = 0;            ///< if not 0, on the intrinsic Delaunay triangulation
 };
 
 /// what came of it

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solve_spin.h"
 
-#include "solve_robustly.h"
-
-#include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/templates.h>
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
 #include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
@@ -21,12 +19,11 @@ template <class SolverTraits>
 Spin_solution solve_by(const CGP::Mesh_view& mesh, const Spin_problem& problem,
                        const CGP::Dirac_options& options, const Go_further& go_further)
 {
-  CGP::Closing_options closing;
-  if (!problem.closes_loops) closing.exactness.reset();
-  CGP::Closing_spin_transformation<SolverTraits> transformation(mesh, closing, problem.boundary,
-                                                                "spin");
-  CGP::Spin_result result =
-      std::move(transformation).transform(problem.rho, options, std::cref(go_further));
+  CGP::Spin_transformation_options own{problem.boundary};
+  if (!problem.closes_loops) own.exactness.reset();
+  if (problem.mollification > 0) own.mollification = problem.mollification;
+  CGP::Spin_result result = CGP::Spin_transformation<SolverTraits>(mesh, own, "spin")
+                                .transform(problem.rho, options, std::cref(go_further));
   return {std::move(result.positions), std::move(result.lambda), result.report};
 }
 
@@ -42,7 +39,6 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
   dirac.kernel_tolerance = problem.kernel_tolerance;
-  if (problem.mollification > 0) return solve_robustly(mesh, problem, dirac, go_further);
   if (options.solver == "eigen")
     return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, problem, dirac, go_further);
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD

@@ -22,13 +22,6 @@ void require_standard_problem_at_boundary(const Surface_input& input, const Spin
                      "--problem generalized wants a closed surface; try: --problem standard");
 }
 
-void require_native_solver_to_mollify(const Spin_options& options)
-{
-  if (options.mollification.value_or(0) > 0 && options.solver != "native")
-    throw Failure(Exit_code::usage,
-                  "--mollify works with the native solver; try: without --solver");
-}
-
 }  // namespace
 
 void require_possible_spin(const Surface_input& input, const Spin_options& options)
@@ -39,17 +32,15 @@ void require_possible_spin(const Surface_input& input, const Spin_options& optio
 
 std::string easier_spin(const Spin_options& options)
 {
-  const bool is_tried = options.mollification.value_or(1) > 0 && options.solver == "native";
+  const bool is_tried = options.mollification.value_or(1) > 0;
   return is_tried ? "a weaker rho" : "a weaker rho, --mollify for thin faces";
 }
 
 void spin(const Spin_options& options, Session& session)
 {
-  require_native_solver_to_mollify(options);
   require_writable(session.options().output);
-  const Surface_input input = read_suitable_surface(
-      options.input, session,
-      options.mollification.value_or(0) > 0 ? Flat_faces::allowed : Flat_faces::refused);
+  const Surface_input input =
+      read_suitable_surface(options.input, session, flat_faces(options.mollification));
   const bool is_whole = !session.options().each_component;
   if (is_whole) require_possible_spin(input, options);
   Spin_problem problem;
@@ -59,7 +50,7 @@ void spin(const Spin_options& options, Session& session)
   problem.boundary = kept_boundary(options.boundary);
   problem.closes_loops = !options.open_handles;
   problem.mollification = options.mollification.value_or(0);
-  if (!options.mollification && options.solver == "native") problem.second_try = 1e-6;
+  if (!options.mollification) problem.second_try = 1e-6;
   is_whole ? deform(input, std::move(problem), options, easier_spin(options), session)
            : spin_components(input, std::move(problem), options, session);
 }

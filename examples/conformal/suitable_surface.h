@@ -7,6 +7,7 @@
 #include "Session.h"
 #include "Surface_input.h"
 
+#include <optional>
 #include <string>
 
 namespace conformal {
@@ -17,6 +18,12 @@ namespace conformal {
 /// \param flat_faces whether it may have faces of area zero
 Surface_input read_suitable_surface(const std::string& path, Session& session,
                                     Flat_faces flat_faces = Flat_faces::refused);
+
+/// what `--mollify` makes of faces of area zero
+inline Flat_faces flat_faces(const std::optional<double>& mollification)
+{
+  return mollification.value_or(0) > 0 ? Flat_faces::allowed : Flat_faces::refused;
+}
 
 /// the same for closed surfaces only, and for those with a boundary only
 Surface_input read_closed_surface(const std::string& path, Session& session);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verification.h"
 
+#include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
+
 #include <cmath>
 #include <vector>
 
@@ -39,6 +41,13 @@ std::string exceeds(const std::string& what, double value, double limit)
   return what + " is " + text_of(value, digits) + ", more than " + text_of(limit, 3);
 }
 
+}  // namespace
+
+CGP::Mesh_view measured_part(const CGP::Mesh_view& mesh, bool is_mollified)
+{
+  return is_mollified ? CGP::well_shaped_faces(mesh).mesh : mesh;
+}
+
 void report_mollification(const CGP::Spin_report::Mollification& made, Report& report)
 {
   if (made.share == 0) return;
@@ -62,8 +71,6 @@ void add_mollification(const CGP::Spin_report::Mollification& made, Table& table
   table.add("measured", text_of(100 * made.measured_area, 4) + " % of the area, " +
                             count_of(static_cast<std::size_t>(made.measured_faces), "face"));
 }
-
-}  // namespace
 
 std::string objection(const CGP::Spin_report& report, const CGP::Points& positions, int faces,
                       const Verification_limits& limits, const std::string& easier)

@@ -35,6 +35,14 @@ void report_certificate(const CGP::Spin_report& spin, Report& report);
 /// The certificate for the eye.
 Table certificate_table(const CGP::Spin_report& spin, int faces);
 
+/// the part of a mesh on which maps are measured: without thin faces, where these were taken as
+/// they are
+CGP::Mesh_view measured_part(const CGP::Mesh_view& mesh, bool is_mollified);
+
+/// Enters and shows how the triangulation of a mollified surface was built; nothing of another.
+void report_mollification(const CGP::Spin_report::Mollification& made, Report& report);
+void add_mollification(const CGP::Spin_report::Mollification& made, Table& table);
+
 /// Enters and shows the part that tells about the map alone.
 void report_conformality(const CGP::Conformality& map, Report& report);
 void add_conformality(const CGP::Conformality& map, int faces, Table& table);
