@@ -25,7 +25,7 @@ namespace CGP = Conformal_geometry_processing;
 std::string objection(const CGP::Spin_report& report, const CGP::Points& positions, int faces,
                       const Verification_limits& limits, const std::string& easier);
 
-/// The same for what the map alone tells.
+/// Likewise, for properties of the map only.
 std::string objection(const CGP::Conformality& map, int faces, const Verification_limits& limits,
                       const std::string& easier);
 
@@ -35,7 +35,7 @@ void report_certificate(const CGP::Spin_report& spin, Report& report);
 /// The certificate for the eye.
 Table certificate_table(const CGP::Spin_report& spin, int faces);
 
-/// Enters and shows the part that tells about the map alone.
+/// Reports and prints the part that concerns the map only.
 void report_conformality(const CGP::Conformality& map, Report& report);
 void add_conformality(const CGP::Conformality& map, int faces, Table& table);
 
