@@ -23,7 +23,7 @@ Shape shape(const Conformal_geometry_processing::Mesh_view& mesh)
   s.min_angle = 180;
   double shortest = std::numeric_limits<double>::infinity(), longest = 0;
   for (int h = 0; h < mesh.size_of_halfedges(); ++h) {
-    s.min_angle = std::min(s.min_angle, corner_angle(mesh, h / 3, h % 3) * degrees);
+    s.min_angle = std::min(s.min_angle, corner_angle(mesh.sheet(h / 3), h % 3) * degrees);
     shortest = std::min(shortest, mesh.vector(h).stableNorm());
     longest = std::max(longest, mesh.vector(h).stableNorm());
   }

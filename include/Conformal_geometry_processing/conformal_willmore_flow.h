@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/boundary_parameters.h>
+#include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/write_points.h>
@@ -30,7 +31,7 @@ Flow_options flow_options(const NamedParameters& np)
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), o.max_steps));
   o.energy_tolerance =
       choose_parameter(get_parameter(np, internal_np::tolerance), o.energy_tolerance);
-  o.exactness = choose_parameter(get_parameter(np, internal_np::exactness), o.exactness);
+  read_exactness_and_mollification(np, o);
   o.filter_weight =
       choose_parameter(get_parameter(np, internal_np::filter_weight), o.filter_weight);
   o.filter_order = static_cast<int>(
@@ -76,8 +77,9 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
           internal_np::sparse_solver_t, internal_np::eigenvalue_solver_t, internal_np::time_step_t,
           internal_np::tolerance_t, internal_np::filter_weight_t, internal_np::filter_order_t,
           internal_np::balance_t, internal_np::balancing_t, internal_np::vertex_target_area_map_t,
-          internal_np::exactness_t, internal_np::curvature_direction_t,
-          internal_np::boundary_direction_t, internal_np::boundary_direction_map_t>,
+          internal_np::exactness_t, internal_np::mollification_t,
+          internal_np::curvature_direction_t, internal_np::boundary_direction_t,
+          internal_np::boundary_direction_map_t>,
       "conformal_willmore_flow(): unknown named parameter, see the manual for those it accepts");
   using Solver_traits =
       Parameter_type<NamedParameters, internal_np::sparse_solver_t, Default_solver_traits>;
@@ -184,6 +186,12 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///     \cgalParamDescription{how surfaces are kept closed around handles and holes}
 ///     \cgalParamType{`Exactness`}
 ///     \cgalParamDefault{`Exactness::adjoint`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{mollification}
+///     \cgalParamDescription{lets faces be as thin as they like, or of area zero, see
+///                           `spin_transform()`}
+///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good one}
+///     \cgalParamDefault{none: faces of area zero are refused}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{curvature_direction}
 ///     \cgalParamDescription{another flow of curvature by the same machinery}

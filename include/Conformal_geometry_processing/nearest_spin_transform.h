@@ -4,9 +4,13 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_NEAREST_SPIN_TRANSFORM_H
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/boundary_parameters.h>
+#include <Conformal_geometry_processing/core/dirac_parameters.h>
+#include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/core/write_spin_result.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
-#include <Conformal_geometry_processing/spin_transform.h>
+#include <Conformal_geometry_processing/spin/Spin_visitor.h>
 
 #include <CGAL/number_utils.h>
 
@@ -83,6 +87,18 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamType{`Boundary_direction`}
 ///     \cgalParamDefault{the tangent}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{exactness}
+///     \cgalParamDescription{how handles are kept closed; `std::nullopt`: not at all, in one step}
+///     \cgalParamType{`Exactness`, or `std::nullopt`}
+///     \cgalParamDefault{`Exactness::adjoint`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{mollification}
+///     \cgalParamDescription{lets faces of the mesh and of the target be as thin as they like, or
+///     of
+///                           area zero, see `spin_transform()`}
+///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good one}
+///     \cgalParamDefault{none: faces of area zero are refused}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits, sparse_solver, eigenvalue_solver, eigenproblem, tolerance,
 ///                    number_of_iterations, maximum_number_of_substeps, random_seed, visitor}
 ///     \cgalParamDescription{as of `spin_transform()`}
@@ -108,7 +124,8 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
           internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
           internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::tolerance_t,
           internal_np::maximum_number_of_substeps_t, internal_np::vertex_scale_map_t,
-          internal_np::blend_t, internal_np::boundary_direction_t>,
+          internal_np::blend_t, internal_np::boundary_direction_t, internal_np::exactness_t,
+          internal_np::mollification_t>,
       "nearest_spin_transform(): unknown named parameter, see the manual for those it accepts");
   using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
                                                  Default_solver_traits>;
@@ -120,23 +137,22 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
   const Boundary_direction direction = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, internal_np::boundary_direction),
       Boundary_direction{1, 0, 0});
+  Nearest_spin_options options;
+  options.direction = {direction.tangent, direction.normal, direction.binormal};
+  internal::read_exactness_and_mollification(np, options);
   Nearest_spin_transformation<Solver_traits, Eigensolver_traits> nearest(
-      graph.view(), internal::read_points(mesh, target_points, np, function), function,
-      {direction.tangent, direction.normal, direction.binormal});
+      graph.view(), internal::read_points(mesh, target_points, np, function), function, options);
   if constexpr (internal::has_parameter<NamedParameters, internal_np::vertex_scale_map_t>) {
     const auto scales = CGAL::parameters::get_parameter(np, internal_np::vertex_scale_map);
     Eigen::VectorXd factor(graph.view().size_of_vertices());
     for (int v = 0; v < factor.size(); ++v)
       factor[v] = CGAL::to_double(get(scales, graph.vertex(v)));
-    nearest.scale_lengths(graph.view(), factor);
+    nearest.scale_lengths(factor);
   }
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
   Nearest_spin_result result =
-      nearest.transform(internal::dirac_options(np), [&](const Eigensolver_progress& progress) {
-        visitor.on_iteration(progress);
-        return visitor.go_further();
-      });
+      nearest.transform(internal::dirac_options(np), internal::asking(visitor));
   const double t = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, internal_np::blend), 0.);
   if (t != 0 && result.report) result = nearest.blend(result, t);

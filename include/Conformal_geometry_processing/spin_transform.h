@@ -4,62 +4,30 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORM_H
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
-#include <Conformal_geometry_processing/core/Quaternion_access.h>
 #include <Conformal_geometry_processing/core/boundary_parameters.h>
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
-#include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/core/write_points.h>
-#include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
-#include <Conformal_geometry_processing/spin/Spin_report.h>
+#include <Conformal_geometry_processing/core/read_curvature_potential.h>
+#include <Conformal_geometry_processing/core/write_spin_result.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_visitor.h>
 
-#include <CGAL/number_utils.h>
-
-#include <boost/property_map/property_map.hpp>
-
 #include <string>
-#include <type_traits>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 namespace internal {
 
-template <class TriangleMesh, class CurvaturePotentialMap>
-Curvature_potential read_curvature_potential(const Graph_view<TriangleMesh>& graph,
-                                             CurvaturePotentialMap rho)
-{
-  using Key = typename boost::property_traits<CurvaturePotentialMap>::key_type;
-  constexpr bool on_vertices =
-      std::is_same_v<Key, typename Graph_view<TriangleMesh>::vertex_descriptor>;
-  constexpr bool on_faces = std::is_same_v<Key, typename Graph_view<TriangleMesh>::face_descriptor>;
-  static_assert(on_vertices || on_faces,
-                "the key type of rho must be the vertex or the face descriptor of the mesh");
-  const Mesh_view& mesh = graph.view();
-  Eigen::VectorXd values(on_vertices ? mesh.size_of_vertices() : mesh.size_of_faces());
-  for (int i = 0; i < values.size(); ++i) {
-    if constexpr (on_vertices)
-      values[i] = CGAL::to_double(get(rho, graph.vertex(i)));
-    else
-      values[i] = CGAL::to_double(get(rho, graph.face(i)));
-  }
-  return {on_vertices ? Curvature_potential::On::vertices : Curvature_potential::On::faces,
-          std::move(values)};
-}
-
+/// the class that the solvers of the named parameters belong to
 template <class NamedParameters>
-Closing_options closing_options(const NamedParameters& np)
-{
-  Closing_options o;
-  if constexpr (has_parameter<NamedParameters, internal_np::exactness_t>)
-    o.exactness = CGAL::parameters::get_parameter(np, internal_np::exactness);
-  return o;
-}
+using Spin_transformation_for = Spin_transformation<
+    Parameter_type<NamedParameters, internal_np::sparse_solver_t, Default_solver_traits>,
+    Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t, Lobpcg_eigensolver_traits>>;
 
-/// What `spin_transform()` finds, of a mesh or of one of its components; nothing is written.
-template <class TriangleMesh, class CurvaturePotentialMap, class NamedParameters>
-Spin_result spin_result(const Graph_view<TriangleMesh>& graph, CurvaturePotentialMap rho,
-                        const NamedParameters& np, const std::string& function)
+/// The options that the named parameters of `spin_transform()` tell.
+template <class TriangleMesh, class NamedParameters>
+Spin_transformation_options spin_transformation_options(const Graph_view<TriangleMesh>& graph,
+                                                        const NamedParameters& np,
+                                                        const std::string& function)
 {
   static_assert(
       only_known_parameters<
@@ -74,44 +42,10 @@ Spin_result spin_result(const Graph_view<TriangleMesh>& graph, CurvaturePotentia
           internal_np::branch_t, internal_np::mollification_t,
           CGAL::internal_np::vertex_is_constrained_t, CGAL::internal_np::vertex_normal_map_t>,
       "spin_transform(): unknown named parameter, see the manual for those it accepts");
-  using Solver_traits =
-      Parameter_type<NamedParameters, internal_np::sparse_solver_t, Default_solver_traits>;
-  using Eigensolver_traits =
-      Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t, Lobpcg_eigensolver_traits>;
-
-  const Curvature_potential potential = read_curvature_potential(graph, rho);
-  Spin_visitor silent;
-  auto&& visitor = parameter_or(np, CGAL::internal_np::visitor, silent);
-  const auto go_further = [&](const Eigensolver_progress& progress) {
-    visitor.on_iteration(progress);
-    return visitor.go_further();
-  };
-  const Dirac_options options = dirac_options(np);
-  if constexpr (has_parameter<NamedParameters, internal_np::mollification_t>) {
-    return Robust_closing_spin_transformation<Solver_traits, Eigensolver_traits>(
-               graph.view(), closing_options(np), boundary_condition(graph, np, function),
-               CGAL::parameters::get_parameter(np, internal_np::mollification), function)
-        .transform(potential, options, go_further);
-  } else {
-    return Closing_spin_transformation<Solver_traits, Eigensolver_traits>(
-               graph.view(), closing_options(np), boundary_condition(graph, np, function), function)
-        .transform(potential, options, go_further);
-  }
-}
-
-/// Writes lambda, then the points. A map that throws leaves the points as they were
-/// (`write_points()`).
-template <class TriangleMesh, class NamedParameters>
-void write_spin_result(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph,
-                       const Spin_result& result, const NamedParameters& np)
-{
-  if constexpr (has_parameter<NamedParameters, internal_np::vertex_spin_map_t>) {
-    auto spins = CGAL::parameters::get_parameter(np, internal_np::vertex_spin_map);
-    using Value = typename boost::property_traits<decltype(spins)>::value_type;
-    for (int v = 0; v < graph.view().size_of_vertices(); ++v)
-      put(spins, graph.vertex(v), Quaternion_access<Value>::to(result.lambda[v]));
-  }
-  write_points(mesh, graph, result.positions, np);
+  Spin_transformation_options options;
+  options.boundary = boundary_condition(graph, np, function);
+  read_exactness_and_mollification(np, options);
+  return options;
 }
 
 }  // namespace internal
@@ -282,8 +216,15 @@ template <class TriangleMesh, class CurvaturePotentialMap,
 Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
                            const NamedParameters& np = parameters::default_values())
 {
-  const Graph_view<TriangleMesh> graph(mesh, np, "spin_transform");
-  const Spin_result result = internal::spin_result(graph, rho, np, "spin_transform");
+  const char* const function = "spin_transform";
+  const Graph_view<TriangleMesh> graph(mesh, np, function);
+  const Curvature_potential potential = internal::read_curvature_potential(graph, rho);
+  Spin_visitor silent;
+  auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
+  const Spin_result result =
+      internal::Spin_transformation_for<NamedParameters>(
+          graph.view(), internal::spin_transformation_options(graph, np, function), function)
+          .transform(potential, internal::dirac_options(np), internal::asking(visitor));
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

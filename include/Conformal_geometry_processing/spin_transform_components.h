@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/core/for_each_component.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/spin/require_potential.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <string>
@@ -57,12 +58,21 @@ Component_reports<Spin_report> spin_transform_components(
   all.positions = graph.view().positions();
   all.lambda.resize(graph.view().size_of_vertices());
   bool is_cancelled = false;
+  Spin_visitor silent;
+  auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
+  const auto transformed = [&](const Graph_view<TriangleMesh>& component) {
+    return internal::Spin_transformation_for<NamedParameters>(
+               component.view(), internal::spin_transformation_options(component, np, function),
+               function)
+        .transform(internal::read_curvature_potential(component, rho), internal::dirac_options(np),
+                   internal::asking(visitor));
+  };
   const auto reports = internal::for_each_component(
       graph, function,
       [&](const Graph_view<TriangleMesh>& component) {
         Spin_result result;
         result.report.cancelled = is_cancelled;  // applies to all remaining components
-        if (!is_cancelled) result = internal::spin_result(component, rho, np, function);
+        if (!is_cancelled) result = transformed(component);
         is_cancelled = result.report.cancelled;
         return result;
       },

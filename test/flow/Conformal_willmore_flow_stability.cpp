@@ -62,7 +62,7 @@ double smallest_angle(const Mesh_view& mesh)
 {
   double smallest = pi;
   for (int f = 0; f < mesh.size_of_faces(); ++f)
-    for (int c = 0; c < 3; ++c) smallest = std::min(smallest, CGP::corner_angle(mesh, f, c));
+    for (int c = 0; c < 3; ++c) smallest = std::min(smallest, CGP::corner_angle(mesh.sheet(f), c));
   return smallest;
 }
 

@@ -66,7 +66,7 @@ Points read_points(const Graph_view<TriangleMesh>& graph, const std::vector<int>
 inline Points normals_at(const Mesh_view& mesh, const Points& positions,
                          const std::vector<int>& vertices)
 {
-  const Points all = vertex_normals({positions, mesh.corners()}, Normal_weight::angle);
+  const Points all = vertex_normals(Mesh_view(positions, mesh.corners()), Normal_weight::angle);
   Points normals(3, static_cast<Eigen::Index>(vertices.size()));
   for (std::size_t k = 0; k < vertices.size(); ++k)
     normals.col(static_cast<Eigen::Index>(k)) = all.col(vertices[k]);

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_CORE_DIRAC_PARAMETERS_H
 
 #include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_convergence.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
 namespace Conformal_geometry_processing {
@@ -28,6 +29,28 @@ Dirac_options dirac_options(const NamedParameters& np)
   o.random_seed = static_cast<unsigned>(
       choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.random_seed));
   return o;
+}
+
+/// \brief the options that named parameters tell of a spin transformation, but for the boundary.
+/// \tparam Options has exactness and mollification
+template <class Options, class NamedParameters>
+void read_exactness_and_mollification(const NamedParameters& np, Options& options)
+{
+  if constexpr (has_parameter<NamedParameters, internal_np::exactness_t>)
+    options.exactness = CGAL::parameters::get_parameter(np, internal_np::exactness);
+  if constexpr (has_parameter<NamedParameters, internal_np::mollification_t>)
+    options.mollification = CGAL::parameters::get_parameter(np, internal_np::mollification);
+}
+
+/// passes the progress of an eigensolver to the visitor of the named parameters, and asks whether
+/// to go further; the visitor must outlive it
+template <class Visitor>
+auto asking(Visitor& visitor)
+{
+  return [&visitor](const Eigensolver_progress& progress) {
+    visitor.on_iteration(progress);
+    return visitor.go_further();
+  };
 }
 
 }  // namespace internal

@@ -17,12 +17,14 @@
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace Conformal_geometry_processing {
@@ -86,7 +88,7 @@ class Conformal_willmore_flow {
     report.step = m_steps + 1;
     report.energy_before = report.energy = m_energy;
     try {
-      const auto direction = m_direction(m_transformation.reconstruction().solver());
+      const auto direction = m_direction(m_mesh);
       report.direction_norm = direction.norm;
       report.remaining_share = direction.share;
       if (direction.has_vanished(m_options.direction_tolerance) && !is_turning())
@@ -122,8 +124,8 @@ class Conformal_willmore_flow {
         visitor.on_step_end(report.steps.back(), m_mesh);
     }
     report.energy = m_energy;
-    const Points normals = neighbourhood_normals(m_initial, m_mesh.positions());
-    report.conformality = conformality(m_initial, m_mesh.positions(), normals);
+    const Points normals = neighbourhood_normals(measured(), m_mesh.positions());
+    report.conformality = conformality(measured(), m_mesh.positions(), normals);
     report.seconds = watch.lap();
     return report;
   }
@@ -133,6 +135,10 @@ class Conformal_willmore_flow {
   enum class Verdict { good, rises_slightly, bad, cancelled };
 
   double energy_of(const Mesh_view& mesh) const;
+  static Spin_transformation_options transformation_options(const Flow_options& options);
+
+  /// the part of the initial mesh on which distortion is measured
+  const Mesh_view& measured() const { return m_well_shaped ? m_well_shaped->mesh : m_initial; }
 
   // A type of its own for each visitor would have the eigensolver compiled for each.
   using Go_further = std::function<bool(const Eigensolver_progress&)>;
@@ -170,7 +176,8 @@ class Conformal_willmore_flow {
   std::string m_function;
   Flow_options m_options;
   Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
-  Mesh_view m_initial, m_mesh, m_next;  // m_next: room for trials
+  Mesh_view m_initial, m_mesh, m_next;             // m_next: room for trials
+  std::optional<Well_shaped_faces> m_well_shaped;  // of the initial mesh, with mollification
   Constrained_direction<SolverTraits, EigensolverTraits, Direction> m_direction;
   Flow_balance m_balance;
   double m_energy;

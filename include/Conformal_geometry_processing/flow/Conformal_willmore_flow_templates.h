@@ -4,9 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONFORMAL_WILLMORE_FLOW_TEMPLATES_H
 
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+#include <Conformal_geometry_processing/flow/Constrained_direction_templates.h>
 #include <Conformal_geometry_processing/flow/step_fault.h>
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
 
@@ -22,25 +22,37 @@ Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::Conformal_w
     const Mesh_view& mesh, const Flow_options& options, Direction direction, std::string function)
     : m_function(std::move(function)),
       m_options(checked(options, m_function)),
-      m_transformation(mesh, options.boundary, m_function),
+      m_transformation(mesh, transformation_options(options), m_function),
       m_initial(mesh),
       m_mesh(mesh),
       m_next(mesh),
-      m_direction(m_mesh, std::move(direction), options, m_transformation.dirac_equation(),
-                  m_function),
-      m_balance(
-          mesh,
-          options, [&]() -> const auto& { return m_transformation.reconstruction().solver(); },
-          m_function),
+      m_direction(m_transformation, std::move(direction), options, m_function),
+      m_balance(mesh, options, m_transformation, m_function),
       m_energy(energy_of(mesh)),
       m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step))
-{}
+{
+  if (options.mollification) m_well_shaped = well_shaped_faces(m_initial);
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+Spin_transformation_options
+Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::transformation_options(
+    const Flow_options& options)
+{
+  Spin_transformation_options own;
+  own.boundary = options.boundary;
+  own.exactness = options.exactness;
+  own.mollification = options.mollification;
+  return own;
+}
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
 double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::energy_of(
     const Mesh_view& mesh) const
 {
-  return internal::energy_of(m_direction.unconstrained(), mesh);
+  const Direction& direction = m_direction.unconstrained();
+  if (!m_options.mollification) return internal::energy_of(direction, mesh, mesh);
+  return internal::energy_of(direction, mesh, Delaunay_view(mesh, *m_options.mollification));
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
@@ -48,7 +60,7 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::find_t
     const Eigen::VectorXd& v, Flow_step_report& report, const Go_further& go_further)
 {
   const double first = m_time_step.value();
-  const Eigen::VectorXd back = m_direction.closing_part(m_balance.potential(m_mesh));
+  const Eigen::VectorXd back = m_direction.exact_part(m_balance.potential(m_mesh));
   for (int slight_rises = 0; !report.accepted && report.stop == Flow_stop::none;) {
     const double tau = report.time_step = m_time_step.value();
     ++report.trials;
@@ -72,11 +84,10 @@ auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::try_st
     const Eigen::VectorXd& rho, Flow_step_report& report, const Go_further& go_further) -> Verdict
 {
   try {
-    Spin_result result = m_transformation.transform(Curvature_potential::on_vertices(rho),
-                                                    m_options.dirac, go_further);
+    Spin_result result =
+        m_transformation.step(Curvature_potential::on_vertices(rho), m_options.dirac, go_further);
     report.spin = result.report;
-    if (!result.report.cancelled)
-      report.period_defect = m_direction.period_defect(transformed_edges(m_mesh, result.lambda));
+    if (!result.report.cancelled) report.period_defect = m_direction.period_defect(result.lambda);
     return result.report.cancelled ? Verdict::cancelled : judge(std::move(result), report);
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;
@@ -123,8 +134,10 @@ double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::forb
 template <class SolverTraits, class EigensolverTraits, class Direction>
 double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::turning_angle() const
 {
-  const auto* const directions = m_transformation.dirac_equation().directions();
-  return directions ? directions->errors(m_mesh).mean() : 0;
+  const auto* const directions = m_transformation.system().directions();
+  if (!directions) return 0;
+  const Points& in_frame = m_transformation.domain().mesh().positions();
+  return m_transformation.domain().direction_errors(*directions, in_frame).mean();
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
@@ -148,7 +161,7 @@ template <class SolverTraits, class EigensolverTraits, class Direction>
 auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::move_on(
     double energy, Flow_step_report& report) -> Verdict
 {
-  report.quasi_conformal = quasi_conformal_error(m_initial, m_next.positions());
+  report.quasi_conformal = quasi_conformal_error(measured(), m_next.positions());
   try {
     m_transformation.set_positions(m_next.positions());
   } catch (const Precondition_error& error) {

@@ -4,12 +4,10 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINED_DIRECTION_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/flow/Closing_constraints.h>
-#include <Conformal_geometry_processing/flow/Constraint_basis.h>
 #include <Conformal_geometry_processing/flow/Curvature_filter.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/spin/Surface_dirac_equation.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <Eigen/Core>
 
@@ -19,10 +17,9 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// \brief what becomes of the direction of a flow before it may move the surface: it is filtered,
-/// and loses what the constraints forbid [CGP 6.4.4].
+/// \brief filters the direction of a flow and projects it onto the constraints [CGP 6.4.4].
 ///
-/// Forbidden are the constants, where they change nothing; the functions of `Closing_constraints`;
+/// Removed are the constants, where they change nothing; the functions of `Exactness_constraints`;
 /// and on closed surfaces the components of the normals, which belong to sphere inversions:
 /// curvature has no part along them, but its filtered part has, and would set the surface drifting.
 ///
@@ -32,7 +29,7 @@ namespace Conformal_geometry_processing {
 template <class SolverTraits, class EigensolverTraits, class Direction>
 class Constrained_direction {
  public:
-  using Equation = Surface_dirac_equation<SolverTraits, EigensolverTraits>;
+  using Transformation = Spin_transformation<SolverTraits, EigensolverTraits>;
 
   /// of one surface
   struct Result {
@@ -45,35 +42,35 @@ class Constrained_direction {
     bool has_vanished(double tolerance) const;
   };
 
-  /// \param mesh its positions may change; must outlive the object, and so must `equation`
-  /// \param equation that of the mesh, whose analysis is shared
-  Constrained_direction(const Mesh_view& mesh, Direction direction, const Flow_options& options,
-                        Equation& equation, std::string function);
+  /// \param transformation of the surface that flows; must outlive the object
+  Constrained_direction(Transformation& transformation, Direction direction,
+                        const Flow_options& options, std::string function);
 
   const Direction& unconstrained() const { return m_direction; }
 
-  /// \brief the direction of the mesh as it is now.
-  /// \param laplacian solves with its Laplacian
+  /// \brief the direction of the surface as it is now.
+  /// \param mesh the surface
   /// \throw Precondition_error if the direction is not one finite number per vertex
   /// \throw Solver_error if a factorization fails, or a solve, or the surface has degenerated so
   /// far that its constraints make no sense
-  Result operator()(const Grounded_solver<SolverTraits>& laplacian);
+  Result operator()(const Mesh_view& mesh);
 
-  /// what a change of curvature may keep if the surface is to close
-  Eigen::VectorXd closing_part(const Eigen::VectorXd& rho) const;
+  /// the part of a change of curvature that keeps the edges exact
+  Eigen::VectorXd exact_part(const Eigen::VectorXd& rho);
 
-  /// `Closing_constraints::defect()`
-  double period_defect(const Eigen::MatrixX3d& edges) const { return m_closing.defect(edges); }
+  /// of a transformation of the surface as it is now, see `Exactness_constraints`
+  double period_defect(const Quaternion_vector<double>& lambda);
 
  private:
-  Result constrained(const Eigen::VectorXd& raw, const Grounded_solver<SolverTraits>& laplacian);
+  Result constrained(const Eigen::VectorXd& raw);
+  const Exactness_constraints& exactness();
   Eigen::VectorXd filtered(const Eigen::VectorXd& v);
   void require_one_per_vertex(const Eigen::VectorXd& v) const;
 
-  const Mesh_view& m_mesh;
+  Transformation& m_transformation;
   Direction m_direction;
-  Closing_constraints<SolverTraits, EigensolverTraits> m_closing;
-  bool m_is_closed;
+  double m_filter_weight;
+  int m_filter_order;
   std::optional<Curvature_filter<SolverTraits>> m_filter;
   std::string m_function;
 };

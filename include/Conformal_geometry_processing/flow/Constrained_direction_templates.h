@@ -4,8 +4,12 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINED_DIRECTION_TEMPLATES_H
 
 #include <Conformal_geometry_processing/flow/Constrained_direction.h>
+#include <Conformal_geometry_processing/flow/Curvature_filter_templates.h>
+#include <Conformal_geometry_processing/flow/Willmore_direction.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
 
@@ -25,59 +29,81 @@ bool Constrained_direction<SolverTraits, EigensolverTraits, Direction>::Result::
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
 Constrained_direction<SolverTraits, EigensolverTraits, Direction>::Constrained_direction(
-    const Mesh_view& mesh, Direction direction, const Flow_options& options, Equation& equation,
+    Transformation& transformation, Direction direction, const Flow_options& options,
     std::string function)
-    : m_mesh(mesh),
+    : m_transformation(transformation),
       m_direction(std::move(direction)),
-      m_closing(mesh, equation, options.exactness),
-      m_is_closed(equation.is_closed()),
+      m_filter_weight(options.filter_weight),
+      m_filter_order(options.filter_order),
       m_function(std::move(function))
-{
-  if (options.filter_weight > 0)
-    m_filter.emplace(mesh, options.filter_weight, options.filter_order,
-                     equation.problem().matrix().shared_pattern(), equation.problem().solver());
-}
+{}
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
 auto Constrained_direction<SolverTraits, EigensolverTraits, Direction>::operator()(
-    const Grounded_solver<SolverTraits>& laplacian) -> Result
+    const Mesh_view& mesh) -> Result
 {
-  const Eigen::VectorXd raw = m_direction(m_mesh);
+  const internal::Framed_surface& domain = m_transformation.domain();
+  const bool is_mesh = !domain.is_mollified();
+  const Eigen::VectorXd raw =
+      internal::direction_of(m_direction, mesh, is_mesh ? Surface_ref(mesh) : domain.surface(),
+                             is_mesh ? 1 : domain.unit());
   require_one_per_vertex(raw);
   try {
-    return constrained(raw, laplacian);
+    return constrained(raw);
   } catch (const Precondition_error& error) {
     throw Solver_error(error.function(), error.message());
   }
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-Eigen::VectorXd Constrained_direction<SolverTraits, EigensolverTraits, Direction>::closing_part(
-    const Eigen::VectorXd& rho) const
+Eigen::VectorXd Constrained_direction<SolverTraits, EigensolverTraits, Direction>::exact_part(
+    const Eigen::VectorXd& rho)
 {
-  return rho.isZero(0) ? rho : m_closing.basis().project_out(rho);
+  return rho.isZero(0) ? rho : exactness().basis().project_out(rho);
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+double Constrained_direction<SolverTraits, EigensolverTraits, Direction>::period_defect(
+    const Quaternion_vector<double>& lambda)
+{
+  return exactness().period_defect(transformed_edges(m_transformation.system().surface(), lambda));
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
 auto Constrained_direction<SolverTraits, EigensolverTraits, Direction>::constrained(
-    const Eigen::VectorXd& raw, const Grounded_solver<SolverTraits>& laplacian) -> Result
+    const Eigen::VectorXd& raw) -> Result
 {
-  m_closing.update(laplacian);
-  Constraint_basis all = m_closing.basis();
-  if (m_is_closed) all.add(vertex_normals(m_mesh, Normal_weight::angle).transpose());
+  const auto& system = m_transformation.system();
+  const double unit = m_transformation.domain().unit();
+  Constraint_basis all = exactness().basis();
+  if (system.is_closed())
+    all.add(vertex_normals(system.surface(), Normal_weight::angle).transpose());
   Result result;
   result.v = all.project_out(filtered(raw));
-  result.norm = all.norm(result.v);
-  result.share = all.norm(raw) > 0 ? result.norm / all.norm(raw) : 0;
+  result.norm = all.norm(result.v) * unit;
+  result.share = all.norm(raw) > 0 ? all.norm(result.v) / all.norm(raw) : 0;
   return result;
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
+const Exactness_constraints&
+Constrained_direction<SolverTraits, EigensolverTraits, Direction>::exactness()
+{
+  return m_transformation.exactness(Curvature_potential::On::vertices);
+}
+
+// With mollification, the surface and its pattern are other ones after every step.
+template <class SolverTraits, class EigensolverTraits, class Direction>
 Eigen::VectorXd Constrained_direction<SolverTraits, EigensolverTraits, Direction>::filtered(
     const Eigen::VectorXd& v)
 {
-  if (!m_filter) return v;
-  m_filter->update_geometry();
+  if (!(m_filter_weight > 0)) return v;
+  const auto& system = m_transformation.system();
+  if (m_filter && !m_transformation.domain().is_mollified())
+    m_filter->update_geometry();
+  else
+    m_filter.emplace(system.surface(), m_filter_weight, m_filter_order,
+                     system.matrix().shared_pattern(), system.solver());
   return (*m_filter)(v);
 }
 
@@ -85,12 +111,12 @@ template <class SolverTraits, class EigensolverTraits, class Direction>
 void Constrained_direction<SolverTraits, EigensolverTraits, Direction>::require_one_per_vertex(
     const Eigen::VectorXd& v) const
 {
-  if (v.size() != m_mesh.size_of_vertices())
+  if (v.size() != m_transformation.positions().cols())
     throw Precondition_error(m_function, "the direction has " + std::to_string(v.size()) +
                                              " values, one per vertex is needed: " +
-                                             std::to_string(m_mesh.size_of_vertices()));
+                                             std::to_string(m_transformation.positions().cols()));
   internal::refuse_if_any(
-      m_mesh.size_of_vertices(), [&](int i) { return !std::isfinite(v[i]); },
+      static_cast<int>(v.size()), [&](int i) { return !std::isfinite(v[i]); },
       [](int i) { return "vertex " + std::to_string(i); }, m_function,
       "#value of the direction not finite", "finite values are needed");
 }

@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 
@@ -40,21 +40,21 @@ class Curvature_filter {
  public:
   using Solver = typename SolverTraits::template Solver<double>;
 
-  /// \param mesh must outlive the object
+  /// \param surface must outlive the object
   /// \param weight sigma > 0
   /// \param order k >= 0
-  /// \pre `require_surface(mesh)` holds
+  /// \pre `require_surface()` of the mesh holds
   /// \throw Precondition_error if weight or order are out of range
   /// \throw Solver_error if the matrix cannot be factored
-  Curvature_filter(const Mesh_view& mesh, double weight, int order);
+  Curvature_filter(const Surface_ref& surface, double weight, int order);
 
   /// shares the analysis of another solver on the same pattern
-  /// \param pattern `vertex_graph(mesh)`
+  /// \param pattern `vertex_graph(surface)`
   /// \param other a `Solver` of the same traits, for any scalar
   template <class OtherSolver>
-  Curvature_filter(const Mesh_view& mesh, double weight, int order,
+  Curvature_filter(const Surface_ref& surface, double weight, int order,
                    std::shared_ptr<const Sparse_pattern> pattern, const OtherSolver& other)
-      : Curvature_filter(mesh, weight, order, std::move(pattern))
+      : Curvature_filter(surface, weight, order, std::move(pattern))
   {
     check("analysis", m_solver.analyze_like(m_L.pattern(), other));
     update_geometry();
@@ -70,7 +70,7 @@ class Curvature_filter {
   Eigen::VectorXd operator()(const Eigen::VectorXd& v) const;
 
  private:
-  Curvature_filter(const Mesh_view& mesh, double weight, int order,
+  Curvature_filter(const Surface_ref& surface, double weight, int order,
                    std::shared_ptr<const Sparse_pattern> pattern);
 
   /// C v
@@ -83,7 +83,7 @@ class Curvature_filter {
   static Eigen::VectorXd gain_series(int k);
   static void check(const char* step, Solver_status status);
 
-  const Mesh_view& m_mesh;
+  Surface_ref m_surface;
   double m_weight;
   int m_order;
   Hermitian_sparse_matrix<double> m_L;

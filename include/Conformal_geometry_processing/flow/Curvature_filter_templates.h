@@ -20,8 +20,9 @@
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits>
-Curvature_filter<SolverTraits>::Curvature_filter(const Mesh_view& mesh, double weight, int order)
-    : Curvature_filter(mesh, weight, order, vertex_graph(mesh))
+Curvature_filter<SolverTraits>::Curvature_filter(const Surface_ref& surface, double weight,
+                                                 int order)
+    : Curvature_filter(surface, weight, order, vertex_graph(surface))
 {
   check("analysis", m_solver.analyze(m_L.pattern()));
   update_geometry();
@@ -31,10 +32,10 @@ template <class SolverTraits>
 void Curvature_filter<SolverTraits>::update_geometry()
 {
   if (m_order == 0) return;
-  const Eigen::VectorXd areas = vertex_areas(m_mesh);
+  const Eigen::VectorXd areas = vertex_areas(m_surface);
   const double radius_squared = areas.sum() / (4 * 3.14159265358979323846);
   m_masses = areas / (std::pow(m_weight, 1. / m_order) * radius_squared);
-  assemble_cotan_laplacian(m_mesh, cotan_weights(m_mesh), m_L);
+  assemble_cotan_laplacian(m_surface, cotan_weights(m_surface), m_L);
   check("factorization", m_solver.factorize(m_L, m_masses));
 }
 
@@ -54,9 +55,10 @@ Eigen::VectorXd Curvature_filter<SolverTraits>::operator()(const Eigen::VectorXd
 }
 
 template <class SolverTraits>
-Curvature_filter<SolverTraits>::Curvature_filter(const Mesh_view& mesh, double weight, int order,
+Curvature_filter<SolverTraits>::Curvature_filter(const Surface_ref& surface, double weight,
+                                                 int order,
                                                  std::shared_ptr<const Sparse_pattern> pattern)
-    : m_mesh(mesh), m_weight(weight), m_order(order), m_L(std::move(pattern))
+    : m_surface(surface), m_weight(weight), m_order(order), m_L(std::move(pattern))
 {
   if (!(weight > 0) || !std::isfinite(weight))
     throw Precondition_error("Curvature_filter", "a weight of " + std::to_string(weight) +

@@ -7,8 +7,6 @@
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Moebius_balancing.h>
 #include <Conformal_geometry_processing/flow/canonical_area_density.h>
-#include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
-#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -25,19 +23,18 @@ namespace Conformal_geometry_processing {
 class Flow_balance {
  public:
   /// \param mesh the surface the flow starts from
-  /// \param laplacian a function of no argument that returns a `Grounded_solver` with the factor
-  /// of its Laplacian; called for the canonical metric only
+  /// \param transformation of it
   /// \param function named in exceptions
   /// \throw Precondition_error if a prescribed area is not positive, their number is not that of
   /// the vertices, or the canonical metric of a sphere is asked for
-  template <class Laplacian>
-  Flow_balance(const Mesh_view& mesh, const Flow_options& options, Laplacian laplacian,
+  template <class Transformation>
+  Flow_balance(const Mesh_view& mesh, const Flow_options& options, Transformation& transformation,
                const std::string& function)
       : m_way(options.balancing)
   {
     if (options.balance == Balance::none) return;
     require_closed(mesh, function);
-    m_balancing.emplace(target_areas(mesh, options, laplacian, function), function);
+    m_balancing.emplace(target_areas(options, transformation, function), function);
     (void)m_balancing->imbalance(mesh);  // finds out about a wrong number of areas
   }
 
@@ -55,14 +52,15 @@ class Flow_balance {
   Points inverted(Mesh_view mesh) const;
 
  private:
-  template <class Laplacian>
-  static Eigen::VectorXd target_areas(const Mesh_view& mesh, const Flow_options& options,
-                                      Laplacian laplacian, const std::string& function)
+  template <class Transformation>
+  static Eigen::VectorXd target_areas(const Flow_options& options, Transformation& transformation,
+                                      const std::string& function)
   {
     if (options.balance == Balance::prescribed) return options.target_areas;
-    if (options.balance == Balance::initial) return vertex_areas(mesh);
-    const Hodge_decomposition forms(mesh, closed_generators(mesh), laplacian());
-    return canonical_vertex_areas(mesh, canonical_area_density(forms.harmonic_basis(), function));
+    const Surface_ref surface = transformation.system().surface();
+    if (options.balance == Balance::initial) return vertex_areas(surface);
+    const Harmonic_basis& forms = transformation.exactness(Curvature_potential::On::vertices).forms;
+    return canonical_vertex_areas(surface, canonical_area_density(forms, function));
   }
 
   Balancing m_way;

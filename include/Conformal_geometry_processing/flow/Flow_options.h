@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_OPTIONS_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/forms/Exactness_constraints.h>
+#include <Conformal_geometry_processing/forms/exactness_functions.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
@@ -60,6 +60,10 @@ struct Flow_options {
   /// sheared beyond recognition. With a boundary it is the adjoint in any case
   std::optional<Exactness> exactness = Exactness::adjoint;
 
+  /// lets faces be as thin as they may be, see `Spin_transformation_options`. Curvature and energy
+  /// are then those of the triangulation, if the direction takes a `Surface_ref`, and distortion is
+  /// that of the `well_shaped_faces()` of the initial mesh
+  std::optional<double> mollification = std::nullopt;
   /// sigma > 0 keeps low frequencies out of the direction, and so the shape on the whole; zero is
   /// no filter. See `Curvature_filter` for its units and for the order.
   double filter_weight = 0;

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 
 #include <Eigen/Core>
@@ -23,10 +24,10 @@ namespace Conformal_geometry_processing {
 /// ones to 1e-4.
 struct Willmore_direction {
   /// the wanted rate of change of H |df|, |V| numbers in 1/length
-  Eigen::VectorXd operator()(const Mesh_view& mesh) const { return -mean_curvature(mesh); }
+  Eigen::VectorXd operator()(const Surface_ref& surface) const { return -mean_curvature(surface); }
 
   /// what the flow decreases
-  double energy(const Mesh_view& mesh) const { return willmore_energy(mesh); }
+  double energy(const Surface_ref& surface) const { return willmore_energy(surface); }
 };
 
 namespace internal {
@@ -38,14 +39,33 @@ template <class Direction>
 struct Has_energy<Direction, std::void_t<decltype(std::declval<const Direction&>().energy(
                                  std::declval<const Mesh_view&>()))>> : std::true_type {};
 
-/// the energy of the direction, Willmore's if it has none
+/// whether a direction is one of any surface, not only of meshes
 template <class Direction>
-double energy_of(const Direction& direction, const Mesh_view& mesh)
+inline constexpr bool is_for_surfaces = std::is_invocable_v<const Direction&, const Surface_ref&>;
+
+/// \brief the direction of a mesh, or of the surface that stands for it where the direction can be
+/// taken there.
+/// \param unit by which lengths of the mesh are larger than those of the surface
+template <class Direction>
+Eigen::VectorXd direction_of(const Direction& direction, const Mesh_view& mesh,
+                             const Surface_ref& surface, double unit)
 {
-  if constexpr (Has_energy<Direction>::value)
+  if constexpr (is_for_surfaces<Direction>)
+    return direction(surface) / unit;
+  else
+    return direction(mesh);
+}
+
+/// the energy of the direction, Willmore's if it has none, of a surface
+template <class Direction>
+double energy_of(const Direction& direction, const Mesh_view& mesh, const Surface_ref& surface)
+{
+  if constexpr (Has_energy<Direction>::value && is_for_surfaces<Direction>)
+    return direction.energy(surface);
+  else if constexpr (Has_energy<Direction>::value)
     return direction.energy(mesh);
   else
-    return willmore_energy(mesh);
+    return willmore_energy(surface);
 }
 
 }  // namespace internal

@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 
@@ -15,7 +15,8 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
 /// \brief u_f = 1/2 sum_i |v_i|^2 over an orthonormal basis of the harmonic fields: the canonical
-/// metric is u times that of the surface, |F| numbers in 1/area [CGP 4.5.3, 6.4.5.2].
+/// metric is u times that of the surface, one number in 1/area for each sheet, which are the faces
+/// of a mesh [CGP 4.5.3, 6.4.5.2].
 ///
 /// u is a density of area and not the logarithm of a scale. Its integral is the genus. It depends
 /// on the conformal structure alone: conformally equivalent surfaces have the same u dA, and any
@@ -33,7 +34,7 @@ Eigen::VectorXd canonical_area_density(const Harmonic_basis& basis,
 ///
 /// Found once for a flow, for it does not change under conformal deformation.
 /// \param density `canonical_area_density()`
-Eigen::VectorXd canonical_vertex_areas(const Mesh_view& mesh, const Eigen::VectorXd& density);
+Eigen::VectorXd canonical_vertex_areas(const Surface_ref& surface, const Eigen::VectorXd& density);
 
 }  // namespace Conformal_geometry_processing
 

@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/flow/canonical_area_density.h>
 #include <Conformal_geometry_processing/forms/tangent_field.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
 
@@ -26,13 +25,14 @@ CGP_INLINE Eigen::VectorXd canonical_area_density(const Harmonic_basis& basis,
   return u;
 }
 
-CGP_INLINE Eigen::VectorXd canonical_vertex_areas(const Mesh_view& mesh,
+CGP_INLINE Eigen::VectorXd canonical_vertex_areas(const Surface_ref& surface,
                                                   const Eigen::VectorXd& density)
 {
-  const Eigen::VectorXd areas = face_areas(mesh).cwiseProduct(density);
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    for (int v : mesh.corners(f)) sum[v] += areas[f] / 3;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(surface.size_of_vertices());
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    for (const int v : sheet.corners) sum[v] += sheet.share * sheet.area * density[s] / 3;
+  }
   return sum;
 }
 

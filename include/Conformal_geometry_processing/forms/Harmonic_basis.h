@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_HARMONIC_BASIS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FORMS_HARMONIC_BASIS_H
 
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/divergence.h>
 
 #include <Eigen/Core>
@@ -21,7 +21,7 @@ namespace Conformal_geometry_processing {
 /// fields tangent to it. Which basis of their space it is, depends on the numbering of the mesh.
 struct Harmonic_basis {
   Eigen::MatrixXd one_forms;   ///< |E| x `size()`, along each edge i -> j, i < j; dimensionless
-  std::vector<Points> fields;  ///< each 3 x |F|: `tangent_field()` of the forms, in 1/length
+  std::vector<Points> fields;  ///< each 3 x sheets: `tangent_field()` of the forms, in 1/length
 
   int size() const { return static_cast<int>(one_forms.cols()); }
   int genus() const { return size() / 2; }  ///< of closed surfaces
@@ -30,33 +30,29 @@ struct Harmonic_basis {
   ///
   /// The harmonic part of alpha is `one_forms * coefficients(w, alpha)`, and what the coefficients
   /// square and sum up to is its squared norm.
-  /// \param w `cotan_weights(mesh)` \param alpha |E| x k
+  /// \param w `cotan_weights(surface)` \param alpha |E| x k
   Eigen::MatrixXd coefficients(const Eigen::VectorXd& w, const Eigen::MatrixXd& alpha) const;
 };
 
 namespace internal {
 
 /// \brief Takes d0 u with L u = d0^T w omega off 1-forms omega: what is left is co-closed.
-/// \tparam Surface `Mesh_view` or `Delaunay_view`
 /// \param laplacian solves with L of the surface
-template <class Surface, class Laplacian>
-void remove_exact_parts(const Surface& mesh, const Eigen::VectorXd& w, const Laplacian& laplacian,
-                        Eigen::MatrixXd& forms)
+template <class Laplacian>
+void remove_exact_parts(const Surface_ref& surface, const Eigen::VectorXd& w,
+                        const Laplacian& laplacian, Eigen::MatrixXd& forms)
 {
   constexpr Eigen::Index at_once = 16;  // columns: what bounds the memory for solutions
   for (Eigen::Index first = 0; first < forms.cols(); first += at_once) {
     auto some = forms.middleCols(first, (std::min)(at_once, forms.cols() - first));
-    some -= differential(mesh, laplacian.solve(codifferential(mesh, w, some)));
+    some -= differential(surface, laplacian.solve(codifferential(surface, w, some)));
   }
 }
 
-/// \throw Precondition_error if what was left of one form beside the others is nothing, or no
-/// number
-void require_independent(const Eigen::VectorXd& pivots);
-
 /// Replaces closed forms by orthonormal ones that span the same. By fields, whose inner products
 /// are positive definite also to rounding, which sums with negative cotan weights are not.
-void orthonormalize(const Mesh_view& mesh, Eigen::MatrixXd& forms);
+/// \throw Precondition_error if they are linearly dependent, or a number is not finite
+void orthonormalize(const Surface_ref& surface, Eigen::MatrixXd& forms);
 
 }  // namespace internal
 }  // namespace Conformal_geometry_processing

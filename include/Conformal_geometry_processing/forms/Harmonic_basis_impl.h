@@ -7,9 +7,10 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 #include <Conformal_geometry_processing/forms/tangent_field.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
+
+#include <cmath>
 
 namespace Conformal_geometry_processing {
 
@@ -27,19 +28,24 @@ CGP_INLINE Eigen::MatrixXd Harmonic_basis::coefficients(const Eigen::VectorXd& w
 
 namespace internal {
 
-/// The fields of closed forms, each vector times the root of its face's area, one form per column:
+/// The fields of closed forms, each vector times the root of its sheet's area, one form per column:
 /// ordinary inner products of the columns are those of the forms.
-CGP_INLINE Eigen::MatrixXd weighted_fields(const Mesh_view& mesh, const Eigen::MatrixXd& forms)
+CGP_INLINE Eigen::MatrixXd weighted_fields(const Surface_ref& surface, const Eigen::MatrixXd& forms)
 {
-  const Eigen::ArrayXd roots = face_areas(mesh).array().sqrt();
-  Eigen::MatrixXd columns(3 * mesh.size_of_faces(), forms.cols());
+  Eigen::VectorXd roots(surface.size_of_sheets());
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    roots[s] = std::sqrt(sheet.share * sheet.area);
+  }
+  Eigen::MatrixXd columns(3 * surface.size_of_sheets(), forms.cols());
   for (Eigen::Index i = 0; i < forms.cols(); ++i) {
-    const Points scaled = tangent_field(mesh, forms.col(i)) * roots.matrix().asDiagonal();
+    const Points scaled = tangent_field(surface, forms.col(i)) * roots.asDiagonal();
     columns.col(i) = scaled.reshaped();
   }
   return columns;
 }
 
+/// \param pivots what is left of each form beside those before
 CGP_INLINE void require_independent(const Eigen::VectorXd& pivots)
 {
   const double least_pivot = 1e-7;  // relative: half the digits
@@ -47,11 +53,11 @@ CGP_INLINE void require_independent(const Eigen::VectorXd& pivots)
     throw Precondition_error("orthonormalize", "the 1-forms are not linearly independent");
 }
 
-CGP_INLINE void orthonormalize(const Mesh_view& mesh, Eigen::MatrixXd& forms)
+CGP_INLINE void orthonormalize(const Surface_ref& surface, Eigen::MatrixXd& forms)
 {
   if (forms.cols() == 0) return;
   for (int pass = 0; pass < 2; ++pass) {  // the second takes out the rounding of the first
-    Eigen::MatrixXd V = weighted_fields(mesh, forms);
+    Eigen::MatrixXd V = weighted_fields(surface, forms);
     Eigen::VectorXd pivots(V.cols());
     for (Eigen::Index j = 0; j < V.cols(); ++j) {
       for (Eigen::Index i = 0; i < j; ++i) {

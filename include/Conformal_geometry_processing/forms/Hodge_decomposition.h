@@ -52,16 +52,16 @@ class Hodge_decomposition {
   /// \brief from given generators, with a given factor.
   /// \param generators closed forms, |E| x their number (see `closed_generators()`), with no exact
   /// one among their combinations
-  /// \param laplacian solves with the Laplacian of the mesh, as `Poisson_reconstruction::solver()`
-  /// does; must outlive the object
-  /// \pre `require_surface(mesh)` holds
-  /// \throw Precondition_error if the generators are not independent
-  Hodge_decomposition(const Mesh_view& mesh, const Eigen::MatrixXd& generators,
+  /// \param surface must outlive the object
+  /// \param laplacian solves with the Laplacian of the surface, as
+  /// `Poisson_reconstruction::solver()` does; must outlive the object \pre `require_surface(mesh)`
+  /// holds \throw Precondition_error if the generators are not independent
+  Hodge_decomposition(const Surface_ref& surface, const Eigen::MatrixXd& generators,
                       const Grounded_solver<SolverTraits>& laplacian);
 
   const Harmonic_basis& harmonic_basis() const { return m_basis; }
 
-  /// `cotan_weights(mesh)`: the inner product of 1-forms, |E|
+  /// `cotan_weights(surface)`: the inner product of 1-forms, |E|
   const Eigen::VectorXd& weights() const { return m_weights; }
 
   /// \param omega |E| x k, along each edge i -> j, i < j
@@ -78,14 +78,14 @@ class Hodge_decomposition {
   };
 
   explicit Hodge_decomposition(const Checked_mesh& c);
-  Hodge_decomposition(const Mesh_view& mesh, Eigen::MatrixXd generators, Laplacian laplacian);
+  Hodge_decomposition(const Surface_ref& surface, Eigen::MatrixXd generators, Laplacian laplacian);
   static Laplacian factored(const Mesh_view& mesh);
   static Laplacian not_owned(const Grounded_solver<SolverTraits>& laplacian);
 
   /// u with L u = d0^T w omega
   Eigen::MatrixXd potential(const Eigen::MatrixXd& omega) const;
 
-  const Mesh_view& m_mesh;
+  Surface_ref m_surface;
   Eigen::VectorXd m_weights;  // |E|
   Laplacian m_laplacian;
   Harmonic_basis m_basis;

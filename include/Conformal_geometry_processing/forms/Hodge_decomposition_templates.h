@@ -27,9 +27,9 @@ Hodge_decomposition<SolverTraits>::Hodge_decomposition(const Mesh_view& mesh,
 
 template <class SolverTraits>
 Hodge_decomposition<SolverTraits>::Hodge_decomposition(
-    const Mesh_view& mesh, const Eigen::MatrixXd& generators,
+    const Surface_ref& surface, const Eigen::MatrixXd& generators,
     const Grounded_solver<SolverTraits>& laplacian)
-    : Hodge_decomposition(mesh, generators, not_owned(laplacian))
+    : Hodge_decomposition(surface, generators, not_owned(laplacian))
 {}
 
 template <class SolverTraits>
@@ -37,7 +37,7 @@ Hodge_parts Hodge_decomposition<SolverTraits>::decompose(const Eigen::MatrixXd& 
 {
   Hodge_parts parts;
   parts.potential = potential(omega);
-  parts.exact = differential(m_mesh, parts.potential);
+  parts.exact = differential(m_surface, parts.potential);
   const Eigen::MatrixXd rest = omega - parts.exact;
   parts.harmonic = m_basis.one_forms * m_basis.coefficients(m_weights, rest);
   parts.coexact = rest - parts.harmonic;
@@ -58,18 +58,18 @@ Hodge_decomposition<SolverTraits>::Hodge_decomposition(const Checked_mesh& c)
 {}
 
 template <class SolverTraits>
-Hodge_decomposition<SolverTraits>::Hodge_decomposition(const Mesh_view& mesh,
+Hodge_decomposition<SolverTraits>::Hodge_decomposition(const Surface_ref& surface,
                                                        Eigen::MatrixXd generators,
                                                        Laplacian laplacian)
-    : m_mesh(mesh), m_weights(cotan_weights(mesh)), m_laplacian(std::move(laplacian))
+    : m_surface(surface), m_weights(cotan_weights(surface)), m_laplacian(std::move(laplacian))
 {
   Eigen::MatrixXd& forms = m_basis.one_forms = std::move(generators);
-  internal::remove_exact_parts(mesh, m_weights, *m_laplacian, forms);
-  internal::orthonormalize(mesh, forms);
+  internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
+  internal::orthonormalize(surface, forms);
   // What the solver has left of the large part of generators.
-  internal::remove_exact_parts(mesh, m_weights, *m_laplacian, forms);
+  internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
   for (Eigen::Index i = 0; i < forms.cols(); ++i)
-    m_basis.fields.push_back(tangent_field(mesh, forms.col(i)));
+    m_basis.fields.push_back(tangent_field(surface, forms.col(i)));
 }
 
 template <class SolverTraits>
@@ -91,7 +91,7 @@ auto Hodge_decomposition<SolverTraits>::not_owned(const Grounded_solver<SolverTr
 template <class SolverTraits>
 Eigen::MatrixXd Hodge_decomposition<SolverTraits>::potential(const Eigen::MatrixXd& omega) const
 {
-  return m_laplacian->solve(codifferential(m_mesh, m_weights, omega));
+  return m_laplacian->solve(codifferential(m_surface, m_weights, omega));
 }
 
 }  // namespace Conformal_geometry_processing

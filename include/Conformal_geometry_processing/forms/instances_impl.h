@@ -5,15 +5,11 @@
 
 // The templates that the compiled library contains, for its own solvers.
 
-#include <Conformal_geometry_processing/forms/Dirac_energy_inverse_templates.h>
-#include <Conformal_geometry_processing/forms/Dirac_energy_solver_templates.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition_templates.h>
 
 namespace Conformal_geometry_processing {
 
 template class Hodge_decomposition<Default_solver_traits>;
-template class Dirac_energy_inverse<Supernodal_cholesky<Quaternion<double>>>;
-template class Dirac_energy_solver<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 

@@ -4,9 +4,12 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FORMS_TANGENT_FIELD_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+
+#include <cstddef>
 
 namespace Conformal_geometry_processing {
 
@@ -19,22 +22,50 @@ double along_halfedge(const Mesh_view& mesh, const Eigen::MatrixBase<Derived>& o
   return mesh.from(h) < mesh.to(h) ? omega[mesh.edge(h)] : -omega[mesh.edge(h)];
 }
 
-/// \ingroup PkgForms
-/// \brief the tangent vector v of each face with <v, e> = omega(e) along its edges, 3 x |F|
-/// [CGP 6.4.5]; in units of omega per length.
+namespace internal {
+
+/// \brief the integrals of a closed 1-form along the edges of a sheet.
 ///
-/// v = (omega_1 e_2 - omega_2 e_1) x N / (2A). Then sum_f A_f <v, v'> = sum_e w_e omega_e omega'_e.
-/// \param omega |E| numbers, a closed 1-form: otherwise v fits only two edges of a face
-/// \pre no face has area zero
+/// An edge that joins a vertex with itself has no direction i -> j; its integral is what the others
+/// leave, whose sum is zero.
 template <class Derived>
-Points tangent_field(const Mesh_view& mesh, const Eigen::MatrixBase<Derived>& omega)
+Eigen::Vector3d along_edges(const Sheet& sheet, const Eigen::MatrixBase<Derived>& omega)
 {
-  Points v(3, mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const Eigen::Vector3d normal = mesh.double_area_vector(f);
-    const Eigen::Vector3d turned = along_halfedge(mesh, omega, 3 * f + 1) * mesh.vector(3 * f + 2) -
-                                   along_halfedge(mesh, omega, 3 * f + 2) * mesh.vector(3 * f + 1);
-    v.col(f) = turned.cross(normal) / normal.squaredNorm();
+  Eigen::Vector3d values = Eigen::Vector3d::Zero();
+  int loop = -1, loops = 0;
+  for (int c = 0; c < 3; ++c) {
+    const int from = sheet.corners[static_cast<std::size_t>((c + 1) % 3)],
+              to = sheet.corners[static_cast<std::size_t>((c + 2) % 3)];
+    if (from == to)
+      loop = c, ++loops;
+    else
+      values[c] = (from < to ? 1 : -1) * omega[sheet.edges[static_cast<std::size_t>(c)]];
+  }
+  if (loops == 1) values[loop] = -values.sum();
+  return values;
+}
+
+}  // namespace internal
+
+/// \ingroup PkgForms
+/// \brief the tangent vector v of each sheet with <v, e> = omega(e) along its edges, 3 x sheets,
+/// which are the faces of a mesh [CGP 6.4.5]; in units of omega per length.
+///
+/// v = (omega_1 e_2 - omega_2 e_1) x N / (2A). Then the sum of A <v, v'> over the faces is that of
+/// w_e omega_e omega'_e over the edges.
+/// \param omega |E| numbers, a closed 1-form: otherwise v fits only two edges of a face
+/// \pre no triangle has area zero
+template <class Derived>
+Points tangent_field(const Surface_ref& surface, const Eigen::MatrixBase<Derived>& omega)
+{
+  Points v(3, surface.size_of_sheets());
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const Eigen::Vector3d values = internal::along_edges(sheet, omega), e = sheet.vectors.col(0),
+                          normal = e.cross(sheet.vectors.col(1)),
+                          turned =
+                              values[1] * sheet.vectors.col(2) - values[2] * sheet.vectors.col(1);
+    v.col(s) = turned.cross(normal) / normal.squaredNorm();
   }
   return v;
 }

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_ENERGIES_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 
@@ -27,7 +28,7 @@ Eigen::VectorXd bending_angles(const Mesh_view& mesh);
 /// and mixed Voronoi areas [CGP 6.4]; 4 pi for round spheres, and scale-invariant.
 ///
 /// The sum can be *below* 4 pi by O(h^2), unlike the energy of smooth closed surfaces.
-double willmore_energy(const Mesh_view& mesh);
+double willmore_energy(const Surface_ref& surface);
 
 /// \ingroup PkgMeasure
 /// Returns the Willmore energy with H_i V_i = 1/4 sum of bending angle times length over the edges

@@ -49,9 +49,9 @@ CGP_INLINE Eigen::VectorXd bending_angles(const Mesh_view& mesh)
   return angles;
 }
 
-CGP_INLINE double willmore_energy(const Mesh_view& mesh)
+CGP_INLINE double willmore_energy(const Surface_ref& surface)
 {
-  return voronoi_areas(mesh).dot(mean_curvature(mesh).cwiseAbs2());
+  return voronoi_areas(surface).dot(mean_curvature(surface).cwiseAbs2());
 }
 
 CGP_INLINE double steiner_willmore_energy(const Mesh_view& mesh)

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_BOUNDARY_FRAMES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_BOUNDARY_FRAMES_H
 
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 
@@ -40,14 +40,9 @@ struct Boundary_frames {
 Boundary_frame boundary_frame(const Eigen::Vector3d& tangent, const Eigen::Vector3d& normal);
 
 /// \ingroup PkgMesh
-/// \brief the frames of boundary loops of given points and normals, both 3 x |V|
-Boundary_frames boundary_frames(const Points& points, const Points& normals,
-                                std::vector<std::vector<int>> loops);
-
-/// \ingroup PkgMesh
 /// the frames of all boundary vertices; O(|V| + |F|)
 /// \pre `require_surface(mesh)` holds
-Boundary_frames boundary_frames(const Mesh_view& mesh);
+Boundary_frames boundary_frames(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing
 

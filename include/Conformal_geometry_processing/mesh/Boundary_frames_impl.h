@@ -6,14 +6,12 @@
 #include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -28,27 +26,21 @@ CGP_INLINE Boundary_frame boundary_frame(const Eigen::Vector3d& tangent,
   return frame;
 }
 
-CGP_INLINE Boundary_frames boundary_frames(const Points& points, const Points& normals,
-                                           std::vector<std::vector<int>> loops)
+CGP_INLINE Boundary_frames boundary_frames(const Surface_ref& surface)
 {
+  const Points normals = vertex_normals(surface, Normal_weight::angle);
   Boundary_frames b;
-  b.loops = std::move(loops);
+  b.loops = boundary_loops(surface);
   for (const std::vector<int>& loop : b.loops) {
     const std::size_t n = loop.size();
     for (std::size_t k = 0; k < n; ++k) {
       const Eigen::Vector3d along =
-          points.col(loop[(k + 1) % n]) - points.col(loop[(k + n - 1) % n]);
+          surface.position(loop[(k + 1) % n]) - surface.position(loop[(k + n - 1) % n]);
       b.vertices.push_back(loop[k]);
       b.frames.push_back(boundary_frame(along, normals.col(loop[k])));
     }
   }
   return b;
-}
-
-CGP_INLINE Boundary_frames boundary_frames(const Mesh_view& mesh)
-{
-  return boundary_frames(mesh.positions(), vertex_normals(mesh, Normal_weight::angle),
-                         boundary_loops(mesh));
 }
 
 }  // namespace Conformal_geometry_processing

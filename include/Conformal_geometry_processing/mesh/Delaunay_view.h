@@ -20,11 +20,10 @@ namespace Conformal_geometry_processing {
 /// \brief a surface as robust operators see it: functions are linear on the triangles of its
 /// intrinsic Delaunay triangulation, the tangent planes are those of the faces of the mesh.
 ///
-/// The planes of the faces that a triangle passes through are its `Sheet`s: the triangle laid out
-/// in the plane of that face, with the share of the triangle's area that lies in it. What is
-/// assembled from sheets with their shares is the integral over the surface of what is assembled
-/// from faces otherwise. Where the mesh is Delaunay already, each triangle is a face of it, and its
-/// own only sheet.
+/// A model of `ConformalSurface`: each face that a triangle passes through is a `Sheet` of it.
+/// Where the mesh is Delaunay already, each triangle is a face of it, and its own only sheet. Cotan
+/// weights (`cotan_weights()`) are at least half the cotangent of 150 degrees, and not negative
+/// inside, but for the sides of caps.
 ///
 /// Faces may have area zero, and points may coincide: what the lengths of edges lack to form
 /// triangles is added to all (`mollified_lengths()`). O(|V| + |F|) as a rule; the number of sheets
@@ -34,14 +33,6 @@ namespace Conformal_geometry_processing {
 /// triangles, left and right of its height, of which both ends are the same vertex.
 class Delaunay_view {
  public:
-  /// a triangle of the triangulation in the plane of a face
-  struct Sheet {
-    int triangle;
-    int face;               ///< of the mesh
-    double share;           ///< of the area of the triangle; those of a triangle add up to 1
-    Eigen::Matrix3d edges;  ///< column c is the edge opposite corner c, as in a face
-  };
-
   /// \param mesh an oriented manifold with finite coordinates and more than one point
   /// \param mollification see `mollified_lengths()`
   /// \param forms closed 1-forms of the mesh, |E| x k, to be taken along: three times their memory
@@ -50,7 +41,7 @@ class Delaunay_view {
                          const Eigen::MatrixXd& forms = {});
 
   int size_of_vertices() const { return static_cast<int>(m_positions.cols()); }
-  int size_of_triangles() const { return static_cast<int>(m_corners.size()); }
+  int size_of_triangles() const { return m_sheets.empty() ? 0 : m_sheets.back().triangle + 1; }
   int size_of_faces() const { return m_size_of_faces; }  ///< of the mesh
   const Points& positions() const { return m_positions; }
   Eigen::Vector3d position(int v) const { return m_positions.col(v); }
@@ -64,16 +55,10 @@ class Delaunay_view {
   /// what was added to the length of every edge therefore
   double added_length() const { return m_added_length; }
 
-  /// the vertices of triangle t, counter-clockwise; the same one may come twice, in the halves of a
-  /// cap and where an edge leads around a spike back to where it began
-  const std::array<int, 3>& corners(int t) const { return m_corners[index(t)]; }
-  double area(int t) const { return m_areas[index(t)]; }
-
-  /// of the angle of triangle t at corner c
-  double cotangent(int t, int c) const { return m_cotangents[index(3 * t + c)]; }
-
   /// ordered by triangle
   const std::vector<Sheet>& sheets() const { return m_sheets; }
+  int size_of_sheets() const { return static_cast<int>(m_sheets.size()); }
+  const Sheet& sheet(int i) const { return m_sheets[index(i)]; }
 
   int size_of_edges() const { return static_cast<int>(m_ends.size()); }
 
@@ -81,10 +66,8 @@ class Delaunay_view {
   /// another edge
   const std::array<int, 2>& ends(int k) const { return m_ends[index(k)]; }
 
-  /// \brief half the sum of the cotangents opposite each edge, |E|; of the sides of a cap, those of
-  /// its halves. At least half the cotangent of 150 degrees, and not negative inside, but for the
-  /// sides of caps.
-  const Eigen::VectorXd& cotan_weights() const { return m_weights; }
+  /// those of all edges
+  const std::vector<std::array<int, 2>>& ends() const { return m_ends; }
 
   /// the forms along the edges, `size_of_edges()` x k
   const Eigen::MatrixXd& forms() const { return m_forms; }
@@ -95,33 +78,36 @@ class Delaunay_view {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  /// \param cap the halfedge opposite the angle of a cap, or -1
+  /// Numbers the edges that are left without the long edges of caps; returns the number of the edge
+  /// of each halfedge, -1 of those.
+  std::vector<int> number_edges(const Intrinsic_triangulation& triangles,
+                                const std::vector<int>& caps, const Transported_forms& forms);
+
+  /// \param cap the halfedge opposite the angle of a cap, or -1 \param edges of all halfedges
   void add_face(const Intrinsic_triangulation& triangles, int t, int cap,
+                const std::vector<int>& edges,
                 const std::vector<Common_subdivision::Piece>& pieces);
 
-  /// \param p the corners in the plane of the intrinsic face
-  void add_triangle(const std::array<int, 3>& corners, const Eigen::Matrix<double, 2, 3>& p,
-                    double area, const Eigen::Vector3d& cotangents,
+  /// \param triangle with corners, edges and area \param p the corners in its plane
+  void add_triangle(Sheet triangle, const Eigen::Matrix<double, 2, 3>& p,
                     const std::vector<Common_subdivision::Piece>& pieces);
-
-  /// What a triangle contributes to the weight of the edge of h: where it is a cap, its two halves
-  /// have their right angles at the long edge, which is none of theirs.
-  static double half_weight(const Intrinsic_triangulation& triangles, int h, int cap);
-  void add_edges(const Intrinsic_triangulation& triangles, const std::vector<int>& caps,
-                 const Transported_forms& forms);
 
   Points m_positions;
   int m_size_of_faces;
   std::vector<std::vector<int>> m_loops;
-  std::vector<std::array<int, 3>> m_corners;
-  std::vector<double> m_areas, m_cotangents;
   std::vector<Sheet> m_sheets;
   std::vector<std::array<int, 2>> m_ends;
-  Eigen::VectorXd m_weights;
   Eigen::MatrixXd m_forms;
   int m_flips = 0, m_thin_faces = 0;
   double m_added_length = 0;
 };
+
+/// \ingroup PkgMesh
+/// those of the mesh
+inline const std::vector<std::vector<int>>& boundary_loops(const Delaunay_view& view)
+{
+  return view.boundary_loops();
+}
 
 }  // namespace Conformal_geometry_processing
 

@@ -37,83 +37,84 @@ CGP_INLINE Delaunay_view::Delaunay_view(const Mesh_view& mesh, double mollificat
     transported.before_flip(triangles, h);
   });
   const std::vector<int> caps = boundary_caps(triangles);
+  const std::vector<int> edges = number_edges(triangles, caps, transported);
   for (int t = 0; t < triangles.size_of_faces(); ++t)
-    add_face(triangles, t, caps[index(t)], subdivision.pieces(t));
-  add_edges(triangles, caps, transported);
+    add_face(triangles, t, caps[index(t)], edges, subdivision.pieces(t));
 }
 
+CGP_INLINE std::vector<int> Delaunay_view::number_edges(const Intrinsic_triangulation& triangles,
+                                                        const std::vector<int>& caps,
+                                                        const Transported_forms& forms)
+{
+  std::vector<int> edges(index(triangles.size_of_halfedges()), -1), halfedges;
+  for (int h = 0; h < triangles.size_of_halfedges(); ++h) {
+    const int twin = triangles.twin(h);
+    const bool is_gone = twin < 0 && caps[index(h / 3)] == h;
+    if (h < twin || is_gone) continue;
+    const int i = triangles.from(h), j = triangles.to(h);
+    edges[index(h)] = size_of_edges();
+    if (twin >= 0) edges[index(twin)] = size_of_edges();
+    m_ends.push_back({(std::min)(i, j), (std::max)(i, j)});
+    halfedges.push_back(h);
+  }
+  m_forms.resize(size_of_edges(), forms.size());
+  for (int k = 0; k < size_of_edges(); ++k) {
+    const int h = halfedges[index(k)];
+    m_forms.row(k) = (triangles.from(h) < triangles.to(h) ? 1 : -1) * forms.along(h);
+  }
+  return edges;
+}
+
+// The halves of a cap meet in its height, which joins the apex with itself and has no number. Both
+// other edges of a half are the side of the cap: the foot of the height is the apex, too.
 CGP_INLINE void Delaunay_view::add_face(const Intrinsic_triangulation& triangles, int t, int cap,
+                                        const std::vector<int>& edges,
                                         const std::vector<Common_subdivision::Piece>& pieces)
 {
   Eigen::Matrix<double, 2, 3> p;
   p << triangles.apex_in_plane(3 * t), Eigen::Vector2d::Zero(),
       Eigen::Vector2d(triangles.length(3 * t), 0);
-  const std::array<int, 3> v = {triangles.apex(3 * t), triangles.apex(3 * t + 1),
-                                triangles.apex(3 * t + 2)};
-  if (cap < 0) {
-    const Eigen::Vector3d cotangents(triangles.cotangent(3 * t), triangles.cotangent(3 * t + 1),
-                                     triangles.cotangent(3 * t + 2));
-    return add_triangle(v, p, triangles.area(t), cotangents, pieces);
+  Sheet whole{};
+  whole.vectors.setZero();  // those of a sheet come with its face
+  for (int c = 0; c < 3; ++c) {
+    whole.corners[index(c)] = triangles.apex(3 * t + c);
+    whole.edges[index(c)] = edges[index(3 * t + c)];
   }
+  whole.area = triangles.area(t);
+  if (cap < 0) return add_triangle(whole, p, pieces);
   const int c = cap % 3, a = (c + 1) % 3, b = (c + 2) % 3;
-  const Eigen::Vector2d apex = triangles.apex_in_plane(cap),
+  const int apex = whole.corners[index(c)], left_side = whole.edges[index(b)],
+            right_side = whole.edges[index(a)];
+  const Eigen::Vector2d tip = triangles.apex_in_plane(cap),
                         direction = (p.col(b) - p.col(a)).normalized(),
-                        foot = p.col(a) + apex.x() * direction;
-  const double x = apex.x(), y = apex.y(), rest = triangles.length(cap) - x;
+                        foot = p.col(a) + tip.x() * direction;
   Eigen::Matrix<double, 2, 3> left, right;
   left << p.col(a), foot, p.col(c);
   right << foot, p.col(b), p.col(c);
-  add_triangle({v[index(a)], v[index(c)], v[index(c)]}, left, x * y / 2, {x / y, 0, y / x}, pieces);
-  add_triangle({v[index(c)], v[index(b)], v[index(c)]}, right, rest * y / 2,
-               {0, rest / y, y / rest}, pieces);
+  Sheet half = whole;
+  half.corners = {whole.corners[index(a)], apex, apex};
+  half.edges = {-1, left_side, left_side};
+  half.area = tip.x() * tip.y() / 2;
+  add_triangle(half, left, pieces);
+  half.corners = {apex, whole.corners[index(b)], apex};
+  half.edges = {right_side, -1, right_side};
+  half.area = (triangles.length(cap) - tip.x()) * tip.y() / 2;
+  add_triangle(half, right, pieces);
 }
 
-CGP_INLINE void Delaunay_view::add_triangle(const std::array<int, 3>& corners,
-                                            const Eigen::Matrix<double, 2, 3>& p, double area,
-                                            const Eigen::Vector3d& cotangents,
+CGP_INLINE void Delaunay_view::add_triangle(Sheet triangle, const Eigen::Matrix<double, 2, 3>& p,
                                             const std::vector<Common_subdivision::Piece>& pieces)
 {
-  const int t = size_of_triangles();
-  m_corners.push_back(corners);
-  m_areas.push_back(area);
-  m_cotangents.insert(m_cotangents.end(), cotangents.begin(), cotangents.end());
+  triangle.triangle = size_of_triangles();
   Eigen::Matrix<double, 2, 3> edges;
   edges << p.col(2) - p.col(1), p.col(0) - p.col(2), p.col(1) - p.col(0);
   double total = 0;
   for (const auto& piece : pieces) total += piece.weight;
-  for (const auto& piece : pieces)
-    m_sheets.push_back({t, piece.face, piece.weight / total, piece.to_space * edges});
-}
-
-CGP_INLINE double Delaunay_view::half_weight(const Intrinsic_triangulation& triangles, int h,
-                                             int cap)
-{
-  if (cap < 0) return triangles.cotangent(h) / 2;
-  if (h == cap) return 0;
-  const Eigen::Vector2d apex = triangles.apex_in_plane(cap);
-  const bool is_left = h == Mesh_view::previous_in_face(cap);  // from the apex to `from(cap)`
-  return apex.y() / (is_left ? apex.x() : triangles.length(cap) - apex.x()) / 2;
-}
-
-CGP_INLINE void Delaunay_view::add_edges(const Intrinsic_triangulation& triangles,
-                                         const std::vector<int>& caps,
-                                         const Transported_forms& forms)
-{
-  std::vector<int> halfedges;
-  for (int h = 0; h < triangles.size_of_halfedges(); ++h) {
-    const bool is_gone = triangles.twin(h) < 0 && caps[index(h / 3)] == h;
-    if (h > triangles.twin(h) && !is_gone) halfedges.push_back(h);
-  }
-  const auto size = static_cast<Eigen::Index>(halfedges.size());
-  m_weights.resize(size);
-  m_forms.resize(size, forms.size());
-  for (Eigen::Index k = 0; k < size; ++k) {
-    const int h = halfedges[static_cast<std::size_t>(k)], t = triangles.twin(h);
-    const int i = triangles.from(h), j = triangles.to(h);
-    m_ends.push_back({(std::min)(i, j), (std::max)(i, j)});
-    m_weights[k] = half_weight(triangles, h, caps[index(h / 3)]) +
-                   (t < 0 ? 0 : half_weight(triangles, t, caps[index(t / 3)]));
-    m_forms.row(k) = (i < j ? 1 : -1) * forms.along(h);
+  for (const auto& piece : pieces) {
+    triangle.face = piece.face;
+    triangle.share = piece.weight / total;
+    triangle.vectors = piece.to_space * edges;
+    m_sheets.push_back(triangle);
   }
 }
 

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_MESH_VIEW_H
 
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/Sheet.h>
 
 #include <Eigen/Core>
 
@@ -28,6 +29,7 @@ using Points = Eigen::Matrix3Xd;
 ///
 /// Made by `Graph_view` from any CGAL mesh, or directly from arrays. The constructor does not
 /// check; `mesh/requirements.h` does, and names the offending element. O(|V| + |F|).
+/// A model of `ConformalSurface`.
 class Mesh_view {
  public:
   using Corners = std::vector<std::array<int, 3>>;
@@ -73,6 +75,9 @@ class Mesh_view {
   /// the ends i < j of edge k, which is oriented i -> j; edges are sorted by (i, j)
   const std::array<int, 2>& ends(int k) const { return m_ends[index(k)]; }
 
+  /// those of all edges
+  const std::vector<std::array<int, 2>>& ends() const { return m_ends; }
+
   /// the halfedges along edge k: two opposite ones inside, one at the boundary, more where the
   /// mesh is not a manifold
   const int* halfedges_begin(int k) const { return m_halfedges.data() + m_first[index(k)]; }
@@ -83,6 +88,10 @@ class Mesh_view {
 
   /// the same for other positions of the vertices, 3 x |V|
   Eigen::Vector3d double_area_vector(int f, const Points& positions) const;
+
+  /// as a `ConformalSurface`: each face is a triangle, with one sheet
+  int size_of_sheets() const { return size_of_faces(); }
+  Sheet sheet(int f) const;
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }

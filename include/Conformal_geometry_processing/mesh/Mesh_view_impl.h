@@ -30,6 +30,19 @@ CGP_INLINE Eigen::Vector3d Mesh_view::double_area_vector(int f, const Points& po
   return (p - positions.col(v[1])).cross(positions.col(v[0]) - p);
 }
 
+CGP_INLINE Sheet Mesh_view::sheet(int f) const
+{
+  Sheet sheet;
+  sheet.corners = corners(f);
+  sheet.edges = {edge(3 * f), edge(3 * f + 1), edge(3 * f + 2)};
+  sheet.triangle = sheet.face = f;
+  for (int c = 0; c < 3; ++c) sheet.vectors.col(c) = vector(3 * f + c);
+  const Eigen::Vector3d e = sheet.vectors.col(0);
+  sheet.area = e.cross(sheet.vectors.col(1)).norm() / 2;
+  sheet.share = 1;
+  return sheet;
+}
+
 // Buckets the halfedges by their lower end, sorts each bucket by the higher one: no hash map,
 // and a numbering that depends on nothing but the faces.
 CGP_INLINE void Mesh_view::find_edges()

@@ -18,10 +18,6 @@ namespace Conformal_geometry_processing {
 /// vertex has one outgoing boundary edge
 std::vector<std::vector<int>> boundary_loops(const Mesh_view& mesh);
 
-/// \ingroup PkgMesh
-/// Returns for each vertex whether it lies on the boundary
-std::vector<char> boundary_vertices(const Mesh_view& mesh);
-
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY

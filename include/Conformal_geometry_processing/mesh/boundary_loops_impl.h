@@ -31,17 +31,6 @@ CGP_INLINE std::vector<std::vector<int>> boundary_loops(const Mesh_view& mesh)
   return loops;
 }
 
-CGP_INLINE std::vector<char> boundary_vertices(const Mesh_view& mesh)
-{
-  std::vector<char> is_boundary(static_cast<std::size_t>(mesh.size_of_vertices()), 0);
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
-    if (mesh.twin(h) < 0) {
-      is_boundary[static_cast<std::size_t>(mesh.from(h))] = 1;
-      is_boundary[static_cast<std::size_t>(mesh.to(h))] = 1;
-    }
-  return is_boundary;
-}
-
 }  // namespace Conformal_geometry_processing
 
 #endif

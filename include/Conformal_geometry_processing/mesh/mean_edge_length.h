@@ -3,14 +3,14 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_MEAN_EDGE_LENGTH_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_MEAN_EDGE_LENGTH_H
 
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
 /// the mean length h of the edges
 /// \pre there is an edge
-double mean_edge_length(const Mesh_view& mesh);
+double mean_edge_length(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing
 

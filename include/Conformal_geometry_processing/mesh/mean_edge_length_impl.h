@@ -8,12 +8,12 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE double mean_edge_length(const Mesh_view& mesh)
+CGP_INLINE double mean_edge_length(const Surface_ref& surface)
 {
   double sum = 0;
-  for (int k = 0; k < mesh.size_of_edges(); ++k)
-    sum += (mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0])).norm();
-  return sum / mesh.size_of_edges();
+  for (int k = 0; k < surface.size_of_edges(); ++k)
+    sum += (surface.position(surface.ends(k)[1]) - surface.position(surface.ends(k)[0])).norm();
+  return sum / surface.size_of_edges();
 }
 
 }  // namespace Conformal_geometry_processing

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_NORMALS_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 namespace Conformal_geometry_processing {
 
@@ -21,12 +22,12 @@ enum class Normal_weight {
 Points face_normals(const Mesh_view& mesh);
 
 /// \ingroup PkgMesh
-/// the angle of face f at its corner c, in (0, pi)
-double corner_angle(const Mesh_view& mesh, int f, int c);
+/// the angle of a sheet's triangle at corner c, in (0, pi)
+double corner_angle(const Sheet& sheet, int c);
 
 /// \ingroup PkgMesh
 /// the unit normals of the vertices, 3 x |V|; zero where the faces around a vertex cancel out
-Points vertex_normals(const Mesh_view& mesh, Normal_weight weight = Normal_weight::area);
+Points vertex_normals(const Surface_ref& surface, Normal_weight weight = Normal_weight::area);
 
 }  // namespace Conformal_geometry_processing
 

@@ -23,28 +23,30 @@ CGP_INLINE Points face_normals(const Mesh_view& mesh)
   return normals;
 }
 
-CGP_INLINE double corner_angle(const Mesh_view& mesh, int f, int c)
+CGP_INLINE double corner_angle(const Sheet& sheet, int c)
 {
-  const Eigen::Vector3d a = mesh.vector(3 * f + (c + 2) % 3), b = -mesh.vector(3 * f + (c + 1) % 3);
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  const Eigen::Vector3d a = sheet.vectors.col((c + 2) % 3), b = -sheet.vectors.col((c + 1) % 3);
+  return std::atan2(2 * sheet.area, a.dot(b));
 }
 
-CGP_INLINE Points vertex_normals(const Mesh_view& mesh, Normal_weight weight)
+CGP_INLINE Points vertex_normals(const Surface_ref& surface, Normal_weight weight)
 {
-  Points normals = Points::Zero(3, mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const Eigen::Vector3d a = mesh.double_area_vector(f), n = stable_normalized(a);
+  Points normals = Points::Zero(3, surface.size_of_vertices());
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const Eigen::Vector3d e = sheet.vectors.col(0), a = e.cross(sheet.vectors.col(1)),
+                          n = stable_normalized(a);
     for (int c = 0; c < 3; ++c) {
-      auto sum = normals.col(mesh.corners(f)[static_cast<std::size_t>(c)]);
+      auto sum = normals.col(sheet.corners[static_cast<std::size_t>(c)]);
       switch (weight) {
         case Normal_weight::area:
-          sum += a;
+          sum += sheet.share * a;
           break;
         case Normal_weight::angle:
-          sum += corner_angle(mesh, f, c) * n;
+          sum += sheet.share * corner_angle(sheet, c) * n;
           break;
         case Normal_weight::uniform:
-          sum += n;
+          sum += sheet.share * n;
           break;
       }
     }

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternionic_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 
@@ -26,13 +27,13 @@ struct Curvature_potential {
   static Curvature_potential on_vertices(Eigen::VectorXd rho);
   static Curvature_potential on_faces(Eigen::VectorXd rho) { return {On::faces, std::move(rho)}; }
 
-  /// its values at the three corners of face f
-  Eigen::Vector3d at_corners(const Mesh_view& mesh, int f) const;
+  /// its values at the three corners of a sheet
+  Eigen::Vector3d at_corners(const Sheet& sheet) const;
 };
 
 /// \ingroup PkgOperators
 /// rho = 0, on the vertices
-Curvature_potential no_potential(const Mesh_view& mesh);
+Curvature_potential no_potential(const Surface_ref& surface);
 
 /// \ingroup PkgOperators
 /// \brief R: |F| x |V|, multiplication by rho [CGP 5.3]; in 1/length.
@@ -44,8 +45,14 @@ Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
                                                     const Curvature_potential& rho);
 
 /// \ingroup PkgOperators
+/// \brief the areas that belong to the values of rho, |V| or |F|: integrals over the surface are
+/// sums with them. That of a face is at least a millionth of the mean, so that it can be divided
+/// by.
+Eigen::VectorXd curvature_areas(const Surface_ref& surface, Curvature_potential::On on);
+
+/// \ingroup PkgOperators
 /// the mean of rho over the surface, weighted by area
-double mean(const Mesh_view& mesh, const Curvature_potential& rho);
+double mean(const Surface_ref& surface, const Curvature_potential& rho);
 
 }  // namespace Conformal_geometry_processing
 

@@ -19,16 +19,16 @@ CGP_INLINE Curvature_potential Curvature_potential::on_vertices(Eigen::VectorXd 
   return {On::vertices, std::move(rho)};
 }
 
-CGP_INLINE Eigen::Vector3d Curvature_potential::at_corners(const Mesh_view& mesh, int f) const
+CGP_INLINE Eigen::Vector3d Curvature_potential::at_corners(const Sheet& sheet) const
 {
-  if (on == On::faces) return Eigen::Vector3d::Constant(values[f]);
-  const std::array<int, 3>& v = mesh.corners(f);
+  if (on == On::faces) return Eigen::Vector3d::Constant(values[sheet.face]);
+  const std::array<int, 3>& v = sheet.corners;
   return {values[v[0]], values[v[1]], values[v[2]]};
 }
 
-CGP_INLINE Curvature_potential no_potential(const Mesh_view& mesh)
+CGP_INLINE Curvature_potential no_potential(const Surface_ref& surface)
 {
-  return Curvature_potential::on_vertices(Eigen::VectorXd::Zero(mesh.size_of_vertices()));
+  return Curvature_potential::on_vertices(Eigen::VectorXd::Zero(surface.size_of_vertices()));
 }
 
 CGP_INLINE Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
@@ -36,16 +36,22 @@ CGP_INLINE Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& 
 {
   Quaternionic_sparse_matrix<double> R(mesh.corners(), mesh.size_of_vertices());
   for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const Eigen::Vector3d r = rho.at_corners(mesh, f);
+    const Eigen::Vector3d r = rho.at_corners(mesh.sheet(f));
     for (int c = 0; c < 3; ++c) R.value(f, c) = {r[c] / 3, 0, 0, 0};
   }
   return R;
 }
 
-CGP_INLINE double mean(const Mesh_view& mesh, const Curvature_potential& rho)
+CGP_INLINE Eigen::VectorXd curvature_areas(const Surface_ref& surface, Curvature_potential::On on)
 {
-  const Eigen::VectorXd areas =
-      rho.on == Curvature_potential::On::faces ? face_areas(mesh) : vertex_areas(mesh);
+  if (on == Curvature_potential::On::vertices) return vertex_areas(surface);
+  const Eigen::VectorXd areas = face_areas(surface);
+  return areas.cwiseMax(1e-6 * areas.mean());
+}
+
+CGP_INLINE double mean(const Surface_ref& surface, const Curvature_potential& rho)
+{
+  const Eigen::VectorXd areas = curvature_areas(surface, rho.on);
   return areas.dot(rho.values) / areas.sum();
 }
 

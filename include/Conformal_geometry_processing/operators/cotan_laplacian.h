@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 
@@ -13,31 +14,35 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
+/// of the angle of a sheet's triangle at corner c
+double cotangent(const Sheet& sheet, int c);
+
+/// \ingroup PkgOperators
 /// the cotangent of the angle opposite halfedge h, that is of face h / 3 at its corner h % 3
 double cotangent(const Mesh_view& mesh, int h);
 
 /// \ingroup PkgOperators
 /// w = (cot alpha + cot beta) / 2 for each edge, one cotangent only at the boundary; |E| numbers,
 /// negative where alpha + beta > pi. The Hodge star on 1-forms [CGP 5.6].
-Eigen::VectorXd cotan_weights(const Mesh_view& mesh);
+Eigen::VectorXd cotan_weights(const Surface_ref& surface);
 
 /// \ingroup PkgOperators
-/// \brief writes the values of L = d0^T diag(w) d0 into a matrix on `vertex_graph(mesh)`.
-/// \param w one weight for each edge, as `cotan_weights(mesh)` gives them
-void assemble_cotan_laplacian(const Mesh_view& mesh, const Eigen::VectorXd& w,
+/// \brief writes the values of L = d0^T diag(w) d0 into a matrix on `vertex_graph(surface)`.
+/// \param w one weight for each edge, as `cotan_weights(surface)` gives them
+void assemble_cotan_laplacian(const Surface_ref& surface, const Eigen::VectorXd& w,
                               Hermitian_sparse_matrix<double>& L);
 
 /// \ingroup PkgOperators
 /// \brief L = d0^T diag(w) d0 on a given pattern [CGP 5.6].
 ///
 /// |V| x |V|, real symmetric, positive *semidefinite* also where weights are negative; the kernel
-/// of a connected mesh are the constants. (L f)_i = sum_j w_ij (f_i - f_j). Dimensionless.
-Hermitian_sparse_matrix<double> cotan_laplacian(const Mesh_view& mesh,
+/// of a connected surface are the constants. (L f)_i = sum_j w_ij (f_i - f_j). Dimensionless.
+Hermitian_sparse_matrix<double> cotan_laplacian(const Surface_ref& surface,
                                                 std::shared_ptr<const Sparse_pattern> pattern);
 
 /// \ingroup PkgOperators
 /// L on a pattern of its own
-Hermitian_sparse_matrix<double> cotan_laplacian(const Mesh_view& mesh);
+Hermitian_sparse_matrix<double> cotan_laplacian(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing
 

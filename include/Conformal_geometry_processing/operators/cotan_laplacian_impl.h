@@ -8,48 +8,58 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <memory>
 #include <utility>
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE double cotangent(const Mesh_view& mesh, int h)
+CGP_INLINE double cotangent(const Sheet& sheet, int c)
 {
-  const Eigen::Vector3d a = mesh.vector(Mesh_view::next_in_face(h));
-  const Eigen::Vector3d b = mesh.vector(Mesh_view::previous_in_face(h));
-  return -a.dot(b) / a.cross(b).norm();
+  return -sheet.vectors.col((c + 1) % 3).dot(sheet.vectors.col((c + 2) % 3)) / (2 * sheet.area);
 }
 
-CGP_INLINE Eigen::VectorXd cotan_weights(const Mesh_view& mesh)
+CGP_INLINE double cotangent(const Mesh_view& mesh, int h)
 {
-  Eigen::VectorXd w = Eigen::VectorXd::Zero(mesh.size_of_edges());
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h) w[mesh.edge(h)] += cotangent(mesh, h) / 2;
+  return cotangent(mesh.sheet(h / 3), h % 3);
+}
+
+CGP_INLINE Eigen::VectorXd cotan_weights(const Surface_ref& surface)
+{
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(surface.size_of_edges());
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    for (int c = 0; c < 3; ++c) {
+      const int k = sheet.edges[static_cast<std::size_t>(c)];
+      if (k >= 0) w[k] += sheet.share * cotangent(sheet, c) / 2;
+    }
+  }
   return w;
 }
 
-CGP_INLINE void assemble_cotan_laplacian(const Mesh_view& mesh, const Eigen::VectorXd& w,
+CGP_INLINE void assemble_cotan_laplacian(const Surface_ref& surface, const Eigen::VectorXd& w,
                                          Hermitian_sparse_matrix<double>& L)
 {
   L.set_zero();
-  for (int k = 0; k < mesh.size_of_edges(); ++k) {
-    L.value(edge_position(mesh, k)) = -w[k];
-    for (int v : mesh.ends(k)) L.value(diagonal_position(L.pattern(), v)) += w[k];
+  for (int k = 0; k < surface.size_of_edges(); ++k) {
+    const auto [i, j] = surface.ends(k);
+    if (i == j) continue;
+    L.value(L.pattern().find(j, i)) -= w[k];
+    for (const int v : {i, j}) L.value(diagonal_position(L.pattern(), v)) += w[k];
   }
 }
 
 CGP_INLINE Hermitian_sparse_matrix<double> cotan_laplacian(
-    const Mesh_view& mesh, std::shared_ptr<const Sparse_pattern> pattern)
+    const Surface_ref& surface, std::shared_ptr<const Sparse_pattern> pattern)
 {
   Hermitian_sparse_matrix<double> L(std::move(pattern));
-  assemble_cotan_laplacian(mesh, cotan_weights(mesh), L);
+  assemble_cotan_laplacian(surface, cotan_weights(surface), L);
   return L;
 }
 
-CGP_INLINE Hermitian_sparse_matrix<double> cotan_laplacian(const Mesh_view& mesh)
+CGP_INLINE Hermitian_sparse_matrix<double> cotan_laplacian(const Surface_ref& surface)
 {
-  return cotan_laplacian(mesh, vertex_graph(mesh));
+  return cotan_laplacian(surface, vertex_graph(surface));
 }
 
 }  // namespace Conformal_geometry_processing

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DIRAC_FORMS_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 
 #include <Eigen/Core>
@@ -20,14 +20,15 @@ struct Dirac_forms {
 };
 
 /// \ingroup PkgOperators
-/// the forms on the columns of `vectors`; O(|F|), without assembling a matrix
-Dirac_forms dirac_forms(const Mesh_view& mesh, const Curvature_potential& rho,
+/// the forms on the columns of `vectors`; O(sheets), without assembling a matrix
+Dirac_forms dirac_forms(const Surface_ref& surface, const Curvature_potential& rho,
                         const Block<Quaternion<double>>& vectors);
 
 /// \ingroup PkgOperators
 /// \brief H lambda, |V|, where H is the Hermitian part of B^H M_F (D - R): the form `dirac` of
-/// \ref Dirac_forms as an operator. O(|F|), without assembling a matrix.
-Quaternion_vector<double> apply_dirac_form(const Mesh_view& mesh, const Curvature_potential& rho,
+/// \ref Dirac_forms as an operator. O(sheets), without assembling a matrix.
+Quaternion_vector<double> apply_dirac_form(const Surface_ref& surface,
+                                           const Curvature_potential& rho,
                                            const Quaternion_vector<double>& lambda);
 
 /// \ingroup PkgOperators
@@ -36,14 +37,14 @@ Quaternion_vector<double> apply_dirac_form(const Mesh_view& mesh, const Curvatur
 ///
 /// The eigenvalue mu of X is gamma^2 plus the discretisation error (unlike [CGP (5.3)], which
 /// writes gamma for it): its root has no sign, and near zero not the right size either.
-double dirac_quotient(const Mesh_view& mesh, const Curvature_potential& rho,
+double dirac_quotient(const Surface_ref& surface, const Curvature_potential& rho,
                       const Quaternion_vector<double>& lambda);
 
 /// \ingroup PkgOperators
 /// \brief |(D - R) lambda| / |lambda|, in 1/length: the root of the quotient of X and the areas of
 /// the vertices, to all digits also where it is zero but for rounding, for no terms cancel.
-/// O(|F|), without assembling a matrix.
-double dirac_misfit(const Mesh_view& mesh, const Curvature_potential& rho,
+/// O(sheets), without assembling a matrix.
+double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
                     const Quaternion_vector<double>& lambda);
 
 }  // namespace Conformal_geometry_processing

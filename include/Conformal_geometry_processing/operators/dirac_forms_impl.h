@@ -14,28 +14,43 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Dirac_forms dirac_forms(const Mesh_view& mesh, const Curvature_potential& rho,
+namespace internal {
+
+/// row c of M (D - R) on a sheet, per share
+CGP_INLINE Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3d& r, int c)
+{
+  const Eigen::Vector3d e = sheet.vectors.col(c) / -2;
+  Quaternion<double> q = imaginary(e);
+  q.w = -sheet.area * r[c] / 3;
+  return q;
+}
+
+}  // namespace internal
+
+CGP_INLINE Dirac_forms dirac_forms(const Surface_ref& surface, const Curvature_potential& rho,
                                    const Block<Quaternion<double>>& vectors)
 {
   const Eigen::Index k = vectors.cols();
   Dirac_forms forms{Block<Quaternion<double>>(k, k), Block<Quaternion<double>>(k, k)};
   Block<Quaternion<double>> half(k, k);
-  Quaternion_vector<double> average(k), image(k);  // of B, and of M_F (D - R), on one face
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const double A = mesh.double_area_vector(f).norm() / 2;
-    const Eigen::Vector3d r = rho.at_corners(mesh, f);
-    for (Eigen::Index a = 0; a < k; ++a) {
-      average[a] = image[a] = {};
-      for (int c = 0; c < 3; ++c) {
-        const auto& l = vectors(mesh.corners(f)[static_cast<std::size_t>(c)], a);
-        average[a] += l / 3.;
-        image[a] -= imaginary(mesh.vector(3 * f + c)) * l / 2. + (A * r[c] / 3) * l;
+  Quaternion_vector<double> average(k), image(k);  // of B, and of M (D - R), on one sheet
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const Eigen::Vector3d r = rho.at_corners(sheet);
+    average.setConstant({});
+    image.setConstant({});
+    for (int c = 0; c < 3; ++c) {
+      const Quaternion<double> row = internal::dirac_row(sheet, r, c);
+      const int v = sheet.corners[static_cast<std::size_t>(c)];
+      for (Eigen::Index a = 0; a < k; ++a) {
+        average[a] += vectors(v, a) / 3.;
+        image[a] += row * vectors(v, a);
       }
     }
     for (Eigen::Index a = 0; a < k; ++a)
       for (Eigen::Index b = 0; b < k; ++b) {
-        half(a, b) += conjugate(average[a]) * image[b] / 2.;
-        forms.mass(a, b) += A * (conjugate(average[a]) * average[b]);
+        half(a, b) += sheet.share / 2 * (conjugate(average[a]) * image[b]);
+        forms.mass(a, b) += sheet.share * sheet.area * (conjugate(average[a]) * average[b]);
       }
   }
   for (Eigen::Index a = 0; a < k; ++a)
@@ -43,50 +58,48 @@ CGP_INLINE Dirac_forms dirac_forms(const Mesh_view& mesh, const Curvature_potent
   return forms;
 }
 
-CGP_INLINE Quaternion_vector<double> apply_dirac_form(const Mesh_view& mesh,
+CGP_INLINE Quaternion_vector<double> apply_dirac_form(const Surface_ref& surface,
                                                       const Curvature_potential& rho,
                                                       const Quaternion_vector<double>& lambda)
 {
   Quaternion_vector<double> result = Quaternion_vector<double>::Constant(lambda.size(), {});
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const double A = mesh.double_area_vector(f).norm() / 2;
-    const Eigen::Vector3d r = rho.at_corners(mesh, f);
-    Quaternion<double> average, image;      // as above
-    std::array<Quaternion<double>, 3> row;  // of M_F (D - R)
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const Eigen::Vector3d r = rho.at_corners(sheet);
+    Quaternion<double> average, image;  // as above
+    std::array<Quaternion<double>, 3> row;
     for (std::size_t c = 0; c < 3; ++c) {
-      const int corner = static_cast<int>(c);
-      row[c] = imaginary(mesh.vector(3 * f + corner)) / -2.;
-      row[c].w -= A * r[corner] / 3;
-      average += lambda[mesh.corners(f)[c]] / 3.;
-      image += row[c] * lambda[mesh.corners(f)[c]];
+      row[c] = internal::dirac_row(sheet, r, static_cast<int>(c));
+      average += lambda[sheet.corners[c]] / 3.;
+      image += row[c] * lambda[sheet.corners[c]];
     }
     for (std::size_t c = 0; c < 3; ++c)
-      result[mesh.corners(f)[c]] += image / 6. + conjugate(row[c]) * average / 2.;
+      result[sheet.corners[c]] += sheet.share * (image / 6. + conjugate(row[c]) * average / 2.);
   }
   return result;
 }
 
-CGP_INLINE double dirac_quotient(const Mesh_view& mesh, const Curvature_potential& rho,
+CGP_INLINE double dirac_quotient(const Surface_ref& surface, const Curvature_potential& rho,
                                  const Quaternion_vector<double>& lambda)
 {
-  const Dirac_forms forms = dirac_forms(mesh, rho, lambda);
+  const Dirac_forms forms = dirac_forms(surface, rho, lambda);
   return forms.dirac(0, 0).w / forms.mass(0, 0).w;
 }
 
-CGP_INLINE double dirac_misfit(const Mesh_view& mesh, const Curvature_potential& rho,
+CGP_INLINE double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
                                const Quaternion_vector<double>& lambda)
 {
   double energy = 0, mass = 0;
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const double A = mesh.double_area_vector(f).norm() / 2;
-    const Eigen::Vector3d r = rho.at_corners(mesh, f);
-    Quaternion<double> image;  // of M_F (D - R)
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const Eigen::Vector3d r = rho.at_corners(sheet);
+    Quaternion<double> image;
     for (int c = 0; c < 3; ++c) {
-      const auto& l = lambda[mesh.corners(f)[static_cast<std::size_t>(c)]];
-      image -= imaginary(mesh.vector(3 * f + c)) * l / 2. + (A * r[c] / 3) * l;
-      mass += A / 3 * squared_norm(l);
+      const auto& l = lambda[sheet.corners[static_cast<std::size_t>(c)]];
+      image += internal::dirac_row(sheet, r, c) * l;
+      mass += sheet.share * sheet.area / 3 * squared_norm(l);
     }
-    energy += squared_norm(image) / A;
+    energy += sheet.share * squared_norm(image) / sheet.area;
   }
   return std::sqrt(energy / mass);
 }

@@ -3,22 +3,22 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_MASS_MATRICES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_MASS_MATRICES_H
 
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
-/// M_F: the area of each face, |F| numbers; the diagonal of a positive definite matrix [CGP 5.4]
-/// \pre no face has area zero
-Eigen::VectorXd face_areas(const Mesh_view& mesh);
+/// M_F: the area of each face of the mesh, |F| numbers; the diagonal of a positive semidefinite
+/// matrix, definite where no face has area zero [CGP 5.4]
+Eigen::VectorXd face_areas(const Surface_ref& surface);
 
 /// \ingroup PkgOperators
 /// M_V: the barycentric area of each vertex, a third of the faces around it, |V| numbers; the
 /// diagonal of a positive definite matrix [CGP 5.4]
-/// \pre no face has area zero, no vertex is without a face
-Eigen::VectorXd vertex_areas(const Mesh_view& mesh);
+/// \pre every vertex has a triangle of positive area
+Eigen::VectorXd vertex_areas(const Surface_ref& surface);
 
 /// \ingroup PkgOperators
 /// the mixed Voronoi area of each vertex: the part of each non-obtuse face that is nearest to the
@@ -26,7 +26,7 @@ Eigen::VectorXd vertex_areas(const Mesh_view& mesh);
 ///
 /// Pointwise curvatures need these (`mean_curvature()`): with barycentric areas H is wrong by 15 %
 /// at vertices of valence 5, on however fine a mesh.
-Eigen::VectorXd voronoi_areas(const Mesh_view& mesh);
+Eigen::VectorXd voronoi_areas(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing
 

@@ -12,37 +12,42 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Eigen::VectorXd face_areas(const Mesh_view& mesh)
+CGP_INLINE Eigen::VectorXd face_areas(const Surface_ref& surface)
 {
-  Eigen::VectorXd areas(mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) areas[f] = mesh.double_area_vector(f).norm() / 2;
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(surface.size_of_faces());
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    areas[sheet.face] += sheet.share * sheet.area;
+  }
   return areas;
 }
 
-CGP_INLINE Eigen::VectorXd vertex_areas(const Mesh_view& mesh)
+CGP_INLINE Eigen::VectorXd vertex_areas(const Surface_ref& surface)
 {
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    for (int v : mesh.corners(f)) areas[v] += mesh.double_area_vector(f).norm() / 6;
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(surface.size_of_vertices());
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    for (const int v : sheet.corners) areas[v] += sheet.share * sheet.area / 3;
+  }
   return areas;
 }
 
-CGP_INLINE Eigen::VectorXd voronoi_areas(const Mesh_view& mesh)
+CGP_INLINE Eigen::VectorXd voronoi_areas(const Surface_ref& surface)
 {
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.size_of_vertices());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const double double_area = mesh.double_area_vector(f).norm();
-    Eigen::Vector3d squared, inner;  // |e_c|^2, and <edge, edge> at corner c, negative if obtuse
-    for (int c = 0; c < 3; ++c) {
-      squared[c] = mesh.vector(3 * f + c).squaredNorm();
-      inner[c] = -mesh.vector(3 * f + (c + 1) % 3).dot(mesh.vector(3 * f + (c + 2) % 3));
-    }
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(surface.size_of_vertices());
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const auto& e = sheet.vectors;
+    Eigen::Vector3d inner;  // <edge, edge> at corner c, negative if obtuse
+    for (int c = 0; c < 3; ++c) inner[c] = -e.col((c + 1) % 3).dot(e.col((c + 2) % 3));
     const bool is_obtuse = inner.minCoeff() < 0;
     for (int c = 0; c < 3; ++c) {
       const int a = (c + 1) % 3, b = (c + 2) % 3;
-      areas[mesh.corners(f)[static_cast<std::size_t>(c)]] +=
-          is_obtuse ? double_area / (inner[c] < 0 ? 4 : 8)
-                    : (squared[a] * inner[a] + squared[b] * inner[b]) / (8 * double_area);
+      areas[sheet.corners[static_cast<std::size_t>(c)]] +=
+          sheet.share *
+          (is_obtuse ? sheet.area / (inner[c] < 0 ? 2 : 4)
+                     : (e.col(a).squaredNorm() * inner[a] + e.col(b).squaredNorm() * inner[b]) /
+                           (16 * sheet.area));
     }
   }
   return areas;

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_MEAN_CURVATURE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_MEAN_CURVATURE_H
 
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 
@@ -12,7 +12,7 @@ namespace internal {
 
 /// Gives each boundary vertex the mean of its interior neighbours, ring by ring from the inside
 /// for boundary vertices that have none; leaves the values where there is no interior at all.
-void fill_boundary(const Mesh_view& mesh, Eigen::VectorXd& values);
+void fill_boundary(const Surface_ref& surface, Eigen::VectorXd& values);
 
 }  // namespace internal
 
@@ -22,12 +22,12 @@ void fill_boundary(const Mesh_view& mesh, Eigen::VectorXd& values);
 /// H_i = <N_i, (L f)_i> / (2 V_i), from Delta f = 2 H N, with mixed Voronoi areas V_i and angle-
 /// weighted normals. At boundary vertices L f also holds the curvature of the boundary curve, so
 /// there H is the mean of the interior neighbours instead.
-Eigen::VectorXd mean_curvature(const Mesh_view& mesh);
+Eigen::VectorXd mean_curvature(const Surface_ref& surface);
 
 /// \ingroup PkgOperators
 /// \brief H |df|, the mean curvature half-density: H times the square root of the area, |V|
 /// dimensionless numbers [CGP 4.4]. Spin transformations add rho |df| to it [CGP (4.6)].
-Eigen::VectorXd mean_curvature_half_density(const Mesh_view& mesh);
+Eigen::VectorXd mean_curvature_half_density(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing
 

@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_MEAN_CURVATURE_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/divergence.h>
@@ -19,19 +18,19 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-CGP_INLINE void fill_boundary(const Mesh_view& mesh, Eigen::VectorXd& values)
+CGP_INLINE void fill_boundary(const Surface_ref& surface, Eigen::VectorXd& values)
 {
-  std::vector<char> is_unknown = boundary_vertices(mesh);
+  std::vector<char> is_unknown = boundary_vertices(surface);
   const auto unknown = [&](int v) -> char& { return is_unknown[static_cast<std::size_t>(v)]; };
   for (bool has_changed = true; has_changed;) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(values.size()), count = sum;
-    for (int k = 0; k < mesh.size_of_edges(); ++k)
+    for (int k = 0; k < surface.size_of_edges(); ++k)
       for (int end = 0; end < 2; ++end) {
-        const int v = mesh.ends(k)[end == 0], u = mesh.ends(k)[end == 1];
+        const int v = surface.ends(k)[end == 0], u = surface.ends(k)[end == 1];
         if (unknown(v) && !unknown(u)) sum[v] += values[u], count[v] += 1;
       }
     has_changed = false;
-    for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    for (int v = 0; v < surface.size_of_vertices(); ++v) {
       if (count[v] == 0) continue;
       values[v] = sum[v] / count[v];
       unknown(v) = 0;
@@ -42,24 +41,25 @@ CGP_INLINE void fill_boundary(const Mesh_view& mesh, Eigen::VectorXd& values)
 
 }  // namespace internal
 
-CGP_INLINE Eigen::VectorXd mean_curvature(const Mesh_view& mesh)
+CGP_INLINE Eigen::VectorXd mean_curvature(const Surface_ref& surface)
 {
-  const Eigen::VectorXd w = cotan_weights(mesh), areas = voronoi_areas(mesh);
-  const Points normals = vertex_normals(mesh, Normal_weight::angle);
-  Eigen::MatrixX3d edges(mesh.size_of_edges(), 3);
-  for (int k = 0; k < mesh.size_of_edges(); ++k)
-    edges.row(k) = (mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0])).transpose();
-  const Eigen::MatrixX3d Lf = codifferential(mesh, w, edges);
-  Eigen::VectorXd H(mesh.size_of_vertices());
-  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+  const Eigen::VectorXd w = cotan_weights(surface), areas = voronoi_areas(surface);
+  const Points normals = vertex_normals(surface, Normal_weight::angle);
+  Eigen::MatrixX3d edges(surface.size_of_edges(), 3);
+  for (int k = 0; k < surface.size_of_edges(); ++k)
+    edges.row(k) =
+        (surface.position(surface.ends(k)[1]) - surface.position(surface.ends(k)[0])).transpose();
+  const Eigen::MatrixX3d Lf = codifferential(surface, w, edges);
+  Eigen::VectorXd H(surface.size_of_vertices());
+  for (int v = 0; v < surface.size_of_vertices(); ++v)
     H[v] = Lf.row(v).dot(normals.col(v)) / (2 * areas[v]);
-  internal::fill_boundary(mesh, H);
+  internal::fill_boundary(surface, H);
   return H;
 }
 
-CGP_INLINE Eigen::VectorXd mean_curvature_half_density(const Mesh_view& mesh)
+CGP_INLINE Eigen::VectorXd mean_curvature_half_density(const Surface_ref& surface)
 {
-  return mean_curvature(mesh).cwiseProduct(voronoi_areas(mesh).cwiseSqrt());
+  return mean_curvature(surface).cwiseProduct(voronoi_areas(surface).cwiseSqrt());
 }
 
 }  // namespace Conformal_geometry_processing

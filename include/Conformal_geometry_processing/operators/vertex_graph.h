@@ -3,27 +3,43 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_VERTEX_GRAPH_H
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_VERTEX_GRAPH_H
 
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/algebra/Sparse_pattern.h>
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
+#include <cstddef>
 #include <memory>
 
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
-/// \brief the pattern of every Hermitian matrix on the vertices of a mesh: |V| diagonal entries
-/// and one for each edge.
-///
-/// Edges are sorted by their ends (i, j), i < j, and column i holds (i, i) before its edges, so the
-/// entry (j, i) of edge k has position k + i + 1 and assembly needs no table.
-std::shared_ptr<const Sparse_pattern> vertex_graph(const Mesh_view& mesh);
+/// \brief the pattern of every Hermitian matrix on the vertices of a surface, |V| x |V|: the
+/// diagonal, and one entry for each pair of different vertices that an edge joins.
+std::shared_ptr<const Sparse_pattern> vertex_graph(const Surface_ref& surface);
 
-/// the position of the diagonal entry (i, i) in `vertex_graph(mesh)`
+/// the position of the diagonal entry (i, i) in a `vertex_graph()`
 int diagonal_position(const Sparse_pattern& pattern, int i);
 
-/// the position of the entry (j, i), i < j, of edge k in `vertex_graph(mesh)`
-int edge_position(const Mesh_view& mesh, int k);
+namespace internal {
 
+/// \brief adds to a matrix what a sheet contributes.
+/// \param A on `vertex_graph()` of the surface
+/// \param entry the value for corners (i, j), Hermitian: entry(j, i) is the conjugate
+template <class Scalar, class Entry>
+void add_sheet(const Sheet& sheet, Entry entry, Hermitian_sparse_matrix<Scalar>& A)
+{
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const int row = sheet.corners[static_cast<std::size_t>(i)],
+                column = sheet.corners[static_cast<std::size_t>(j)];
+      if (row == column)
+        A.value(diagonal_position(A.pattern(), row)) += entry(i, j);
+      else if (row > column)
+        A.value(A.pattern().find(row, column)) += entry(i, j);
+    }
+}
+
+}  // namespace internal
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY

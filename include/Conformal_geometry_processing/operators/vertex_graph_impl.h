@@ -6,23 +6,30 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE std::shared_ptr<const Sparse_pattern> vertex_graph(const Mesh_view& mesh)
+CGP_INLINE std::shared_ptr<const Sparse_pattern> vertex_graph(const Surface_ref& surface)
 {
+  std::vector<std::array<int, 2>> ends;
+  for (int k = 0; k < surface.size_of_edges(); ++k)
+    if (surface.ends(k)[0] != surface.ends(k)[1]) ends.push_back(surface.ends(k));
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   auto pattern = std::make_shared<Sparse_pattern>();
-  const int n = mesh.size_of_vertices();
+  const int n = surface.size_of_vertices();
   pattern->offsets.reserve(static_cast<std::size_t>(n) + 1);
-  pattern->indices.reserve(static_cast<std::size_t>(n) +
-                           static_cast<std::size_t>(mesh.size_of_edges()));
-  for (int i = 0, k = 0; i < n; ++i) {
+  pattern->indices.reserve(static_cast<std::size_t>(n) + ends.size());
+  auto end = ends.begin();
+  for (int i = 0; i < n; ++i) {
     pattern->offsets.push_back(static_cast<int>(pattern->indices.size()));
     pattern->indices.push_back(i);
-    for (; k < mesh.size_of_edges() && mesh.ends(k)[0] == i; ++k)
-      pattern->indices.push_back(mesh.ends(k)[1]);
+    for (; end != ends.end() && (*end)[0] == i; ++end) pattern->indices.push_back((*end)[1]);
   }
   pattern->offsets.push_back(static_cast<int>(pattern->indices.size()));
   return pattern;
@@ -31,11 +38,6 @@ CGP_INLINE std::shared_ptr<const Sparse_pattern> vertex_graph(const Mesh_view& m
 CGP_INLINE int diagonal_position(const Sparse_pattern& pattern, int i)
 {
   return pattern.offsets[static_cast<std::size_t>(i)];
-}
-
-CGP_INLINE int edge_position(const Mesh_view& mesh, int k)
-{
-  return k + mesh.ends(k)[0] + 1;
 }
 
 }  // namespace Conformal_geometry_processing

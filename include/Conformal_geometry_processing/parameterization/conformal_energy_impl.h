@@ -22,13 +22,13 @@ CGP_INLINE Hermitian_sparse_matrix<std::complex<double>> conformal_energy(
   Hermitian_sparse_matrix<std::complex<double>> L(std::move(pattern));
   const Eigen::VectorXd w = cotan_weights(mesh);
   for (int k = 0; k < mesh.size_of_edges(); ++k) {
-    L.value(edge_position(mesh, k)) -= w[k];
+    L.value(L.pattern().find(mesh.ends(k)[1], mesh.ends(k)[0])) -= w[k];
     for (const int v : mesh.ends(k)) L.value(diagonal_position(L.pattern(), v)) += w[k];
   }
   // Twice the area is the sum of Im(conjugate(z_i) z_j) along the boundary; row i gets i/2.
   for (int h = 0; h < mesh.size_of_halfedges(); ++h)
     if (mesh.twin(h) < 0)
-      L.value(edge_position(mesh, mesh.edge(h))) +=
+      L.value(L.pattern().find(mesh.ends(mesh.edge(h))[1], mesh.ends(mesh.edge(h))[0])) +=
           std::complex<double>(0, mesh.from(h) > mesh.to(h) ? 0.5 : -0.5);
   return L;
 }

@@ -23,7 +23,7 @@ CGP_INLINE Eigen::VectorXd turning_angles(const Mesh_view& mesh, const Vertex_lo
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(mesh.size_of_vertices());
   for (int f = 0; f < mesh.size_of_faces(); ++f)
     for (int c = 0; c < 3; ++c)
-      angles[mesh.corners(f)[static_cast<std::size_t>(c)]] += corner_angle(mesh, f, c);
+      angles[mesh.corners(f)[static_cast<std::size_t>(c)]] += corner_angle(mesh.sheet(f), c);
   return std::acos(-1.) - angles(loop).array();
 }
 

@@ -4,9 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_SHAPE_SPACE_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/forms/Dirac_energy_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
 
 #include <Eigen/Core>
 
@@ -43,7 +43,10 @@ class Conformal_shape_space {
   Eigen::VectorXd shape_operator(const Eigen::VectorXd& phi) const;
 
   /// d gamma / dt for rho = t phi at t = 0: minus the mean of phi
-  double first_order(const Eigen::VectorXd& phi) const { return -m_areas.dot(phi) / m_areas.sum(); }
+  double first_order(const Eigen::VectorXd& phi) const
+  {
+    return -m_system.areas().dot(phi) / m_system.areas().sum();
+  }
 
   /// half of the second derivative of gamma: -<phi, Re lambda-dot> / A, not positive
   double second_order(const Eigen::VectorXd& phi) const;
@@ -53,8 +56,7 @@ class Conformal_shape_space {
   Eigen::VectorXd without_mean(const Eigen::VectorXd& phi) const;
 
   const Mesh_view& m_mesh;
-  Eigen::VectorXd m_areas;  // |V|
-  Dirac_energy_solver<SolverTraits> m_solver;
+  Dirac_system<SolverTraits> m_system;
 };
 
 }  // namespace Conformal_geometry_processing

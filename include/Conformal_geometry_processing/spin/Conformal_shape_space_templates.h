@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Conformal_shape_space.h>
+#include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
 
 #include <Eigen/Core>
 
@@ -19,8 +20,10 @@ namespace Conformal_geometry_processing {
 template <class SolverTraits>
 Conformal_shape_space<SolverTraits>::Conformal_shape_space(const Mesh_view& mesh,
                                                            const std::string& function)
-    : m_mesh(checked(mesh, function)), m_areas(vertex_areas(mesh)), m_solver(mesh)
-{}
+    : m_mesh(checked(mesh, function)), m_system(mesh, {}, function)
+{
+  m_system.prepare_response();
+}
 
 template <class SolverTraits>
 Eigen::VectorXd Conformal_shape_space<SolverTraits>::response(const Eigen::VectorXd& phi) const
@@ -31,7 +34,8 @@ Eigen::VectorXd Conformal_shape_space<SolverTraits>::response(const Eigen::Vecto
   Quaternion_vector<double> image = averaging(m_mesh) * source;
   const Eigen::VectorXd areas = face_areas(m_mesh);
   for (Eigen::Index f = 0; f < image.size(); ++f) image[f] *= areas[f];
-  const Quaternion_vector<double> change = m_solver(dirac(m_mesh).adjoint_times(image)).col(0);
+  const Quaternion_vector<double> change =
+      m_system.response(dirac(m_mesh).adjoint_times(image)).col(0);
   return components(change).row(0).transpose();
 }
 
@@ -39,13 +43,14 @@ template <class SolverTraits>
 Eigen::VectorXd Conformal_shape_space<SolverTraits>::shape_operator(
     const Eigen::VectorXd& phi) const
 {
-  return 2 / std::sqrt(m_areas.sum()) * response(phi);
+  return 2 / std::sqrt(m_system.areas().sum()) * response(phi);
 }
 
 template <class SolverTraits>
 double Conformal_shape_space<SolverTraits>::second_order(const Eigen::VectorXd& phi) const
 {
-  return -m_areas.cwiseProduct(without_mean(phi)).dot(response(phi)) / m_areas.sum();
+  return -m_system.areas().cwiseProduct(without_mean(phi)).dot(response(phi)) /
+         m_system.areas().sum();
 }
 
 template <class SolverTraits>

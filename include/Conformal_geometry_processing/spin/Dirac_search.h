@@ -4,8 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SEARCH_H
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
-#include <Conformal_geometry_processing/spin/Dirac_solution.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
 
 #include <Eigen/Core>
 
@@ -18,8 +19,9 @@ namespace internal {
 ///
 /// One column is enough where it converges to the branch of the guide. As soon as it is rough, its
 /// companion tells whether X has mixed it with a vector of opposite sign.
-template <class Problem>
+template <class SolverTraits, class EigensolverTraits>
 class Dirac_search {
+  using System = Dirac_system<SolverTraits>;
   using Vectors = Block<Quaternion<double>>;
   static constexpr int max_companions = 5;
   static constexpr double rough = 1e-2;  // an error estimate: exact enough to see mixtures
@@ -29,9 +31,9 @@ class Dirac_search {
   /// other is below 0.67
   static constexpr double same_branch = 0.75;
 
-  /// \param problem has the potential rho
+  /// \param system has the potential rho
   /// \param options those of the whole solve, with the tolerance of this search
-  Dirac_search(const Problem& problem, const Curvature_potential& rho,
+  Dirac_search(const System& system, const Curvature_potential& rho,
                const Quaternion_vector<double>& guide, const Dirac_options& options,
                const Go_further& go_further);
 
@@ -62,10 +64,14 @@ class Dirac_search {
   {
     const int left = m_options.max_iterations - m_iterations;
     if (left <= 0 && m_result.vectors.cols() > 0) return false;
-    m_result = m_problem.smallest(start, wanted, tolerance, left, watch);
+    m_result = smallest(start, wanted, tolerance, left, watch);
     m_iterations += m_result.iterations;
     return true;
   }
+
+  /// the smallest eigenpairs of X, as many as `start` has columns; `wanted` of them converge
+  Eigensolver_result smallest(Vectors start, int wanted, double tolerance, int max_iterations,
+                              const Go_further& go_further) const;
 
   /// \brief whether X has mixed v, of energy mu.
   ///
@@ -81,10 +87,26 @@ class Dirac_search {
   bool stays_separated(const Quaternion_vector<double>& v, const Quaternion_vector<double>& start,
                        double separation) const;
 
+  /// \brief the component of X^-1 b orthogonal to v, |V| x 1.
+  ///
+  /// Where b is the signed form applied to v, X^-1 b is (D - rho)^-1 v on smooth vectors. If v is a
+  /// mixture of two eigenvectors of D - rho, this companion of v contains the other mixture of
+  /// them, besides the discretisation error; otherwise only that error.
+  Vectors companion(const Quaternion_vector<double>& v, const Quaternion_vector<double>& b) const;
+
+  /// \brief [v, w], |V| x 2, where w is the vector of smallest energy in the span of `companions`;
+  /// v alone if they are zero
+  Vectors with_lowest(const Quaternion_vector<double>& v, Vectors companions) const;
+
+  /// u without its component along v
+  Vectors without(const Quaternion_vector<double>& v, const Quaternion_vector<double>& u) const;
+
+  static Vectors side_by_side(const Vectors& a, const Vectors& b);
+
   /// v is not on the branch, and leaves room for a vector that is
   bool another_may_be_nearer(const Quaternion_vector<double>& v) const;
 
-  const Problem& m_problem;
+  const System& m_system;
   const Curvature_potential& m_rho;
   const Quaternion_vector<double>& m_guide;
   const Dirac_options m_options;

@@ -36,13 +36,14 @@ struct Dirac_options {
 };
 
 /// \ingroup PkgSpin
-/// \brief a solution of the Dirac equation, with the evidence for it.
-struct Dirac_solution {
-  Quaternion_vector<double> lambda;  ///< |V|; mean real and positive, mean of |lambda|^2 one
-  double eigenvalue = 0;             ///< gamma with its sign, in 1/length
-  double energy = 0;                 ///< mu = <lambda, X lambda> / <lambda, M_V lambda> >= 0
-  double residual = 0;  ///< estimate of the error of lambda: the norm of X lambda - mu M_V lambda
-                        ///< dual to the energy, divided by sqrt(4 pi / area) |lambda|
+/// \brief the evidence for a solution of the Dirac equation, in numbers.
+struct Dirac_evidence {
+  bool converged = false;  ///< the equation is solved to the tolerance
+  bool cancelled = false;  ///< the visitor said no
+
+  double eigenvalue = 0;  ///< gamma with its sign, in 1/length
+  double residual = 0;    ///< estimate of the error of lambda: the norm of X lambda - mu M_V lambda
+                          ///< dual to the energy, divided by sqrt(4 pi / area) |lambda|
   double gap = 0;      ///< distance from sqrt(mu) to that of the next vector known, in 1/length: an
                        ///< upper bound of the true one, rough if that is wide
   double overlap = 0;  ///< |<lambda, 1>| / (|lambda| |1|), one for the identity
@@ -51,15 +52,29 @@ struct Dirac_solution {
   double spectral_shift = 0;    ///< sigma: solved for the eigenvalue nearest to it; zero in (5.3)
   bool is_generalized = false;  ///< the generalized problem was asked for, solved and trusted
   double generalized_eigenvalue = 0;  ///< that of (5.2), gamma + (mu - gamma^2) / gamma
-  bool converged = false;
-  bool cancelled = false;
 
-  /// wall clock seconds of the stages
+  /// wall clock seconds
   struct Seconds {
     double assembly = 0, factorization = 0, eigenvectors = 0;
-  } seconds;
+  };
 };
 
+/// \ingroup PkgSpin
+/// a solution of the Dirac equation
+struct Dirac_solution : Dirac_evidence {
+  Quaternion_vector<double> lambda;  ///< |V|; mean real and positive, mean of |lambda|^2 one
+  double energy = 0;                 ///< mu = <lambda, X lambda> / <lambda, M_V lambda> >= 0
+  Seconds seconds;                   ///< of the stages
+};
+
+/// \relates Dirac_evidence
+/// the evidence of a surface that is `unit` times as large: its numbers in 1/length are divided
+Dirac_evidence in_units(Dirac_evidence evidence, double unit);
+
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Dirac_solution_impl.h>
+#endif
 
 #endif

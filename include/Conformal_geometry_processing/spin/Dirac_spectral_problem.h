@@ -7,8 +7,8 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
-#include <Conformal_geometry_processing/spin/Dirac_pencil.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
 
 #include <Eigen/Core>
 
@@ -93,14 +93,17 @@ class Dirac_spectral_problem {
 
   /// how many of the vectors have a root of mu below a bound
   int count_below(double bound, const Krylov_result& standard) const;
-  double squared_overlap(const Quaternion_vector<double>& a,
-                         const Quaternion_vector<double>& b) const;
+  /// <v, X v>
+  double energy(const Quaternion_vector<double>& v) const;
+  void set_potential(Curvature_potential rho);
   void fill(const std::vector<Pair>& pairs, double shift, Dirac_spectrum& s) const;
 
   std::string m_function;
   Normalized_frame m_frame;
   Mesh_view m_mesh;  // in the frame
-  Dirac_pencil<SolverTraits> m_pencil;
+  Dirac_system<SolverTraits> m_system;
+  Curvature_potential m_rho;  // with the shift, in the frame
+  Vectors m_constants;        // in the kernel of D - rho, and left out
 };
 
 }  // namespace Conformal_geometry_processing

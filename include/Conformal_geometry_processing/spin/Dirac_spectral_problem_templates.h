@@ -3,10 +3,12 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SPECTRAL_PROBLEM_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SPECTRAL_PROBLEM_TEMPLATES_H
 
+#include <Conformal_geometry_processing/algebra/random_quaternions.h>
 #include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
-#include <Conformal_geometry_processing/spin/Surface_dirac_equation.h>
+#include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
+#include <Conformal_geometry_processing/spin/dirac_pencils.h>
 #include <Conformal_geometry_processing/spin/rayleigh_ritz_of_dirac.h>
 
 #include <Eigen/Core>
@@ -16,6 +18,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -27,7 +30,8 @@ Dirac_spectral_problem<SolverTraits>::Dirac_spectral_problem(const Mesh_view& me
     : m_function(function),
       m_frame(checked(mesh, condition, function).positions()),
       m_mesh(m_frame.to_frame(mesh.positions()), mesh.corners()),
-      m_pencil(m_mesh, condition, function)
+      m_system(m_mesh, condition, function),
+      m_rho(no_potential(m_mesh))
 {}
 
 template <class SolverTraits>
@@ -36,16 +40,16 @@ Dirac_spectrum Dirac_spectral_problem<SolverTraits>::find(const Curvature_potent
                                                           const Go_further& go_further)
 {
   require_input(rho, count, options.shift);
-  m_pencil.set_potential({rho.on, (rho.values.array() + options.shift).matrix() * m_frame.unit()});
+  set_potential({rho.on, (rho.values.array() + options.shift).matrix() * m_frame.unit()});
   Dirac_spectrum s;
-  s.size_of_constants =
-      static_cast<int>((std::min<Eigen::Index>)(count, m_pencil.constants().cols()));
+  s.size_of_constants = static_cast<int>((std::min<Eigen::Index>)(count, m_constants.cols()));
   Krylov_result r;
   r.converged = true;
   std::vector<Pair> pairs;
   if (count > s.size_of_constants) {
     const int wanted = count - s.size_of_constants;
-    r = iterate(m_pencil.of_form(), wanted, options, go_further);
+    r = iterate(internal::pencil_of_form(m_system, m_rho, m_constants), wanted, options,
+                go_further);
     pairs = with_those_at_the_shift(r, options);
     pairs.resize((std::min)(pairs.size(), static_cast<std::size_t>(wanted)));
   }
@@ -93,7 +97,9 @@ Krylov_result Dirac_spectral_problem<SolverTraits>::iterate(const Pencil& pencil
   krylov.tolerance = options.tolerance;
   krylov.max_restarts = options.max_restarts;
   const auto noise = [this, seed = options.random_seed](Eigen::Index columns) mutable {
-    return m_pencil.noise(columns, seed++);
+    return internal::solve_beside(m_system, m_constants,
+                                  block_operator(m_system.areas())(random_quaternions(
+                                      m_system.areas().size(), columns, seed++)));
   };
   return krylov_schur(pencil, m_mesh.size_of_vertices(), noise, krylov, go_further);
 }
@@ -102,9 +108,9 @@ template <class SolverTraits>
 auto Dirac_spectral_problem<SolverTraits>::pair(const Quaternion_vector<double>& v,
                                                 double residual) const -> Pair
 {
-  const Dirac_forms forms = m_pencil.forms(v);
+  const Dirac_forms forms = internal::forms_in_space(m_system, m_rho, v);
   const double form = forms.dirac(0, 0).w;
-  return {form / forms.mass(0, 0).w, m_pencil.energy(v) / form, residual, v};
+  return {form / forms.mass(0, 0).w, energy(v) / form, residual, v};
 }
 
 template <class SolverTraits>
@@ -116,7 +122,8 @@ auto Dirac_spectral_problem<SolverTraits>::with_those_at_the_shift(
   for (Eigen::Index k = 0; k < r.values.size(); ++k) {
     const Quaternion_vector<double> v = r.vectors.col(k);
     double share = 0;  // of v in the span of those vectors
-    for (std::size_t i = 0; i < count; ++i) share += squared_overlap(pairs[i].vector, v);
+    for (std::size_t i = 0; i < count; ++i)
+      share += std::pow(m_system.overlap(pairs[i].vector, v), 2);
     if (share < 0.5) pairs.push_back(pair(v, r.residuals[k]));
   }
   std::stable_sort(pairs.begin(), pairs.end());
@@ -135,13 +142,16 @@ auto Dirac_spectral_problem<SolverTraits>::at_the_shift(const Krylov_result& r,
   const int most = static_cast<int>(r.values.size());
   int count = 0;
   for (int wanted = (std::min)(2, most);; wanted = (std::min)(2 * wanted, most)) {
-    count = count_below(0.8 * nearest, iterate(m_pencil.of_masses(), wanted, rough));
+    count = count_below(0.8 * nearest,
+                        iterate(internal::pencil_of_masses(m_system, m_constants), wanted, rough));
     if (count < wanted || wanted == most) break;
   }
   std::vector<Pair> pairs;
   if (count == 0) return pairs;
-  const Krylov_result exact = iterate(m_pencil.of_masses(), count, options);
-  const Vectors separated = rayleigh_ritz_of_dirac(exact.vectors, m_pencil.forms(exact.vectors));
+  const Krylov_result exact =
+      iterate(internal::pencil_of_masses(m_system, m_constants), count, options);
+  const Vectors separated = rayleigh_ritz_of_dirac(
+      exact.vectors, internal::forms_in_space(m_system, m_rho, exact.vectors));
   for (Eigen::Index k = 0; k < separated.cols(); ++k)
     pairs.push_back(pair(separated.col(k), exact.residuals.maxCoeff()));
   return pairs;
@@ -154,17 +164,27 @@ int Dirac_spectral_problem<SolverTraits>::count_below(double bound,
   int count = 0;
   for (Eigen::Index k = 0; k < standard.values.size(); ++k) {
     const Quaternion_vector<double> v = standard.vectors.col(k);
-    count += m_pencil.energy(v) < bound * bound * m_pencil.squared_norm(v);
+    count += energy(v) < bound * bound * m_system.squared_norm(v);
   }
   return count;
 }
 
 template <class SolverTraits>
-double Dirac_spectral_problem<SolverTraits>::squared_overlap(
-    const Quaternion_vector<double>& a, const Quaternion_vector<double>& b) const
+double Dirac_spectral_problem<SolverTraits>::energy(const Quaternion_vector<double>& v) const
 {
-  return Conformal_geometry_processing::squared_norm(m_pencil.products(a, b)(0, 0)) /
-         (m_pencil.squared_norm(a) * m_pencil.squared_norm(b));
+  return inner_product(v, m_system.matrix() * v).w;
+}
+
+template <class SolverTraits>
+void Dirac_spectral_problem<SolverTraits>::set_potential(Curvature_potential rho)
+{
+  m_rho = std::move(rho);
+  const double negligible = 1e-12 * std::sqrt(m_system.unit());
+  const bool is_zero = m_rho.values.cwiseAbs().maxCoeff() <= negligible;
+  m_constants =
+      is_zero ? internal::constants_in_space(m_system) : Vectors(m_system.areas().size(), 0);
+  Dirac_evidence::Seconds seconds;
+  m_system.set_potential(m_rho, seconds, 1e-9);
 }
 
 template <class SolverTraits>
@@ -177,13 +197,13 @@ void Dirac_spectral_problem<SolverTraits>::fill(const std::vector<Pair>& pairs, 
   s.residuals = Eigen::VectorXd::Zero(size);
   s.vectors.resize(m_mesh.size_of_vertices(), size);
   for (Eigen::Index k = 0; k < constants; ++k)
-    s.vectors.col(k) = m_pencil.normalized(m_pencil.constants().col(k));
+    s.vectors.col(k) = m_system.normalized(m_constants.col(k));
   Eigen::Index k = constants;
   for (const Pair& p : pairs) {
     s.eigenvalues[k] = shift + p.quotient / m_frame.unit();
     s.pencil_eigenvalues[k] = shift + p.of_pencil / m_frame.unit();
     s.residuals[k] = p.residual;
-    s.vectors.col(k++) = m_pencil.normalized(p.vector);
+    s.vectors.col(k++) = m_system.normalized(p.vector);
   }
 }
 

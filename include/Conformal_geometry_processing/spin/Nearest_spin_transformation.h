@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 
 namespace Conformal_geometry_processing {
@@ -17,6 +18,18 @@ namespace Conformal_geometry_processing {
 struct Nearest_spin_result : Spin_result {
   double distance = 0;  ///< root mean square of the distances of the vertices from the target, by
                         ///< the diagonal of its bounding box
+};
+
+/// \ingroup PkgSpin
+/// how a target is approached
+struct Nearest_spin_options {
+  /// direction of the boundary frame (T, N, B) that becomes that of the target; the binormal,
+  /// unlike the tangent, can be realised whatever the target is
+  Eigen::Vector3d direction{1, 0, 0};
+  std::optional<Exactness> exactness = Exactness::adjoint;  ///< see `Spin_transformation_options`
+  /// see `Spin_transformation_options`; spins of thin faces, of the mesh or of the target, are then
+  /// taken from their neighbours, and the spin structure of the target is not checked
+  std::optional<double> mollification = std::nullopt;
 };
 
 /// \ingroup PkgSpin
@@ -39,15 +52,13 @@ class Nearest_spin_transformation {
   /// \param mesh is copied
   /// \param target positions of the deformed surface, 3 x |V|
   /// \param function named in exceptions
-  /// \param direction of the boundary frame (T, N, B) that becomes that of the target; the
-  /// binormal, unlike the tangent, can be realised whatever the target is
   /// \throw Precondition_error if the mesh, or the target with its connectivity, is not a
-  /// connected, oriented manifold with finite coordinates and positive areas; or if the target of a
-  /// closed mesh is of another spin structure
+  /// connected, oriented manifold with finite coordinates and, without mollification, positive
+  /// areas; or if the target of a closed mesh is of another spin structure
   /// \throw Solver_error if the analysis fails
   Nearest_spin_transformation(const Mesh_view& mesh, Points target,
                               const std::string& function = "Nearest_spin_transformation",
-                              const Eigen::Vector3d& direction = {1, 0, 0});
+                              const Nearest_spin_options& options = {});
 
   /// \brief the deformation that spins mu describe, conjugate(mu) df mu, as of a field of
   /// rotations. The target is what they integrate to.
@@ -55,12 +66,13 @@ class Nearest_spin_transformation {
   /// \throw Precondition_error if their number is another, one is not finite, or what they
   /// integrate to has faces of area zero
   Nearest_spin_transformation(const Mesh_view& mesh, const Quaternion_vector<double>& mu,
-                              const std::string& function = "Nearest_spin_transformation");
+                              const std::string& function = "Nearest_spin_transformation",
+                              const Nearest_spin_options& options = {});
 
   /// \brief scales lengths by `factor` as well, one positive number per vertex; before
   /// `transform()`.
   /// \throw Precondition_error if their number is another, or one is not positive and finite
-  void scale_lengths(const Mesh_view& mesh, const Eigen::VectorXd& factor);
+  void scale_lengths(const Eigen::VectorXd& factor);
 
   /// the spins of the target, |V|; they need not belong to a surface
   const Quaternion_vector<double>& target_spins() const { return m_mu; }
@@ -82,16 +94,14 @@ class Nearest_spin_transformation {
 
  private:
   Nearest_spin_transformation(const std::string& function, const Mesh_view& mesh, Points target,
-                              const Eigen::Vector3d& direction);
-  void use(const Mesh_view& mesh, Quaternion_vector<double> mu);
+                              const Nearest_spin_options& options);
+  void use(Quaternion_vector<double> mu);
   static Points integrated(const Mesh_view& mesh, const Quaternion_vector<double>& mu,
-                           const std::string& function);
-  static Points checked(const Mesh_view& mesh, Points target, const std::string& function);
-  static Boundary_condition boundary_condition(const Mesh_view& mesh, const Points& target,
-                                               const Eigen::Vector3d& direction);
-
-  /// what a report says about the Dirac equation, which was solved for lambda
-  static void tell_equation(const Spin_report& from, Spin_report& to);
+                           const std::string& function, const Nearest_spin_options& options);
+  static Points checked(const Mesh_view& mesh, Points target, const std::string& function,
+                        const Nearest_spin_options& options);
+  static Spin_transformation_options transformation_options(const Mesh_view& target,
+                                                            const Nearest_spin_options& options);
 
   /// \brief multiplies lambda from the right by the constant that brings it nearest to mu: a
   /// rotation and a scaling of the surface; where directions are prescribed, a scaling only.
@@ -100,8 +110,6 @@ class Nearest_spin_transformation {
 
   Points m_target;
   Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
-  Eigen::VectorXd m_areas;
-  bool m_is_closed;
   int m_conflicts = 0;
   Quaternion_vector<double> m_mu;
   Curvature_potential m_rho;

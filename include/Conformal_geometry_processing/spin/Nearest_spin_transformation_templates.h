@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
 #include <Conformal_geometry_processing/spin/curvature_of_spins.h>
 #include <Conformal_geometry_processing/spin/face_spins.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
@@ -23,27 +24,29 @@ namespace Conformal_geometry_processing {
 template <class SolverTraits, class EigensolverTraits>
 Nearest_spin_transformation<SolverTraits, EigensolverTraits>::Nearest_spin_transformation(
     const Mesh_view& mesh, Points target, const std::string& function,
-    const Eigen::Vector3d& direction)
-    : Nearest_spin_transformation(function, mesh, checked(mesh, std::move(target), function),
-                                  direction)
+    const Nearest_spin_options& options)
+    : Nearest_spin_transformation(function, mesh,
+                                  checked(mesh, std::move(target), function, options), options)
 {
   Quaternion_vector<double> faces = face_spins(mesh, m_target);
+  if (options.mollification) replace_thin_faces(mesh, m_target, faces);
   m_conflicts = make_consistent(mesh, faces);
-  use(mesh, vertex_spins(mesh, faces));
+  use(vertex_spins(mesh, faces));
 }
 
 template <class SolverTraits, class EigensolverTraits>
 Nearest_spin_transformation<SolverTraits, EigensolverTraits>::Nearest_spin_transformation(
-    const Mesh_view& mesh, const Quaternion_vector<double>& mu, const std::string& function)
-    : Nearest_spin_transformation(mesh, integrated(mesh, mu, function), function)
+    const Mesh_view& mesh, const Quaternion_vector<double>& mu, const std::string& function,
+    const Nearest_spin_options& options)
+    : Nearest_spin_transformation(mesh, integrated(mesh, mu, function, options), function, options)
 {
   m_conflicts = 0;
-  use(mesh, mu);
+  use(mu);
 }
 
 template <class SolverTraits, class EigensolverTraits>
 void Nearest_spin_transformation<SolverTraits, EigensolverTraits>::scale_lengths(
-    const Mesh_view& mesh, const Eigen::VectorXd& factor)
+    const Eigen::VectorXd& factor)
 {
   const std::string function = "Nearest_spin_transformation::scale_lengths";
   if (factor.size() != m_mu.size())
@@ -56,7 +59,7 @@ void Nearest_spin_transformation<SolverTraits, EigensolverTraits>::scale_lengths
       internal::name_of_vertex, function, "#factor not positive", "positive ones are needed");
   Quaternion_vector<double> scaled = m_mu;
   for (Eigen::Index v = 0; v < scaled.size(); ++v) scaled[v] *= std::sqrt(factor[v]);
-  use(mesh, std::move(scaled));
+  use(std::move(scaled));
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -77,85 +80,83 @@ Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>
   align_spins(spins);
   for (Eigen::Index v = 0; v < spins.size(); ++v) spins[v] = spins[v] * (1 - t) + m_mu[v] * t;
   Spin_result between = m_transformation.integrate(std::move(spins));
-  tell_equation(nearest.report, between.report);
+  static_cast<Dirac_evidence&>(between.report) = nearest.report;
+  between.report.converged = nearest.report.converged && between.positions.allFinite();
   return placed(std::move(between));
 }
 
 template <class SolverTraits, class EigensolverTraits>
 Nearest_spin_transformation<SolverTraits, EigensolverTraits>::Nearest_spin_transformation(
     const std::string& function, const Mesh_view& mesh, Points target,
-    const Eigen::Vector3d& direction)
+    const Nearest_spin_options& options)
     : m_target(std::move(target)),
-      m_transformation(mesh, boundary_condition(mesh, m_target, direction), function),
-      m_areas(vertex_areas(mesh)),
-      m_is_closed(m_transformation.dirac_equation().is_closed())
+      m_transformation(mesh, transformation_options(Mesh_view(m_target, mesh.corners()), options),
+                       function)
 {}
 
 template <class SolverTraits, class EigensolverTraits>
-void Nearest_spin_transformation<SolverTraits, EigensolverTraits>::use(const Mesh_view& mesh,
-                                                                       Quaternion_vector<double> mu)
+void Nearest_spin_transformation<SolverTraits, EigensolverTraits>::use(Quaternion_vector<double> mu)
 {
   m_mu = std::move(mu);
-  m_rho = curvature_of_spins(mesh, m_mu);
+  m_rho = curvature_of_spins(m_transformation.system().surface(), m_mu);
+  m_rho.values /= m_transformation.domain().unit();
 }
 
 template <class SolverTraits, class EigensolverTraits>
 Points Nearest_spin_transformation<SolverTraits, EigensolverTraits>::integrated(
-    const Mesh_view& mesh, const Quaternion_vector<double>& mu, const std::string& function)
+    const Mesh_view& mesh, const Quaternion_vector<double>& mu, const std::string& function,
+    const Nearest_spin_options& options)
 {
-  return Spin_transformation<SolverTraits, EigensolverTraits>(mesh, function)
+  Spin_transformation_options own;
+  own.mollification = options.mollification;
+  return Spin_transformation<SolverTraits, EigensolverTraits>(mesh, own, function)
       .integrate(mu)
       .positions;
 }
 
 template <class SolverTraits, class EigensolverTraits>
 Points Nearest_spin_transformation<SolverTraits, EigensolverTraits>::checked(
-    const Mesh_view& mesh, Points target, const std::string& function)
+    const Mesh_view& mesh, Points target, const std::string& function,
+    const Nearest_spin_options& options)
 {
-  require_surface(mesh, function);
+  internal::Framed_surface::require(mesh, options.mollification, function);
   if (target.cols() != mesh.size_of_vertices())
     throw Precondition_error(function, std::to_string(target.cols()) +
                                            " target positions, one per vertex is needed: " +
                                            std::to_string(mesh.size_of_vertices()));
-  const Mesh_view deformed(target, mesh.corners());
-  require_finite_positions(deformed, function + ", target");
-  require_positive_areas(deformed, function + ", target");
-  if (boundary_loops(mesh).empty()) require_same_spin_structure(mesh, target, function);
+  internal::Framed_surface::require_faces(Mesh_view(target, mesh.corners()),
+                                          options.mollification.has_value(), function + ", target");
+  if (boundary_loops(mesh).empty() && !options.mollification)
+    require_same_spin_structure(mesh, target, function);
   return target;
 }
 
 template <class SolverTraits, class EigensolverTraits>
-Boundary_condition Nearest_spin_transformation<SolverTraits, EigensolverTraits>::boundary_condition(
-    const Mesh_view& mesh, const Points& target, const Eigen::Vector3d& direction)
+Spin_transformation_options
+Nearest_spin_transformation<SolverTraits, EigensolverTraits>::transformation_options(
+    const Mesh_view& target, const Nearest_spin_options& options)
 {
-  const Boundary_frames frames = boundary_frames({target, mesh.corners()});
-  if (frames.vertices.empty()) return Boundary_condition::free();
+  Spin_transformation_options own;
+  own.exactness = options.exactness;
+  own.mollification = options.mollification;
+  const Boundary_frames frames =
+      options.mollification ? boundary_frames(Delaunay_view(target, *options.mollification))
+                            : boundary_frames(target);
+  if (frames.vertices.empty()) return own;
   Points targets(3, static_cast<Eigen::Index>(frames.vertices.size()));
   for (std::size_t k = 0; k < frames.vertices.size(); ++k)
-    targets.col(static_cast<Eigen::Index>(k)) = frames.frames[k] * direction;
-  return Boundary_condition::directions(direction, std::move(targets));
-}
-
-template <class SolverTraits, class EigensolverTraits>
-void Nearest_spin_transformation<SolverTraits, EigensolverTraits>::tell_equation(
-    const Spin_report& from, Spin_report& to)
-{
-  to.eigenvalue = from.eigenvalue;
-  to.residual = from.residual;
-  to.gap = from.gap;
-  to.overlap = from.overlap;
-  to.iterations = from.iterations;
-  to.substeps = from.substeps;
-  to.spectral_shift = from.spectral_shift;
+    targets.col(static_cast<Eigen::Index>(k)) = frames.frames[k] * options.direction;
+  own.boundary = Boundary_condition::directions(options.direction, std::move(targets));
+  return own;
 }
 
 template <class SolverTraits, class EigensolverTraits>
 void Nearest_spin_transformation<SolverTraits, EigensolverTraits>::align_spins(
     Quaternion_vector<double>& lambda) const
 {
-  Quaternion<double> c =
-      inner_product(lambda, m_areas, m_mu) / inner_product(lambda, m_areas, lambda).w;
-  if (!m_is_closed) c = {c.w, 0, 0, 0};
+  const auto& system = m_transformation.system();
+  Quaternion<double> c = inner_product(lambda, system.areas(), m_mu) / system.squared_norm(lambda);
+  if (!system.is_closed()) c = {c.w, 0, 0, 0};
   for (Quaternion<double>& q : lambda) q = q * c;
 }
 

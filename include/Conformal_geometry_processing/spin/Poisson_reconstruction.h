@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 
@@ -25,22 +25,21 @@ namespace Conformal_geometry_processing {
 /// the mesh has moved; every call costs two triangular solves with three right-hand sides.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-/// \tparam Surface `Mesh_view` or `Delaunay_view`
-template <class SolverTraits = Default_solver_traits, class Surface = Mesh_view>
+template <class SolverTraits = Default_solver_traits>
 class Poisson_reconstruction {
  public:
-  /// \param mesh must outlive the object
-  /// \param pattern `vertex_graph(mesh)`
-  /// \pre `require_surface(mesh)` holds
+  /// \param surface must outlive the object
+  /// \param pattern `vertex_graph(surface)`
+  /// \pre `require_surface()` of the mesh holds
   /// \throw Solver_error if the Laplacian cannot be factored
-  Poisson_reconstruction(const Surface& mesh, std::shared_ptr<const Sparse_pattern> pattern);
+  Poisson_reconstruction(const Surface_ref& surface, std::shared_ptr<const Sparse_pattern> pattern);
 
   /// shares the analysis of another solver on the same pattern
   /// \param other a `Solver` of the same traits, for any scalar
   template <class OtherSolver>
-  Poisson_reconstruction(const Surface& mesh, std::shared_ptr<const Sparse_pattern> pattern,
+  Poisson_reconstruction(const Surface_ref& surface, std::shared_ptr<const Sparse_pattern> pattern,
                          const OtherSolver& other)
-      : m_mesh(mesh), m_L(pattern), m_solver(std::move(pattern), other)
+      : m_surface(surface), m_L(pattern), m_solver(std::move(pattern), other)
   {
     update_geometry();
   }
@@ -53,7 +52,7 @@ class Poisson_reconstruction {
   const Grounded_solver<SolverTraits>& solver() const { return m_solver; }
 
   /// returns f, 3 x |V|, the one minimiser whose vertices have mean zero
-  /// \param edges |E| x 3, edge k runs from `mesh.ends(k)[0]` to `mesh.ends(k)[1]`
+  /// \param edges |E| x 3, edge k runs from `surface.ends(k)[0]` to `surface.ends(k)[1]`
   Points positions(const Eigen::MatrixX3d& edges) const;
 
   /// \brief |d0 f - e| / |e|: zero exactly when the edge vectors close up around every face.
@@ -64,7 +63,7 @@ class Poisson_reconstruction {
   Solver_statistics statistics() const { return m_solver.statistics(); }
 
  private:
-  const Surface& m_mesh;
+  Surface_ref m_surface;
   Eigen::VectorXd m_weights;  // |E|
   Hermitian_sparse_matrix<double> m_L;
   Grounded_solver<SolverTraits> m_solver;

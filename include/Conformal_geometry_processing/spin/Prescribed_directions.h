@@ -27,18 +27,17 @@ namespace Conformal_geometry_processing {
 /// surface least.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-/// \tparam Surface `Mesh_view` or `Delaunay_view`
-template <class SolverTraits, class Surface = Mesh_view>
+template <class SolverTraits>
 class Prescribed_directions {
  public:
-  /// \param mesh its positions may change; must outlive the object
+  /// \param surface its positions may change; must outlive the object
   /// \param condition of kind `directions`, with directions in its targets or none
   /// \param solver one of the same traits whose analysis is shared
   template <class Solver>
-  Prescribed_directions(const Surface& mesh, const Boundary_condition& condition,
+  Prescribed_directions(const Surface_ref& surface, const Boundary_condition& condition,
                         std::shared_ptr<const Sparse_pattern> pattern, const Solver& solver)
-      : m_mesh(mesh),
-        m_frames(boundary_frames(mesh)),
+      : m_surface(surface),
+        m_frames(boundary_frames(surface)),
         m_coefficients(stable_normalized(condition.direction)),
         m_has_targets(condition.targets.cols() > 0),
         m_targets(normalized(condition.targets)),
@@ -61,7 +60,7 @@ class Prescribed_directions {
 
   /// \brief the angle in radians between the direction of the boundary frames of a surface of the
   /// same connectivity and the target, at each of `vertices()`.
-  Eigen::VectorXd errors(const Surface& surface) const;
+  Eigen::VectorXd errors(const Surface_ref& surface) const;
 
  private:
   static Points normalized(Points v);
@@ -69,7 +68,7 @@ class Prescribed_directions {
   void update();
   Block<Quaternion<double>> harmonic_extension(const std::vector<Quaternion<double>>& rotors);
 
-  const Surface& m_mesh;
+  Surface_ref m_surface;
   Boundary_frames m_frames;
   Eigen::Vector3d m_coefficients;  // of U
   bool m_has_targets;

@@ -3,7 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_PRESCRIBED_DIRECTIONS_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PRESCRIBED_DIRECTIONS_TEMPLATES_H
 
-#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/spin/Prescribed_directions.h>
 #include <Conformal_geometry_processing/spin/best_turn.h>
@@ -19,15 +18,15 @@
 
 namespace Conformal_geometry_processing {
 
-template <class SolverTraits, class Surface>
-void Prescribed_directions<SolverTraits, Surface>::update_geometry()
+template <class SolverTraits>
+void Prescribed_directions<SolverTraits>::update_geometry()
 {
-  m_frames = boundary_frames(m_mesh);
+  m_frames = boundary_frames(m_surface);
   update();
 }
 
-template <class SolverTraits, class Surface>
-Eigen::VectorXd Prescribed_directions<SolverTraits, Surface>::errors(const Surface& surface) const
+template <class SolverTraits>
+Eigen::VectorXd Prescribed_directions<SolverTraits>::errors(const Surface_ref& surface) const
 {
   const Boundary_frames frames = boundary_frames(surface);
   Eigen::VectorXd angles(m_targets.cols());
@@ -39,15 +38,15 @@ Eigen::VectorXd Prescribed_directions<SolverTraits, Surface>::errors(const Surfa
   return angles;
 }
 
-template <class SolverTraits, class Surface>
-Points Prescribed_directions<SolverTraits, Surface>::normalized(Points v)
+template <class SolverTraits>
+Points Prescribed_directions<SolverTraits>::normalized(Points v)
 {
   for (Eigen::Index k = 0; k < v.cols(); ++k) v.col(k) = stable_normalized(v.col(k));
   return v;
 }
 
-template <class SolverTraits, class Surface>
-Points Prescribed_directions<SolverTraits, Surface>::sources() const
+template <class SolverTraits>
+Points Prescribed_directions<SolverTraits>::sources() const
 {
   Points U(3, static_cast<Eigen::Index>(m_frames.frames.size()));
   for (std::size_t k = 0; k < m_frames.frames.size(); ++k)
@@ -55,8 +54,8 @@ Points Prescribed_directions<SolverTraits, Surface>::sources() const
   return U;
 }
 
-template <class SolverTraits, class Surface>
-void Prescribed_directions<SolverTraits, Surface>::update()
+template <class SolverTraits>
+void Prescribed_directions<SolverTraits>::update()
 {
   const Points U = sources();
   if (!m_has_targets) m_targets = U;
@@ -76,19 +75,19 @@ void Prescribed_directions<SolverTraits, Surface>::update()
     rotors.insert(rotors.end(), section.begin(), section.end());
     first = end;
   }
-  m_basis = {m_mesh.size_of_vertices(), m_frames.vertices, planes};
+  m_basis = {m_surface.size_of_vertices(), m_frames.vertices, planes};
   m_guide = m_basis.project(harmonic_extension(rotors)).col(0);
 }
 
-template <class SolverTraits, class Surface>
-Block<Quaternion<double>> Prescribed_directions<SolverTraits, Surface>::harmonic_extension(
+template <class SolverTraits>
+Block<Quaternion<double>> Prescribed_directions<SolverTraits>::harmonic_extension(
     const std::vector<Quaternion<double>>& rotors)
 {
-  const Eigen::Index n = m_mesh.size_of_vertices();
+  const Eigen::Index n = m_surface.size_of_vertices();
   Block<double> values = Block<double>::Zero(n, 4);
   for (std::size_t k = 0; k < rotors.size(); ++k)
     values.row(m_frames.vertices[k]) << rotors[k].w, rotors[k].x, rotors[k].y, rotors[k].z;
-  assemble_cotan_laplacian(m_mesh, cotan_weights(m_mesh), m_L);
+  assemble_cotan_laplacian(m_surface, cotan_weights(m_surface), m_L);
   m_harmonic.factorize(m_L);
   const Block<double> q = m_harmonic.solve(m_L, Block<double>::Zero(n, 4), values);
   Block<Quaternion<double>> extension(n, 1);
@@ -101,8 +100,7 @@ Block<Quaternion<double>> Prescribed_directions<SolverTraits, Surface>::harmonic
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Prescribed_directions<Default_solver_traits, Mesh_view>;
-extern template class Prescribed_directions<Default_solver_traits, Delaunay_view>;
+extern template class Prescribed_directions<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 #endif

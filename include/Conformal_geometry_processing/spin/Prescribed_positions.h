@@ -3,17 +3,18 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_PRESCRIBED_POSITIONS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PRESCRIBED_POSITIONS_H
 
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
-#include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
-#include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -27,20 +28,39 @@ namespace Conformal_geometry_processing {
 /// The positions are those of (5.5), with the boundary where it has to be.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-/// \tparam Problem a `Dirac_eigenproblem` of the same traits
-template <class SolverTraits, class Problem>
+template <class SolverTraits>
 class Prescribed_positions {
  public:
-  /// \param problem must outlive the object
+  /// \param surface must outlive the object
   /// \param condition of kind `positions`
+  /// \param pattern `vertex_graph(surface)` \param solver one of the same traits whose analysis is
+  /// shared
   /// \throw Precondition_error if the normals of the curve turn once too often against those of
   /// the surface: no continuous lambda does that (they are of different spin structures); if the
   /// curve folds back at a vertex, or has its normal along it
-  Prescribed_positions(Problem& problem, const Boundary_condition& condition,
-                       const std::string& function);
+  template <class Solver>
+  Prescribed_positions(const Surface_ref& surface, const Boundary_condition& condition,
+                       std::shared_ptr<const Sparse_pattern> pattern, const Solver& solver,
+                       const std::string& function)
+      : m_surface(surface),
+        m_frames(boundary_frames(surface)),
+        m_targets(condition.targets),
+        m_spins(spins(condition, function)),
+        m_lambda(pattern, m_frames.vertices, solver),
+        m_positions(std::move(pattern), m_frames.vertices, solver)
+  {}
 
-  /// \param[in,out] s lambda and the evidence for it are filled in
-  void solve(const Curvature_potential& rho, Dirac_solution& s);
+  /// \brief factors the part of X inside.
+  /// \throw Solver_error if that fails
+  void factorize(const Hermitian_sparse_matrix<Quaternion<double>>& X) { m_lambda.factorize(X); }
+
+  /// \brief lambda, |V|: the values at the boundary, and the least energy inside
+  /// \pre X has been factorized
+  Quaternion_vector<double> spins(const Hermitian_sparse_matrix<Quaternion<double>>& X) const;
+
+  /// of the linear system inside, relative to what the boundary contributes
+  double residual(const Hermitian_sparse_matrix<Quaternion<double>>& X,
+                  const Quaternion_vector<double>& lambda) const;
 
   /// the positions with edges as given as can be, and the boundary on the curve; 3 x |V|
   /// \throw Solver_error if the Laplacian cannot be factored
@@ -55,10 +75,7 @@ class Prescribed_positions {
                              const std::vector<int>& loop, std::size_t k,
                              const std::string& function) const;
 
-  /// of the linear system inside, relative to what the boundary contributes
-  double residual(const Quaternion_vector<double>& lambda) const;
-
-  Problem& m_problem;
+  Surface_ref m_surface;
   Boundary_frames m_frames;
   Points m_targets;
   std::vector<Quaternion<double>> m_spins;

@@ -4,8 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PRESCRIBED_POSITIONS_TEMPLATES_H
 
 #include <Conformal_geometry_processing/algebra/rotor.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
-#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/divergence.h>
@@ -15,7 +13,6 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -23,53 +20,47 @@
 
 namespace Conformal_geometry_processing {
 
-template <class SolverTraits, class Problem>
-Prescribed_positions<SolverTraits, Problem>::Prescribed_positions(
-    Problem& problem, const Boundary_condition& condition, const std::string& function)
-    : m_problem(problem),
-      m_frames(boundary_frames(problem.mesh())),
-      m_targets(condition.targets),
-      m_spins(spins(condition, function)),
-      m_lambda(problem.matrix().shared_pattern(), m_frames.vertices, problem.solver()),
-      m_positions(problem.matrix().shared_pattern(), m_frames.vertices, problem.solver())
-{}
-
-template <class SolverTraits, class Problem>
-void Prescribed_positions<SolverTraits, Problem>::solve(const Curvature_potential& rho,
-                                                        Dirac_solution& s)
+template <class SolverTraits>
+Quaternion_vector<double> Prescribed_positions<SolverTraits>::spins(
+    const Hermitian_sparse_matrix<Quaternion<double>>& X) const
 {
-  m_problem.assemble(rho, s.seconds);
-  Stopwatch watch;
-  const auto& X = m_problem.matrix();
-  m_lambda.factorize(X);
-  s.seconds.factorization += watch.lap();
-  const Eigen::Index n = m_problem.areas().size();
-  const Block<Quaternion<double>> zero = Block<Quaternion<double>>::Constant(n, 1, {});
+  const Block<Quaternion<double>> zero =
+      Block<Quaternion<double>>::Constant(m_surface.size_of_vertices(), 1, {});
   Block<Quaternion<double>> values = zero;
   for (std::size_t k = 0; k < m_spins.size(); ++k) values(m_frames.vertices[k], 0) = m_spins[k];
-  s.lambda = m_lambda.solve(X, zero, values).col(0);
-  s.energy = inner_product(s.lambda, X * s.lambda).w / m_problem.squared_norm(s.lambda);
-  s.eigenvalue = std::sqrt((std::max)(s.energy, 0.));
-  s.residual = residual(s.lambda);
-  s.converged = components(s.lambda).allFinite();
-  s.seconds.eigenvectors += watch.lap();
+  return m_lambda.solve(X, zero, values).col(0);
 }
 
-template <class SolverTraits, class Problem>
-Points Prescribed_positions<SolverTraits, Problem>::positions(const Eigen::MatrixX3d& edges)
+template <class SolverTraits>
+double Prescribed_positions<SolverTraits>::residual(
+    const Hermitian_sparse_matrix<Quaternion<double>>& X,
+    const Quaternion_vector<double>& lambda) const
 {
-  const auto& mesh = m_problem.mesh();
-  const Eigen::VectorXd weights = cotan_weights(mesh);
-  const auto L = cotan_laplacian(mesh, m_problem.matrix().shared_pattern());
+  Quaternion_vector<double> known = lambda;
+  for (Eigen::Index i = 0; i < lambda.size(); ++i)
+    if (!m_lambda.is_given(static_cast<int>(i))) known[i] = {};
+  const Quaternion_vector<double> r = X * lambda, b = X * known;
+  double left = 0, all = 0;
+  for (Eigen::Index i = 0; i < lambda.size(); ++i)
+    if (!m_lambda.is_given(static_cast<int>(i)))
+      left += squared_norm(r[i]), all += squared_norm(b[i]);
+  return all > 0 ? std::sqrt(left / all) : 0;
+}
+
+template <class SolverTraits>
+Points Prescribed_positions<SolverTraits>::positions(const Eigen::MatrixX3d& edges)
+{
+  const Eigen::VectorXd weights = cotan_weights(m_surface);
+  const auto L = cotan_laplacian(m_surface);
   m_positions.factorize(L);
-  Block<double> values = Block<double>::Zero(mesh.size_of_vertices(), 3);
+  Block<double> values = Block<double>::Zero(m_surface.size_of_vertices(), 3);
   for (std::size_t k = 0; k < m_frames.vertices.size(); ++k)
     values.row(m_frames.vertices[k]) = m_targets.col(static_cast<Eigen::Index>(k)).transpose();
-  return m_positions.solve(L, codifferential(mesh, weights, edges), values).transpose();
+  return m_positions.solve(L, codifferential(m_surface, weights, edges), values).transpose();
 }
 
-template <class SolverTraits, class Problem>
-std::vector<Quaternion<double>> Prescribed_positions<SolverTraits, Problem>::spins(
+template <class SolverTraits>
+std::vector<Quaternion<double>> Prescribed_positions<SolverTraits>::spins(
     const Boundary_condition& condition, const std::string& function) const
 {
   std::vector<Quaternion<double>> spins;
@@ -89,18 +80,18 @@ std::vector<Quaternion<double>> Prescribed_positions<SolverTraits, Problem>::spi
   return spins;
 }
 
-template <class SolverTraits, class Problem>
-Quaternion<double> Prescribed_positions<SolverTraits, Problem>::spin_at(
-    const Boundary_condition& condition, std::size_t first, const std::vector<int>& loop,
-    std::size_t k, const std::string& function) const
+template <class SolverTraits>
+Quaternion<double> Prescribed_positions<SolverTraits>::spin_at(const Boundary_condition& condition,
+                                                               std::size_t first,
+                                                               const std::vector<int>& loop,
+                                                               std::size_t k,
+                                                               const std::string& function) const
 {
   const std::size_t n = loop.size(), next = (k + 1) % n, previous = (k + n - 1) % n;
   const auto target = [&](std::size_t i) -> Eigen::Vector3d {
     return condition.targets.col(static_cast<Eigen::Index>(first + i));
   };
-  const auto source = [&](std::size_t i) -> Eigen::Vector3d {
-    return m_problem.mesh().position(loop[i]);
-  };
+  const auto source = [&](std::size_t i) -> Eigen::Vector3d { return m_surface.position(loop[i]); };
   const auto length = [&](const auto& p) {
     return (p(next) - p(k)).norm() + (p(k) - p(previous)).norm();
   };
@@ -112,33 +103,12 @@ Quaternion<double> Prescribed_positions<SolverTraits, Problem>::spin_at(
   return boundary_spin(m_frames.frames[first + k], frame, length(target) / length(source));
 }
 
-template <class SolverTraits, class Problem>
-double Prescribed_positions<SolverTraits, Problem>::residual(
-    const Quaternion_vector<double>& lambda) const
-{
-  Quaternion_vector<double> known = lambda;
-  for (Eigen::Index i = 0; i < lambda.size(); ++i)
-    if (!m_lambda.is_given(static_cast<int>(i))) known[i] = {};
-  const Quaternion_vector<double> r = m_problem.matrix() * lambda;
-  const Quaternion_vector<double> b = m_problem.matrix() * known;
-  double left = 0, all = 0;
-  for (Eigen::Index i = 0; i < lambda.size(); ++i)
-    if (!m_lambda.is_given(static_cast<int>(i)))
-      left += squared_norm(r[i]), all += squared_norm(b[i]);
-  return all > 0 ? std::sqrt(left / all) : 0;
-}
-
 }  // namespace Conformal_geometry_processing
 
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Prescribed_positions<
-    Default_solver_traits,
-    Dirac_eigenproblem<Default_solver_traits, Lobpcg_eigensolver_traits, Mesh_view>>;
-extern template class Prescribed_positions<
-    Default_solver_traits,
-    Dirac_eigenproblem<Default_solver_traits, Lobpcg_eigensolver_traits, Delaunay_view>>;
+extern template class Prescribed_positions<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_REPORT_H
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
 namespace Conformal_geometry_processing {
 
@@ -20,23 +21,9 @@ enum class Boundary_fault {
 const char* to_string(Boundary_fault fault);
 
 /// \ingroup PkgSpin
-/// \brief the result of a spin transformation in numbers, which are its proof.
-struct [[nodiscard]] Spin_report {
-  bool converged = false;  ///< the Dirac equation is solved to the tolerance
-  bool cancelled = false;  ///< the visitor said no; nothing has been written
-
-  double eigenvalue =
-      0;  ///< gamma with its sign, in 1/length: the curvature that came is rho + gamma
-  double residual = 0;  ///< error estimate of lambda, see `Dirac_solution::residual`
-  double gap = 0;  ///< distance to the next singular value of D - rho, in 1/length; its upper bound
-                   ///< where one vector was computed, rough if the gap is wide
-  double overlap = 0;  ///< of lambda with the identity, in [0, 1]
-  int iterations = 0;  ///< of the eigensolver
-  int substeps = 1;    ///< in which rho was switched on; one if a single solve found the branch
-  double spectral_shift = 0;    ///< zero unless the branch was not that of the smallest eigenvalue
-  bool is_generalized = false;  ///< solved as [CGP (5.2)]
-  double generalized_eigenvalue = 0;  ///< of [CGP (5.2)], if so
-
+/// \brief the result of a spin transformation in numbers, which are its proof. The curvature that
+/// came is rho + gamma; if it was cancelled, nothing has been written.
+struct [[nodiscard]] Spin_report : Dirac_evidence {
   int steps = 1;             ///< of a surface with handles, on which it stays closed
   double reached = 1;        ///< share of the way to rho that could be made, in [0, 1]
   double missing_share = 0;  ///< norm of the part of rho with which the surface would not have
@@ -66,9 +53,8 @@ struct [[nodiscard]] Spin_report {
   double min_spin_ratio = 0;  ///< min |lambda| / max |lambda|; near zero where the map degenerates
 
   /// wall clock seconds
-  struct Seconds {
-    double setup = 0;  ///< pattern, ordering, symbolic analysis: once per mesh
-    double assembly = 0, factorization = 0, eigenvectors = 0;
+  struct Seconds : Dirac_evidence::Seconds {
+    double setup = 0;           ///< pattern, ordering, symbolic analysis: once per mesh
     double reconstruction = 0;  ///< the Laplacian's factorization too, the first time
     double certificate = 0;
   } seconds;

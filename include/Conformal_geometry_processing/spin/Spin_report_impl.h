@@ -48,17 +48,13 @@ CGP_INLINE void append(Spin_report::Mollification& all, const Spin_report::Molli
 
 CGP_INLINE void append(Spin_report& all, const Spin_report& next)
 {
-  all.converged = next.converged;
-  all.cancelled = next.cancelled;
-  all.eigenvalue = next.eigenvalue;
-  all.residual = (std::max)(all.residual, next.residual);
-  all.gap = all.steps == 0 ? next.gap : (std::min)(all.gap, next.gap);
-  all.overlap = all.steps == 0 ? next.overlap : (std::min)(all.overlap, next.overlap);
-  all.iterations += next.iterations;
-  all.substeps = (std::max)(all.substeps, next.substeps);
-  all.spectral_shift = next.spectral_shift;
-  all.is_generalized = next.is_generalized;
-  all.generalized_eigenvalue = next.generalized_eigenvalue;
+  const Dirac_evidence before = all;
+  static_cast<Dirac_evidence&>(all) = next;
+  all.residual = (std::max)(before.residual, next.residual);
+  if (all.steps > 0) all.gap = (std::min)(before.gap, next.gap);
+  if (all.steps > 0) all.overlap = (std::min)(before.overlap, next.overlap);
+  all.iterations += before.iterations;
+  all.substeps = (std::max)(before.substeps, next.substeps);
   all.steps += next.steps;
   all.direction_error = next.direction_error;
   all.boundary_fault = next.boundary_fault;

@@ -4,17 +4,17 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_H
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
-#include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
+#include <Conformal_geometry_processing/spin/Exactness_constraints.h>
+#include <Conformal_geometry_processing/spin/Framed_surface.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
-#include <Conformal_geometry_processing/spin/Surface_dirac_equation.h>
-#include <Conformal_geometry_processing/spin/require_potential.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -29,15 +29,41 @@ struct Spin_result {
 };
 
 /// \ingroup PkgSpin
-/// \brief spin transformations of one surface: prescribes a change rho of its mean curvature, and
-/// on surfaces with boundary what becomes of that, and finds the conformally equivalent surface
-/// that has it [CGP (5.3)-(5.5), 5.7].
+/// what a spin transformation does at boundaries, handles and thin faces
+struct Spin_transformation_options {
+  Boundary_condition boundary = {};  ///< of a surface that has one; the default is a free one
+  /// how the edges are kept exact around handles and holes, see `exactness_constraints()`; without,
+  /// the surface is sheared where they do not close up
+  std::optional<Exactness> exactness = Exactness::adjoint;
+  /// lets faces be as thin as they may be, or of area zero: the equation is solved on the intrinsic
+  /// Delaunay triangulation, and to all edges the length is added that triangles lack, at most this
+  /// share of the mean one, 0 < share < 1; 1e-6 is a good one
+  std::optional<double> mollification = std::nullopt;
+  double max_period_defect = 0.02;  ///< relative to the edges, of all steps together
+  double min_step = 1. / 256;       ///< the least share of rho that is worth a step
+};
+
+/// \ingroup PkgSpin
+/// \brief spin transformations of one surface: prescribes a change rho of its mean curvature, with
+/// optional boundary conditions, and finds the conformally equivalent surface that has it
+/// [CGP (5.3)-(5.5), 5.7].
 ///
 /// H~ |lambda|^2 = H + rho + gamma, so positive rho bulges along the normals. The result has the
 /// area and the centroid of the mesh, unless positions are prescribed. All that depends on the mesh
 /// alone is done once: checks, ordering and symbolic analysis in the constructor, the factorization
 /// of the Laplacian when it is first needed. Every call of `transform()` costs one numeric
 /// factorization of the Dirac matrix, three to eight solves with it, and one with the Laplacian.
+///
+/// On a surface with handles or holes the edges of a transformed surface have periods along their
+/// loops, and a surface that is made to close all the same is sheared. To first order the periods
+/// vanish if rho is orthogonal to three functions for each loop, so what is left falls with the
+/// square of the step: `transform()` applies the part of rho with which the surface stays closed in
+/// as many steps as the tolerance needs, each from the surface found towards the curvature that is
+/// missing [CGP 4.5.2]. A step costs a second factorization, and 10 solves or so for each handle.
+///
+/// With mollification, triangles may be needles, caps, or of area zero. Area, centroid and
+/// certificate are then those of the `well_shaped_faces()`, which leave out the thinnest, at most
+/// 5 % of the area.
 ///
 /// Computes in a frame of unit size around the centre, so that neither scale nor position matter.
 ///
@@ -49,43 +75,54 @@ class Spin_transformation {
  public:
   /// \param mesh is copied
   /// \param function named in exceptions
-  /// \throw Precondition_error if the mesh is not a connected, oriented manifold with
-  /// finite coordinates and positive areas; the message names the first element in the way
+  /// \throw Precondition_error if the mesh is not a connected, oriented manifold with finite
+  /// coordinates and, without mollification, positive areas; if the boundary condition does not fit
+  /// it, see `require_condition()`; if mollification is out of its range. The message names the
+  /// first element in the way
   /// \throw Solver_error if the analysis fails
   explicit Spin_transformation(const Mesh_view& mesh,
+                               const Spin_transformation_options& options = {},
                                const std::string& function = "Spin_transformation");
-
-  /// \brief the same with a condition for the boundary; the default is a free one.
-  /// \throw Precondition_error too if the condition does not fit the mesh, see
-  /// `require_condition()`
-  Spin_transformation(const Mesh_view& mesh, const Boundary_condition& condition,
-                      const std::string& function = "Spin_transformation");
 
   Spin_transformation(const Spin_transformation&) = delete;
   Spin_transformation& operator=(const Spin_transformation&) = delete;
 
   /// \brief the mesh has moved, as in the steps of a flow: `transform()` starts from there.
   ///
-  /// Nothing is ordered or analyzed again. With `Lagged_solver_traits`, the factors are kept for as
-  /// long as that pays.
+  /// Nothing is ordered or analyzed again; with `Lagged_solver_traits`, the factors are kept for as
+  /// long as that pays. With mollification, however, another triangulation has another pattern, and
+  /// it costs what the constructor does.
   /// \param positions 3 x |V|
-  /// \throw Precondition_error if their number is another, one is not finite or a face has area
-  /// zero, or the boundary has prescribed positions; everything is as before then
+  /// \throw Precondition_error if their number is another, one is not finite or a face (with
+  /// mollification: every face) has area zero, or the boundary has prescribed positions; everything
+  /// is as before then
   void set_positions(const Points& positions);
 
-  using Dirac_equation_ = Surface_dirac_equation<SolverTraits, EigensolverTraits>;
+  /// of the mesh, 3 x |V|
+  const Points& positions() const { return m_stage->domain.positions(); }
 
-  /// the Dirac equation of the mesh, in the frame of the computation
-  const Dirac_equation_& dirac_equation() const { return m_dirac; }
-  Dirac_equation_& dirac_equation() { return m_dirac; }
+  /// the surface, in the frame of the computation
+  const internal::Framed_surface& domain() const { return m_stage->domain; }
+
+  /// the Dirac operator of the surface, in the frame of the computation
+  const Dirac_system<SolverTraits>& system() const { return m_stage->system; }
+  Dirac_system<SolverTraits>& system() { return m_stage->system; }
 
   /// \brief finds positions from edge vectors, in the frame of the computation.
   /// \throw Solver_error if the Laplacian cannot be factored
   const Poisson_reconstruction<SolverTraits>& reconstruction();
 
+  /// \brief the constraints that keep the surface exact, in the frame; found when first asked for.
+  /// \throw Solver_error if a factorization fails, or a solve
+  const Exactness_constraints& exactness(Curvature_potential::On on);
+
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   void require_potential(const Curvature_potential& rho) const;
 
+  /// \brief the surface whose mean curvature is changed by rho. The object is as before.
+  ///
+  /// Where not all of rho can be reached, the report tells which share (`reached`), and what was
+  /// left out (`missing_share`).
   /// \param rho in 1/length of the mesh, one number per vertex or per face
   /// \param go_further asked between iterations with an `Eigensolver_progress`; false cancels
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
@@ -97,6 +134,11 @@ class Spin_transformation {
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
                         const Go_further& go_further = Always_go_further()) &&;
 
+  /// \brief a single transformation by rho as it is, whether the edges stay exact or not.
+  /// \throw as `transform()`
+  Spin_result step(const Curvature_potential& rho, const Dirac_options& options = {},
+                   const Go_further& go_further = Always_go_further());
+
   /// \brief the surface with given spins, whether they solve a Dirac equation or not.
   ///
   /// `report.closure_residual` tells how far they are from spins of a surface; `converged` whether
@@ -107,13 +149,25 @@ class Spin_transformation {
   Spin_result integrate(Quaternion_vector<double> lambda);
 
  private:
-  static const Mesh_view& checked(const Mesh_view& mesh, const Boundary_condition& condition,
-                                  const std::string& function);
+  /// what depends on the positions
+  struct Stage {
+    Stage(const Mesh_view& mesh, const Spin_transformation& of);
+
+    Stopwatch watch;  // started before all else is constructed
+    internal::Framed_surface domain;
+    Dirac_system<SolverTraits> system;
+    std::optional<Poisson_reconstruction<SolverTraits>> poisson;
+    bool is_poisson_old = false;  // the surface has moved since the Laplacian was assembled
+    std::optional<Exactness_constraints> exactness;
+    double seconds;
+  };
 
   /// positions in the frame; directions are the same there
-  Boundary_condition in_frame(Boundary_condition condition) const;
-  static const Mesh_view& in_frame(Mesh_view& mesh, const Normalized_frame& frame);
+  static Boundary_condition in_frame(Boundary_condition condition, const Normalized_frame& frame);
   void require_size(Eigen::Index size, const std::string& what) const;
+
+  /// whether there are loops around handles or holes that have to close
+  bool has_loops() const;
 
   /// lambda, with the part of the report that tells of it
   Spin_result solve(const Curvature_potential& rho, Dirac_options options,
@@ -121,15 +175,12 @@ class Spin_transformation {
 
   /// Positions from lambda, with the area and the centroid of the mesh, and the certificate.
   void reconstruct(Spin_result& result);
+  void judge_boundary(const Points& f, Spin_report& report) const;
 
-  Stopwatch m_watch;  // started before everything else is constructed
   std::string m_function;
-  Normalized_frame m_frame;
-  Mesh_view m_mesh;  // in the frame
-  Dirac_equation_ m_dirac;
-  std::optional<Poisson_reconstruction<SolverTraits>> m_reconstruction;
-  bool m_has_moved = false;  // since the Laplacian was assembled
-  double m_setup_seconds;
+  Spin_transformation_options m_options;
+  Eigen::MatrixXd m_generators;  // closed forms of the mesh, |E| x number of loops
+  std::unique_ptr<Stage> m_stage;
 };
 
 }  // namespace Conformal_geometry_processing

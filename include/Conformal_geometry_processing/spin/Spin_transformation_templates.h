@@ -3,15 +3,22 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_TEMPLATES_H
 
-#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
+#include <Conformal_geometry_processing/spin/Exact_steps_templates.h>
+#include <Conformal_geometry_processing/spin/Exactness_constraints_templates.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/boundary_fault.h>
 #include <Conformal_geometry_processing/spin/certify.h>
-#include <Conformal_geometry_processing/spin/report_of_solution.h>
+#include <Conformal_geometry_processing/spin/require_potential.h>
 #include <Conformal_geometry_processing/spin/restore_area.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
 
+#include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -19,76 +26,113 @@ namespace Conformal_geometry_processing {
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_transformation<SolverTraits, EigensolverTraits>::Spin_transformation(
-    const Mesh_view& mesh, const std::string& function)
-    : Spin_transformation(mesh, Boundary_condition(), function)
-{}
+    const Mesh_view& mesh, const Spin_transformation_options& options, const std::string& function)
+    : m_function(function), m_options(options)
+{
+  internal::Framed_surface::require(mesh, options.mollification, function);
+  const int chi = mesh.size_of_vertices() - mesh.size_of_edges() + mesh.size_of_faces();
+  const bool has_loops = chi < 1;  // a sphere has 2, a disk 1
+  m_generators = has_loops ? closed_generators(mesh) : Eigen::MatrixXd(mesh.size_of_edges(), 0);
+  m_stage = std::make_unique<Stage>(mesh, *this);
+}
 
 template <class SolverTraits, class EigensolverTraits>
-Spin_transformation<SolverTraits, EigensolverTraits>::Spin_transformation(
-    const Mesh_view& mesh, const Boundary_condition& condition, const std::string& function)
-    : m_function(function),
-      m_frame(checked(mesh, condition, function).positions()),
-      m_mesh(mesh),
-      m_dirac(in_frame(m_mesh, m_frame), in_frame(condition), function),
-      m_setup_seconds(m_watch.lap())
+Spin_transformation<SolverTraits, EigensolverTraits>::Stage::Stage(const Mesh_view& mesh,
+                                                                   const Spin_transformation& of)
+    : domain(mesh, of.m_options.mollification, of.m_generators),
+      system(domain.surface(), in_frame(of.m_options.boundary, domain.frame()), of.m_function),
+      seconds(watch.lap())
 {}
 
 template <class SolverTraits, class EigensolverTraits>
 void Spin_transformation<SolverTraits, EigensolverTraits>::set_positions(const Points& positions)
 {
   require_size(positions.cols(), "positions");
-  if (m_dirac.positions())
+  if (system().positions())
     throw Precondition_error(m_function, "a surface with prescribed boundary cannot move");
-  const Points before = m_mesh.positions();
-  m_mesh.set_positions(positions);
-  try {
-    require_finite_positions(m_mesh, m_function);
-    require_positive_areas(m_mesh, m_function);
-  } catch (...) {
-    m_mesh.set_positions(before);
-    throw;
+  const Mesh_view moved(positions, domain().mesh().corners());
+  internal::Framed_surface::require_faces(moved, domain().is_mollified(), m_function);
+  if (domain().is_mollified()) {
+    m_stage = std::make_unique<Stage>(moved, *this);
+    return;
   }
-  m_frame = Normalized_frame(positions);
-  in_frame(m_mesh, m_frame);
-  m_dirac.update_geometry();
-  m_has_moved = true;
+  m_stage->domain.set_positions(positions);
+  m_stage->system.update_geometry();
+  m_stage->is_poisson_old = true;
+  m_stage->exactness.reset();
 }
 
 template <class SolverTraits, class EigensolverTraits>
 const Poisson_reconstruction<SolverTraits>&
 Spin_transformation<SolverTraits, EigensolverTraits>::reconstruction()
 {
-  const auto& dirac = m_dirac.problem();
-  if (!m_reconstruction)
-    m_reconstruction.emplace(m_mesh, dirac.matrix().shared_pattern(), dirac.solver());
-  else if (m_has_moved)
-    m_reconstruction->update_geometry();
-  m_has_moved = false;
-  return *m_reconstruction;
+  auto& poisson = m_stage->poisson;
+  if (!poisson)
+    poisson.emplace(system().surface(), system().matrix().shared_pattern(), system().solver());
+  else if (m_stage->is_poisson_old)
+    poisson->update_geometry();
+  m_stage->is_poisson_old = false;
+  return *poisson;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+const Exactness_constraints& Spin_transformation<SolverTraits, EigensolverTraits>::exactness(
+    Curvature_potential::On on)
+{
+  auto& found = m_stage->exactness;
+  const bool on_vertices = on == Curvature_potential::On::vertices;
+  const int size =
+      on_vertices ? domain().mesh().size_of_vertices() : domain().mesh().size_of_faces();
+  if (!found || found->areas.size() != size)
+    found = exactness_constraints(system(), reconstruction().solver(), domain().forms(m_generators),
+                                  on, m_options.exactness);
+  return *found;
 }
 
 template <class SolverTraits, class EigensolverTraits>
 void Spin_transformation<SolverTraits, EigensolverTraits>::require_potential(
     const Curvature_potential& rho) const
 {
-  Conformal_geometry_processing::require_potential(m_mesh, rho, m_frame.unit(), m_function);
+  Conformal_geometry_processing::require_potential(domain().mesh(), rho, domain().unit(),
+                                                   m_function);
 }
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const Curvature_potential& rho, const Dirac_options& options, const Go_further& go_further) &
 {
-  Spin_result result = solve(rho, options, go_further);
-  if (!result.report.cancelled) reconstruct(result);
-  return result;
+  require_potential(rho);
+  if (!m_options.exactness || !has_loops()) return step(rho, options, go_further);
+  const Points home = positions();
+  try {
+    Spin_result result = internal::Exact_steps(*this, rho, m_options).run(options, go_further);
+    set_positions(home);
+    return result;
+  } catch (...) {
+    set_positions(home);
+    throw;
+  }
 }
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const Curvature_potential& rho, const Dirac_options& options, const Go_further& go_further) &&
 {
+  require_potential(rho);
+  if (m_options.exactness && has_loops())
+    return internal::Exact_steps(*this, rho, m_options).run(options, go_further);
   Spin_result result = solve(rho, options, go_further);
-  m_dirac.release();
+  system().release();
+  if (!result.report.cancelled) reconstruct(result);
+  return result;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::step(
+    const Curvature_potential& rho, const Dirac_options& options, const Go_further& go_further)
+{
+  require_potential(rho);
+  Spin_result result = solve(rho, options, go_further);
   if (!result.report.cancelled) reconstruct(result);
   return result;
 }
@@ -101,57 +145,50 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::integrate(
   Spin_result result;
   result.lambda = std::move(lambda);
   result.report.converged = true;
+  result.report.mollification = domain().mollification();
   reconstruct(result);
   return result;
 }
 
 template <class SolverTraits, class EigensolverTraits>
-const Mesh_view& Spin_transformation<SolverTraits, EigensolverTraits>::checked(
-    const Mesh_view& mesh, const Boundary_condition& condition, const std::string& function)
-{
-  require_surface(mesh, function);
-  require_condition(mesh, condition, function);
-  return mesh;
-}
-
-template <class SolverTraits, class EigensolverTraits>
 Boundary_condition Spin_transformation<SolverTraits, EigensolverTraits>::in_frame(
-    Boundary_condition condition) const
+    Boundary_condition condition, const Normalized_frame& frame)
 {
   if (condition.kind == Boundary_condition::Kind::positions)
-    condition.targets = m_frame.to_frame(std::move(condition.targets));
+    condition.targets = frame.to_frame(std::move(condition.targets));
   return condition;
-}
-
-template <class SolverTraits, class EigensolverTraits>
-const Mesh_view& Spin_transformation<SolverTraits, EigensolverTraits>::in_frame(
-    Mesh_view& mesh, const Normalized_frame& frame)
-{
-  mesh.set_positions(frame.to_frame(mesh.positions()));
-  return mesh;
 }
 
 template <class SolverTraits, class EigensolverTraits>
 void Spin_transformation<SolverTraits, EigensolverTraits>::require_size(
     Eigen::Index size, const std::string& what) const
 {
-  if (size != m_mesh.size_of_vertices())
-    throw Precondition_error(
-        m_function, std::to_string(size) + " " + what +
-                        ", one per vertex is needed: " + std::to_string(m_mesh.size_of_vertices()));
+  const int needed = domain().mesh().size_of_vertices();
+  if (size != needed)
+    throw Precondition_error(m_function,
+                             std::to_string(size) + " " + what +
+                                 ", one per vertex is needed: " + std::to_string(needed));
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Spin_transformation<SolverTraits, EigensolverTraits>::has_loops() const
+{
+  return m_generators.cols() > 0 && m_options.boundary.kind != Boundary_condition::Kind::positions;
 }
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::solve(
     const Curvature_potential& rho, Dirac_options options, const Go_further& go_further)
 {
-  require_potential(rho);
-  options.kernel_tolerance *= m_frame.unit();
-  const Curvature_potential rho_in_frame{rho.on, rho.values * m_frame.unit()};
-  Dirac_solution s = m_dirac.solve(rho_in_frame, options, go_further);
+  const double unit = domain().unit();
+  options.kernel_tolerance *= unit;
+  Dirac_solution s = solve_dirac_equation<EigensolverTraits>(system(), {rho.on, rho.values * unit},
+                                                             options, go_further);
   Spin_result result;
-  result.report = report_of(s, m_frame.unit());
-  result.report.seconds.setup = m_setup_seconds;
+  static_cast<Dirac_evidence&>(result.report) = in_units(s, unit);
+  static_cast<Dirac_evidence::Seconds&>(result.report.seconds) = s.seconds;
+  result.report.seconds.setup = m_stage->seconds;
+  result.report.mollification = domain().mollification();
   result.lambda = std::move(s.lambda);
   return result;
 }
@@ -161,18 +198,35 @@ void Spin_transformation<SolverTraits, EigensolverTraits>::reconstruct(Spin_resu
 {
   Stopwatch watch;
   Spin_report& r = result.report;
-  const Eigen::MatrixX3d edges = transformed_edges(m_mesh, result.lambda);
-  Points f = m_dirac.positions() ? m_dirac.positions()->positions(edges)
-                                 : reconstruction().positions(edges);
+  auto* const positions = system().positions();
+  const Eigen::MatrixX3d edges = transformed_edges(system().surface(), result.lambda);
+  Points f = positions ? positions->positions(edges) : reconstruction().positions(edges);
   r.closure_residual = reconstruction().residual(f, edges);
   r.seconds.reconstruction = watch.lap();
-  if (!m_dirac.positions()) restore_area(m_mesh, f, result.lambda);
-  result.positions = m_frame.from_frame(f);
-  f = m_frame.to_frame(result.positions);  // as they are rounded
-  internal::certify(m_mesh, f, result.lambda, r);
-  const auto moved = [&] { return Mesh_view(f, m_mesh.corners()); };
-  internal::judge_boundary(m_mesh, moved, f.allFinite(), m_dirac, m_frame.unit(), r);
+  // Not by thin faces: those of no area may have got wrinkled.
+  if (!positions) restore_area(domain().measured(), f, result.lambda);
+  result.positions = domain().frame().from_frame(f);
+  f = domain().frame().to_frame(result.positions);  // as they are rounded
+  internal::certify(domain().measured(), f, result.lambda, r);
+  judge_boundary(f, r);
   r.seconds.certificate = watch.lap();
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Spin_transformation<SolverTraits, EigensolverTraits>::judge_boundary(const Points& f,
+                                                                          Spin_report& report) const
+{
+  const Dirac_system<SolverTraits>& dirac = system();
+  if (dirac.is_closed()) return;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if (dirac.directions()) {
+    const Eigen::VectorXd errors = f.allFinite() ? domain().direction_errors(*dirac.directions(), f)
+                                                 : Eigen::VectorXd::Constant(1, nan);
+    report.direction_error = {errors.mean(), errors.maxCoeff()};
+  }
+  const bool is_misfit = dirac.directions() && !dirac.is_self_adjoint();
+  const double sigma = is_misfit ? report.eigenvalue * domain().unit() : 0;
+  report.boundary_fault = boundary_fault(dirac.surface(), sigma, report);
 }
 
 }  // namespace Conformal_geometry_processing

@@ -6,11 +6,8 @@
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
-#include <Conformal_geometry_processing/spin/boundary_fault.h>
 
 #include <Eigen/Core>
-
-#include <limits>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -21,25 +18,6 @@ namespace internal {
 /// \param f 3 x |V| \param lambda |V|
 void certify(const Mesh_view& measured, const Points& f, const Quaternion_vector<double>& lambda,
              Spin_report& report);
-
-/// \brief Enters what came of the condition at the boundary.
-/// \param surface before, `Mesh_view` or `Delaunay_view`, in the frame of the Dirac equation
-/// \param moved returns the surface after, which is asked for only if its positions are finite
-/// \param dirac a `Surface_dirac_equation` \param unit of the frame
-template <class Surface, class Moved, class Equation>
-void judge_boundary(const Surface& surface, const Moved& moved, bool is_finite,
-                    const Equation& dirac, double unit, Spin_report& report)
-{
-  if (dirac.is_closed()) return;
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  if (dirac.directions()) report.direction_error = {nan, nan};
-  if (dirac.directions() && is_finite) {
-    const Eigen::VectorXd errors = dirac.directions()->errors(moved());
-    report.direction_error = {errors.mean(), errors.maxCoeff()};
-  }
-  const bool is_misfit = dirac.directions() && !dirac.is_self_adjoint();
-  report.boundary_fault = boundary_fault(surface, is_misfit ? report.eigenvalue * unit : 0, report);
-}
 
 }  // namespace internal
 }  // namespace Conformal_geometry_processing

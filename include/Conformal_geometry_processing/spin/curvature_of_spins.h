@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_OF_SPINS_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
-#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 
 namespace Conformal_geometry_processing {
@@ -15,7 +15,8 @@ namespace Conformal_geometry_processing {
 ///
 /// Where mu solves a Dirac equation it is that one's rho + gamma.
 /// \param mu |V|
-Curvature_potential curvature_of_spins(const Mesh_view& mesh, const Quaternion_vector<double>& mu);
+Curvature_potential curvature_of_spins(const Surface_ref& surface,
+                                       const Quaternion_vector<double>& mu);
 
 }  // namespace Conformal_geometry_processing
 

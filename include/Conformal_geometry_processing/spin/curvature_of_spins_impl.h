@@ -4,26 +4,32 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CURVATURE_OF_SPINS_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/operators/averaging.h>
-#include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/spin/curvature_of_spins.h>
 
 #include <Eigen/Core>
 
-#include <utility>
+#include <cstddef>
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Curvature_potential curvature_of_spins(const Mesh_view& mesh,
+CGP_INLINE Curvature_potential curvature_of_spins(const Surface_ref& surface,
                                                   const Quaternion_vector<double>& mu)
 {
-  const Quaternion_vector<double> image = dirac(mesh) * mu, average = averaging(mesh) * mu;
-  Eigen::VectorXd rho(mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const double square = squared_norm(average[f]);
-    rho[f] = square > 0 ? dot(average[f], image[f]) / square : 0;
+  Eigen::VectorXd products = Eigen::VectorXd::Zero(surface.size_of_faces()), squares = products;
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    Quaternion<double> average, image;  // of B, and of M D
+    for (int c = 0; c < 3; ++c) {
+      const auto& l = mu[sheet.corners[static_cast<std::size_t>(c)]];
+      const Eigen::Vector3d e = sheet.vectors.col(c) / 2;
+      average += l / 3.;
+      image -= imaginary(e) * l;
+    }
+    products[sheet.face] += sheet.share * dot(average, image);
+    squares[sheet.face] += sheet.share * sheet.area * squared_norm(average);
   }
-  return Curvature_potential::on_faces(std::move(rho));
+  return Curvature_potential::on_faces(
+      (squares.array() > 0).select(products.cwiseQuotient(squares), 0));
 }
 
 }  // namespace Conformal_geometry_processing

@@ -5,44 +5,21 @@
 
 // The templates that the compiled library contains, for its own solvers.
 
-#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
-#include <Conformal_geometry_processing/mesh/delaunay_boundary.h>
-#include <Conformal_geometry_processing/operators/delaunay_operators.h>
-#include <Conformal_geometry_processing/spin/Dirac_eigenproblem_templates.h>
-#include <Conformal_geometry_processing/spin/Dirac_equation_templates.h>
-#include <Conformal_geometry_processing/spin/Dirac_search_templates.h>
-#include <Conformal_geometry_processing/spin/Prescribed_directions_templates.h>
-#include <Conformal_geometry_processing/spin/Prescribed_positions_templates.h>
-#include <Conformal_geometry_processing/spin/Reduced_dirac_equation_templates.h>
-#include <Conformal_geometry_processing/spin/Surface_dirac_equation_templates.h>
+#include <Conformal_geometry_processing/forms/Dirac_energy_inverse_templates.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
 
 namespace Conformal_geometry_processing {
 
-template class Dirac_eigenproblem<Default_solver_traits, Lobpcg_eigensolver_traits, Mesh_view>;
-template class Dirac_eigenproblem<Default_solver_traits, Lobpcg_eigensolver_traits, Delaunay_view>;
-template class internal::Dirac_search<
-    Dirac_eigenproblem<Default_solver_traits, Lobpcg_eigensolver_traits, Mesh_view>>;
-template class internal::Dirac_search<
-    Dirac_eigenproblem<Default_solver_traits, Lobpcg_eigensolver_traits, Delaunay_view>>;
-template class Dirac_equation<Default_solver_traits, Lobpcg_eigensolver_traits, Mesh_view>;
-template class Dirac_equation<Default_solver_traits, Lobpcg_eigensolver_traits, Delaunay_view>;
-template class Prescribed_directions<Default_solver_traits, Mesh_view>;
-template class Prescribed_directions<Default_solver_traits, Delaunay_view>;
-template class Prescribed_positions<
-    Default_solver_traits,
-    Dirac_eigenproblem<Default_solver_traits, Lobpcg_eigensolver_traits, Mesh_view>>;
-template class Prescribed_positions<
-    Default_solver_traits,
-    Dirac_eigenproblem<Default_solver_traits, Lobpcg_eigensolver_traits, Delaunay_view>>;
-template class Reduced_dirac_equation<
-    Dirac_eigenproblem<Default_solver_traits, Lobpcg_eigensolver_traits, Mesh_view>,
-    Prescribed_directions<Default_solver_traits, Mesh_view>>;
-template class Reduced_dirac_equation<
-    Dirac_eigenproblem<Default_solver_traits, Lobpcg_eigensolver_traits, Delaunay_view>,
-    Prescribed_directions<Default_solver_traits, Delaunay_view>>;
-template class Surface_dirac_equation<Default_solver_traits, Lobpcg_eigensolver_traits, Mesh_view>;
-template class Surface_dirac_equation<Default_solver_traits, Lobpcg_eigensolver_traits,
-                                      Delaunay_view>;
+template class Dirac_energy_inverse<Supernodal_cholesky<Quaternion<double>>>;
+template class Prescribed_directions<Default_solver_traits>;
+template class Prescribed_positions<Default_solver_traits>;
+template class Dirac_system<Default_solver_traits>;
+template class internal::Dirac_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
+template class internal::Dirac_branch<Default_solver_traits, Lobpcg_eigensolver_traits>;
+template class internal::Directions_search<Default_solver_traits>;
+template Dirac_solution solve_dirac_equation<Lobpcg_eigensolver_traits>(
+    Dirac_system<Default_solver_traits>&, const Curvature_potential&, const Dirac_options&,
+    const Go_further&);
 
 }  // namespace Conformal_geometry_processing
 

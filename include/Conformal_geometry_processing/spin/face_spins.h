@@ -21,6 +21,14 @@ namespace Conformal_geometry_processing {
 Quaternion_vector<double> face_spins(const Mesh_view& mesh, const Points& positions);
 
 /// \ingroup PkgSpin
+/// \brief gives faces that are thin before or after, whose own spins are decided by rounding or do
+/// not exist, the mean of their neighbours', ring by ring from the others.
+///
+/// A face is thin if its height is less than a thousandth of its longest edge.
+void replace_thin_faces(const Mesh_view& mesh, const Points& positions,
+                        Quaternion_vector<double>& spins);
+
+/// \ingroup PkgSpin
 /// \brief chooses the signs of face spins such that they agree with those of their neighbours along
 /// a spanning tree of the faces.
 ///

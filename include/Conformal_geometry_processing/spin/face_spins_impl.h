@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/rotor.h>
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/face_spins.h>
 
 #include <Eigen/Core>
@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -45,6 +46,45 @@ CGP_INLINE Quaternion_vector<double> face_spins(const Mesh_view& mesh, const Poi
   return q;
 }
 
+namespace internal {
+
+CGP_INLINE bool is_thin(const Mesh_view& mesh, int f)
+{
+  const Eigen::Matrix3d e = mesh.sheet(f).vectors;
+  return !(mesh.double_area_vector(f).norm() > 1e-3 * e.colwise().squaredNorm().maxCoeff());
+}
+
+}  // namespace internal
+
+CGP_INLINE void replace_thin_faces(const Mesh_view& mesh, const Points& positions,
+                                   Quaternion_vector<double>& spins)
+{
+  const Mesh_view moved(positions, mesh.corners());
+  std::vector<int> thin;
+  std::vector<char> is_known(static_cast<std::size_t>(mesh.size_of_faces()), 1);
+  const auto known = [&](int f) -> char& { return is_known[static_cast<std::size_t>(f)]; };
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    if (internal::is_thin(mesh, f) || internal::is_thin(moved, f)) thin.push_back(f), known(f) = 0;
+  for (bool has_changed = true; has_changed;) {
+    std::vector<int> rest, done;
+    for (const int f : thin) {
+      Quaternion<double> sum;
+      int count = 0;
+      for (int h = 3 * f; h < 3 * f + 3; ++h)
+        if (const int t = mesh.twin(h); t >= 0 && known(Mesh_view::face(t))) {
+          const Quaternion<double> q = spins[Mesh_view::face(t)];
+          sum += dot(sum, q) < 0 ? q * -1. : q;
+          ++count;
+        }
+      (count > 0 ? done : rest).push_back(f);
+      if (count > 0) spins[f] = sum / count;
+    }
+    for (const int f : done) known(f) = 1;
+    has_changed = !done.empty();
+    thin = std::move(rest);
+  }
+}
+
 CGP_INLINE int make_consistent(const Mesh_view& mesh, Quaternion_vector<double>& spins)
 {
   std::vector<char> is_met(static_cast<std::size_t>(mesh.size_of_faces()), 0);
@@ -70,7 +110,10 @@ CGP_INLINE int make_consistent(const Mesh_view& mesh, Quaternion_vector<double>&
 CGP_INLINE Quaternion_vector<double> vertex_spins(const Mesh_view& mesh,
                                                   const Quaternion_vector<double>& face_spins)
 {
-  const Eigen::VectorXd areas = face_areas(mesh), vertex_area = vertex_areas(mesh);
+  const Eigen::VectorXd areas = curvature_areas(mesh, Curvature_potential::On::faces);
+  Eigen::VectorXd vertex_area = Eigen::VectorXd::Zero(mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    for (int v : mesh.corners(f)) vertex_area[v] += areas[f] / 3;
   Quaternion_vector<double> mu = Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {});
   for (int f = 0; f < mesh.size_of_faces(); ++f)
     for (int v : mesh.corners(f)) mu[v] += face_spins[f] * (areas[f] / 3 / vertex_area[v]);

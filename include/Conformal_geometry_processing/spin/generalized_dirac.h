@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
-#include <Conformal_geometry_processing/spin/Dirac_solution.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
 
 #include <Eigen/Core>
 
@@ -30,45 +30,46 @@ void require_on_faces(const Curvature_potential& rho);
 /// is taken only if it is the smallest, has converged, and is on the same branch.
 ///
 /// Solved as K lambda = (1/g) X lambda, whose right-hand side is positive definite.
-/// \param problem a `Dirac_eigenproblem` whose potential was rho in the last solve
+/// \param system of a closed surface, whose potential was rho in the last solve
 /// \param s a converged solution of the standard problem; unchanged if the other is not trusted
 /// \pre `require_on_faces(rho)` holds
-template <class Problem>
-void solve_generalized_dirac(const Problem& problem, const Curvature_potential& rho,
-                             const Dirac_options& options, Dirac_solution& s,
-                             const Go_further& go_further)
+template <class SolverTraits>
+void solve_generalized_dirac(const Dirac_system<SolverTraits>& system,
+                             const Curvature_potential& rho, const Dirac_options& options,
+                             Dirac_solution& s, const Go_further& go_further)
 {
-  const double gamma = dirac_quotient(problem.mesh(), rho, s.lambda);
+  const double gamma = dirac_quotient(system.surface(), rho, s.lambda);
   if (s.spectral_shift != 0 || gamma == 0 || s.energy <= 0) return;
   const double guess = gamma / s.energy;  // 1 / g
-  const auto K = dirac_form(problem.mesh(), rho);
-  const auto energy = block_operator(problem.matrix());
+  const auto K = dirac_form(system.surface(), rho);
+  const auto energy = block_operator(system.matrix());
   const auto form = block_operator(K);
   // The vector of largest |1/g| and of the sign of gamma is the smallest of the pencil (-+K, X).
   const auto apply_k = [&](const Block<Quaternion<double>>& x) {
     return Block<Quaternion<double>>(form(x) * (gamma > 0 ? -1. : 1.));
   };
   // Eigenvectors have X > 0; the constants, where rho is tiny, only just.
-  const double positive = 1e-12 * problem.unit();
+  const double positive = 1e-12 * system.unit();
   const auto apply_x = [&](const Block<Quaternion<double>>& x) {
     Block<Quaternion<double>> y = energy(x);
     for (Eigen::Index c = 0; c < x.cols(); ++c)
       for (Eigen::Index i = 0; i < x.rows(); ++i)
-        y(i, c) += (positive * problem.areas()[i]) * x(i, c);
+        y(i, c) += (positive * system.areas()[i]) * x(i, c);
     return y;
   };
   Eigensolver_options eigen;
   eigen.tolerance = options.tolerance;
   eigen.max_iterations = options.max_iterations;
   eigen.scale = std::abs(guess);
+  Block<Quaternion<double>> start(s.lambda.size(), 2);
+  start << s.lambda, system.noise(1, options.random_seed);
   const Eigensolver_result r =
-      lobpcg(apply_k, apply_x, inverse_operator(problem.solver()),
-             problem.start(s.lambda, options.random_seed), eigen, go_further);
+      lobpcg(apply_k, apply_x, inverse_operator(system.solver()), start, eigen, go_further);
   s.iterations += r.iterations;
   s.cancelled = r.cancelled;
   const Quaternion_vector<double> lambda = r.vectors.col(0);
   const double same_branch = 0.99;
-  if (!r.converged || problem.overlap(lambda, s.lambda) < same_branch) return;
+  if (!r.converged || system.overlap(lambda, s.lambda) < same_branch) return;
   s.lambda = lambda;
   s.residual = r.estimates[0];
   s.is_generalized = true;

@@ -6,12 +6,10 @@
 // The templates that the compiled library contains, for its own solvers.
 
 #include <Conformal_geometry_processing/spin/Conformal_shape_space_templates.h>
-#include <Conformal_geometry_processing/spin/Dirac_pencil_templates.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem_templates.h>
 
 namespace Conformal_geometry_processing {
 
-template class Dirac_pencil<Default_solver_traits>;
 template class Dirac_spectral_problem<Default_solver_traits>;
 template class Conformal_shape_space<Default_solver_traits>;
 

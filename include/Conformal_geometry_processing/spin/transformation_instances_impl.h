@@ -5,20 +5,19 @@
 
 // The templates that the compiled library contains, for its own solvers.
 
-#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
-#include <Conformal_geometry_processing/mesh/delaunay_boundary.h>
-#include <Conformal_geometry_processing/operators/delaunay_operators.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation_templates.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
-#include <Conformal_geometry_processing/spin/Robust_spin_transformation_templates.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
+
+#include <optional>
 
 namespace Conformal_geometry_processing {
 
-template class Poisson_reconstruction<Default_solver_traits, Mesh_view>;
-template class Poisson_reconstruction<Default_solver_traits, Delaunay_view>;
+template class Poisson_reconstruction<Default_solver_traits>;
+template Exactness_constraints exactness_constraints<Default_solver_traits>(
+    Dirac_system<Default_solver_traits>&, const Grounded_solver<Default_solver_traits>&,
+    const Eigen::MatrixXd&, Curvature_potential::On, std::optional<Exactness>);
 template class Spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
-template class Robust_spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class Nearest_spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 
 }  // namespace Conformal_geometry_processing

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TRANSFORMED_EDGES_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 
@@ -23,18 +24,8 @@ Eigen::Vector3d transformed_edge(const Eigen::Vector3d& e, const Quaternion<doub
 /// \brief the edge vectors of the spin transformed surface, df~ = conjugate(lambda) df lambda
 /// integrated along each edge; |E| x 3, edge k runs i -> j with i < j.
 /// \param lambda |V| quaternions
-/// \tparam Surface `Mesh_view` or `Delaunay_view`
-template <class Surface>
-Eigen::MatrixX3d transformed_edges(const Surface& mesh, const Quaternion_vector<double>& lambda)
-{
-  Eigen::MatrixX3d edges(mesh.size_of_edges(), 3);
-  for (int k = 0; k < mesh.size_of_edges(); ++k) {
-    const auto [i, j] = mesh.ends(k);
-    edges.row(k) =
-        transformed_edge(mesh.position(j) - mesh.position(i), lambda[i], lambda[j]).transpose();
-  }
-  return edges;
-}
+Eigen::MatrixX3d transformed_edges(const Surface_ref& surface,
+                                   const Quaternion_vector<double>& lambda);
 
 }  // namespace Conformal_geometry_processing
 

@@ -18,6 +18,18 @@ CGP_INLINE Eigen::Vector3d transformed_edge(const Eigen::Vector3d& e, const Quat
   return (spin(l_i, e) + imaginary_part(mixed) + spin(l_j, e)) / 3;
 }
 
+CGP_INLINE Eigen::MatrixX3d transformed_edges(const Surface_ref& surface,
+                                              const Quaternion_vector<double>& lambda)
+{
+  Eigen::MatrixX3d edges(surface.size_of_edges(), 3);
+  for (int k = 0; k < surface.size_of_edges(); ++k) {
+    const auto [i, j] = surface.ends(k);
+    const Eigen::Vector3d e = surface.position(j) - surface.position(i);
+    edges.row(k) = transformed_edge(e, lambda[i], lambda[j]).transpose();
+  }
+  return edges;
+}
+
 }  // namespace Conformal_geometry_processing
 
 #endif

@@ -27,7 +27,8 @@ template <class SolverTraits = Default_solver_traits>
 Spin_result dirac_disk(const Mesh_view& mesh, double wanted, Dirac_options options = {},
                        const std::string& function = "dirac_disk")
 {
-  Spin_transformation<SolverTraits> transformation(mesh, Boundary_condition::binormals(), function);
+  Spin_transformation<SolverTraits> transformation(mesh, {Boundary_condition::binormals()},
+                                                   function);
   options.branch = Branch::smallest;
   const auto rho =
       Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), wanted));

@@ -38,7 +38,7 @@ template <class SolverTraits = Default_solver_traits>
 Spin_result surface_of_spin(const Mesh_view& mesh, Quaternion_vector<double> lambda,
                             const std::string& function = "surface_of_spin")
 {
-  Spin_transformation<SolverTraits> transformation(mesh, function);
+  Spin_transformation<SolverTraits> transformation(mesh, {}, function);
   if (lambda.size() == mesh.size_of_vertices()) fix_gauge(lambda, vertex_areas(mesh));
   Spin_result result = transformation.integrate(std::move(lambda));
   result.report.eigenvalue = dirac_quotient(mesh, no_potential(mesh), result.lambda);

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DIRAC_SPHERE_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
 
 #include <Eigen/Cholesky>

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -35,7 +36,9 @@ Spin_result spin_to_minimal_surface(
     const Mesh_view& mesh, const Boundary_condition& condition = Boundary_condition::tangents(),
     Dirac_options options = {}, const std::string& function = "spin_to_minimal_surface")
 {
-  Spin_transformation<SolverTraits> transformation(mesh, condition, function);
+  Spin_transformation_options own{condition};
+  own.exactness = std::nullopt;  // steps would leave the curvature that makes it minimal
+  Spin_transformation<SolverTraits> transformation(mesh, own, function);
   if (options.kernel_tolerance == 0) options.kernel_tolerance = minimal_kernel_tolerance(mesh);
   const auto rho = Curvature_potential::on_vertices(-mean_curvature(mesh));
   return std::move(transformation).transform(rho, options);

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_EQUATION_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_EQUATION_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_BRANCH_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_BRANCH_H
 
-#include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
 #include <Conformal_geometry_processing/spin/Dirac_search.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
 
 #include <Eigen/Core>
 
@@ -13,9 +13,10 @@
 
 namespace Conformal_geometry_processing {
 
-/// \ingroup PkgSpin
-/// \brief solves (D - rho) lambda = gamma lambda on the branch of eigenvalues that leads to
-/// lambda = 1 as rho goes to zero [CGP (5.3)].
+namespace internal {
+
+/// \brief solves (D - rho) lambda = gamma lambda on a closed surface on the branch of eigenvalues
+/// that leads to lambda = 1 as rho goes to zero [CGP (5.3)].
 ///
 /// The thesis takes the eigenvalue of smallest modulus. Where rho is strong or has a large mean,
 /// that can belong to another branch; a vector is accepted only if it overlaps with the one it
@@ -24,40 +25,23 @@ namespace Conformal_geometry_processing {
 /// to sigma is the smallest of D - (rho + sigma). One numeric factorization per substep, and one
 /// for each time that X mixes vectors of opposite sign. The vectors of the first solve are kept:
 /// a substep that comes near enough to one of them is the last.
-///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
-/// \tparam Surface `Mesh_view`, or `Delaunay_view` for the robust operators
-template <class SolverTraits = Default_solver_traits,
-          class EigensolverTraits = Lobpcg_eigensolver_traits, class Surface = Mesh_view>
-class Dirac_equation {
-  using Eigenproblem_ = Dirac_eigenproblem<SolverTraits, EigensolverTraits, Surface>;
+template <class SolverTraits, class EigensolverTraits>
+class Dirac_branch {
+  using System = Dirac_system<SolverTraits>;
+  using Search = Dirac_search<SolverTraits, EigensolverTraits>;
 
  public:
   /// the overlap that a vector must exceed with the one it continues
-  static constexpr double same_branch = internal::Dirac_search<Eigenproblem_>::same_branch;
+  static constexpr double same_branch = Search::same_branch;
 
-  /// \param mesh must outlive the object
-  /// \pre `require_surface(mesh)` holds, and before `solve()` `require_closed(mesh)`
-  /// \throw Solver_error if the analysis fails
-  explicit Dirac_equation(const Surface& mesh) : m_problem(mesh) {}
+  /// \param system of a closed surface; must outlive the object
+  explicit Dirac_branch(System& system) : m_system(system) {}
 
-  const Eigenproblem_& problem() const { return m_problem; }
-  Eigenproblem_& problem() { return m_problem; }
-
-  /// the mesh has new positions
-  void update_geometry() { m_problem.update_geometry(); }
-
-  /// gives back the memory of the factor, until the next `solve()`
-  void release() { m_problem.release(); }
-
-  /// \param rho finite values, in 1/length
-  /// \param go_further asked between iterations with an `Eigensolver_progress`; false cancels
-  /// \throw Precondition_error if the generalized problem is asked for with rho on vertices
-  /// \throw Solver_error if a factorization fails. No convergence is not an error but a field of
-  /// the result.
-  Dirac_solution solve(const Curvature_potential& rho, const Dirac_options& options = {},
-                       const Go_further& go_further = Always_go_further());
+  /// see `solve_dirac_equation()`
+  /// \param[in,out] s is filled in
+  /// \pre `set_potential(rho)` has been called
+  void solve(const Curvature_potential& rho, const Dirac_options& options, Dirac_solution& s,
+             const Go_further& go_further);
 
  private:
   /// one potential of the continuation
@@ -115,13 +99,14 @@ class Dirac_equation {
   /// one of the vectors found without shift is on the branch of s.lambda
   bool is_continued_by(const Found& smallest, const Dirac_solution& s) const;
 
-  Eigenproblem_ m_problem;
+  System& m_system;
 };
 
+}  // namespace internal
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Dirac_equation_templates.h>
+#include <Conformal_geometry_processing/spin/Dirac_branch_templates.h>
 #endif
 
 #endif

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINT_BASIS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINT_BASIS_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTRAINT_BASIS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTRAINT_BASIS_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
@@ -13,7 +13,7 @@
 
 namespace Conformal_geometry_processing {
 
-/// \ingroup PkgFlow
+/// \ingroup PkgSpin
 /// \brief the functions on the vertices that a direction must be orthogonal to, in
 /// sum_i M_V,i a_i b_i [CGP 6.4.4].
 ///
@@ -46,7 +46,7 @@ class Constraint_basis {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Constraint_basis_impl.h>
+#include <Conformal_geometry_processing/spin/Constraint_basis_impl.h>
 #endif
 
 #endif

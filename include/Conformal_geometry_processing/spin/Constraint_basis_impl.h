@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINT_BASIS_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINT_BASIS_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTRAINT_BASIS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTRAINT_BASIS_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/flow/Constraint_basis.h>
+#include <Conformal_geometry_processing/spin/Constraint_basis.h>
 
 #include <Eigen/Core>
 

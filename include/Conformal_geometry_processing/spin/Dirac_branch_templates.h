@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_EQUATION_TEMPLATES_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_EQUATION_TEMPLATES_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_BRANCH_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_BRANCH_TEMPLATES_H
 
-#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
-#include <Conformal_geometry_processing/spin/Dirac_equation.h>
-#include <Conformal_geometry_processing/spin/gauge.h>
+#include <Conformal_geometry_processing/spin/Dirac_branch.h>
+#include <Conformal_geometry_processing/spin/Dirac_search_templates.h>
+#include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
 #include <Conformal_geometry_processing/spin/generalized_dirac.h>
 #include <Conformal_geometry_processing/spin/rayleigh_ritz_of_dirac.h>
 
@@ -18,65 +19,64 @@
 #include <utility>
 
 namespace Conformal_geometry_processing {
+namespace internal {
 
-template <class SolverTraits, class EigensolverTraits, class Surface>
-Dirac_solution Dirac_equation<SolverTraits, EigensolverTraits, Surface>::solve(
-    const Curvature_potential& rho, const Dirac_options& options, const Go_further& go_further)
+template <class SolverTraits, class EigensolverTraits>
+void Dirac_branch<SolverTraits, EigensolverTraits>::solve(const Curvature_potential& rho,
+                                                          const Dirac_options& options,
+                                                          Dirac_solution& s,
+                                                          const Go_further& go_further)
 {
-  if (options.problem == Eigenproblem::generalized) require_on_faces(rho);
-  Dirac_solution s;
   const Quaternion_vector<double> one =
-      Quaternion_vector<double>::Constant(m_problem.areas().size(), {1, 0, 0, 0});
+      Quaternion_vector<double>::Constant(m_system.areas().size(), {1, 0, 0, 0});
   s.lambda = one;
-  const Found found = find({rho, 0, options.tolerance}, options, s, go_further);
+  const Found found = find({rho, 0, options.tolerance}, options, s, go_further, true);
   if (!accept(found, options.tolerance, s) && !s.cancelled)
     continue_from_identity(rho, options, found, s, go_further);
   if (options.problem == Eigenproblem::generalized && s.converged)
-    solve_generalized_dirac(m_problem, rho, options, s, go_further);
-  s.eigenvalue = dirac_quotient(m_problem.mesh(), rho, s.lambda);
-  s.overlap = m_problem.overlap(s.lambda, one);
-  fix_gauge(s.lambda, m_problem.areas());
-  return s;
+    solve_generalized_dirac(m_system, rho, options, s, go_further);
+  s.eigenvalue = dirac_quotient(m_system.surface(), rho, s.lambda);
+  s.overlap = m_system.overlap(s.lambda, one);
+  s.lambda = m_system.normalized(std::move(s.lambda));
 }
 
-template <class SolverTraits, class EigensolverTraits, class Surface>
-Curvature_potential Dirac_equation<SolverTraits, EigensolverTraits, Surface>::scaled(
+template <class SolverTraits, class EigensolverTraits>
+Curvature_potential Dirac_branch<SolverTraits, EigensolverTraits>::scaled(
     const Curvature_potential& rho, double t, double sigma)
 {
   return {rho.on, (t * rho.values.array() + sigma).matrix()};
 }
 
-template <class SolverTraits, class EigensolverTraits, class Surface>
-bool Dirac_equation<SolverTraits, EigensolverTraits, Surface>::follow(const Step& step,
-                                                                      const Dirac_options& options,
-                                                                      Dirac_solution& s,
-                                                                      const Go_further& go_further)
+template <class SolverTraits, class EigensolverTraits>
+bool Dirac_branch<SolverTraits, EigensolverTraits>::follow(const Step& step,
+                                                           const Dirac_options& options,
+                                                           Dirac_solution& s,
+                                                           const Go_further& go_further)
 {
   return accept(find(step, options, s, go_further), step.tolerance, s);
 }
 
-template <class SolverTraits, class EigensolverTraits, class Surface>
-auto Dirac_equation<SolverTraits, EigensolverTraits, Surface>::find(const Step& step,
-                                                                    Dirac_options options,
-                                                                    Dirac_solution& s,
-                                                                    const Go_further& go_further,
-                                                                    bool is_factored) -> Found
+template <class SolverTraits, class EigensolverTraits>
+auto Dirac_branch<SolverTraits, EigensolverTraits>::find(const Step& step, Dirac_options options,
+                                                         Dirac_solution& s,
+                                                         const Go_further& go_further,
+                                                         bool is_factored) -> Found
 {
   options.tolerance = step.tolerance;
   Quaternion_vector<double> start = s.lambda;
   double sigma = step.sigma, separation = 0;
   for (int separations = 0;; ++separations) {
     const Curvature_potential rho = scaled(step.rho, 1, sigma);
-    if (!is_factored || separations > 0) m_problem.set_potential(rho, s.seconds);
+    if (!is_factored || separations > 0) m_system.set_potential(rho, s.seconds);
     Stopwatch watch;
-    internal::Dirac_search search(m_problem, rho, s.lambda, options, go_further);
+    Search search(m_system, rho, s.lambda, options, go_further);
     search.run(start, separation);
     s.iterations += search.iterations();
     s.cancelled = search.is_cancelled();
     s.seconds.eigenvectors += watch.lap();
     if (!search.is_mixed() || separations == max_separations)
       return {std::move(search.result()), sigma};
-    const Dirac_forms forms = dirac_forms(m_problem.mesh(), rho, search.mixture());
+    const Dirac_forms forms = dirac_forms(m_system.surface(), rho, search.mixture());
     const auto separated = rayleigh_ritz_of_dirac(search.mixture(), forms);
     const auto values = signed_eigenvalues(forms);
     const Eigen::Index nearest = nearest_column(separated, s.lambda);
@@ -87,8 +87,8 @@ auto Dirac_equation<SolverTraits, EigensolverTraits, Surface>::find(const Step& 
   }
 }
 
-template <class SolverTraits, class EigensolverTraits, class Surface>
-Eigensolver_result Dirac_equation<SolverTraits, EigensolverTraits, Surface>::unconverged(
+template <class SolverTraits, class EigensolverTraits>
+Eigensolver_result Dirac_branch<SolverTraits, EigensolverTraits>::unconverged(
     const Block<Quaternion<double>>& vectors)
 {
   Eigensolver_result r;
@@ -98,15 +98,14 @@ Eigensolver_result Dirac_equation<SolverTraits, EigensolverTraits, Surface>::unc
   return r;
 }
 
-template <class SolverTraits, class EigensolverTraits, class Surface>
-bool Dirac_equation<SolverTraits, EigensolverTraits, Surface>::accept(const Found& found,
-                                                                      double tolerance,
-                                                                      Dirac_solution& s) const
+template <class SolverTraits, class EigensolverTraits>
+bool Dirac_branch<SolverTraits, EigensolverTraits>::accept(const Found& found, double tolerance,
+                                                           Dirac_solution& s) const
 {
   const Eigensolver_result& r = found.r;
   const Eigen::Index nearest = nearest_column(r.vectors, s.lambda);
   const Quaternion_vector<double> lambda = r.vectors.col(nearest);
-  if (m_problem.overlap(lambda, s.lambda) < same_branch) return false;
+  if (m_system.overlap(lambda, s.lambda) < same_branch) return false;
   s.lambda = lambda;
   s.energy = r.values[nearest];
   s.residual = r.estimates[nearest];
@@ -116,24 +115,24 @@ bool Dirac_equation<SolverTraits, EigensolverTraits, Surface>::accept(const Foun
   return true;
 }
 
-template <class SolverTraits, class EigensolverTraits, class Surface>
-Eigen::Index Dirac_equation<SolverTraits, EigensolverTraits, Surface>::nearest_column(
+template <class SolverTraits, class EigensolverTraits>
+Eigen::Index Dirac_branch<SolverTraits, EigensolverTraits>::nearest_column(
     const Block<Quaternion<double>>& vectors, const Quaternion_vector<double>& guide) const
 {
   Eigen::VectorXd overlaps(vectors.cols());
   for (Eigen::Index c = 0; c < vectors.cols(); ++c)
-    overlaps[c] = m_problem.overlap(vectors.col(c), guide);
+    overlaps[c] = m_system.overlap(vectors.col(c), guide);
   Eigen::Index nearest;
   overlaps.maxCoeff(&nearest);
   return nearest;
 }
 
-template <class SolverTraits, class EigensolverTraits, class Surface>
-void Dirac_equation<SolverTraits, EigensolverTraits, Surface>::continue_from_identity(
+template <class SolverTraits, class EigensolverTraits>
+void Dirac_branch<SolverTraits, EigensolverTraits>::continue_from_identity(
     const Curvature_potential& rho, const Dirac_options& options, const Found& smallest,
     Dirac_solution& s, const Go_further& go_further)
 {
-  const double rough = 1e-3, growth = 1.5, same_problem = 0.1 * std::sqrt(m_problem.unit());
+  const double rough = 1e-3, growth = 1.5, same_problem = 0.1 * std::sqrt(m_system.unit());
   double t = 0, gamma = 0;
   // Where the shift is small, the whole step has been tried already.
   double dt = std::abs(slope_of(rho, s.lambda)) < same_problem ? 0.5 : 1;
@@ -144,7 +143,7 @@ void Dirac_equation<SolverTraits, EigensolverTraits, Surface>::continue_from_ide
     if (follow(step, options, s, go_further)) {
       if (next == 1 || is_continued_by(smallest, s))
         return finish(rho, options, smallest, s, go_further);
-      gamma = dirac_quotient(m_problem.mesh(), step.rho, s.lambda);
+      gamma = dirac_quotient(m_system.surface(), step.rho, s.lambda);
       dt *= growth;
       t = next;
     } else {
@@ -154,25 +153,26 @@ void Dirac_equation<SolverTraits, EigensolverTraits, Surface>::continue_from_ide
   s.converged = false;
 }
 
-template <class SolverTraits, class EigensolverTraits, class Surface>
-double Dirac_equation<SolverTraits, EigensolverTraits, Surface>::slope_of(
+template <class SolverTraits, class EigensolverTraits>
+double Dirac_branch<SolverTraits, EigensolverTraits>::slope_of(
     const Curvature_potential& rho, const Quaternion_vector<double>& lambda) const
 {
   const Curvature_potential none{rho.on, Eigen::VectorXd::Zero(rho.values.size())};
-  return dirac_quotient(m_problem.mesh(), rho, lambda) -
-         dirac_quotient(m_problem.mesh(), none, lambda);
+  return dirac_quotient(m_system.surface(), rho, lambda) -
+         dirac_quotient(m_system.surface(), none, lambda);
 }
 
-template <class SolverTraits, class EigensolverTraits, class Surface>
-void Dirac_equation<SolverTraits, EigensolverTraits, Surface>::finish(
-    const Curvature_potential& rho, const Dirac_options& options, const Found& smallest,
-    Dirac_solution& s, const Go_further& go_further)
+template <class SolverTraits, class EigensolverTraits>
+void Dirac_branch<SolverTraits, EigensolverTraits>::finish(const Curvature_potential& rho,
+                                                           const Dirac_options& options,
+                                                           const Found& smallest, Dirac_solution& s,
+                                                           const Go_further& go_further)
 {
   const double sigma = s.spectral_shift;
   const bool is_among_them = is_continued_by(smallest, s);
   if (is_among_them) accept(smallest, options.tolerance, s);
   if (is_among_them && s.residual <= options.tolerance) {
-    if (options.problem == Eigenproblem::generalized) m_problem.set_potential(rho, s.seconds);
+    if (options.problem == Eigenproblem::generalized) m_system.set_potential(rho, s.seconds);
     return;
   }
   s.converged = false;
@@ -185,23 +185,22 @@ void Dirac_equation<SolverTraits, EigensolverTraits, Surface>::finish(
          s);
 }
 
-template <class SolverTraits, class EigensolverTraits, class Surface>
-bool Dirac_equation<SolverTraits, EigensolverTraits, Surface>::is_continued_by(
-    const Found& smallest, const Dirac_solution& s) const
+template <class SolverTraits, class EigensolverTraits>
+bool Dirac_branch<SolverTraits, EigensolverTraits>::is_continued_by(const Found& smallest,
+                                                                    const Dirac_solution& s) const
 {
   const auto& vectors = smallest.r.vectors;
   return smallest.sigma == 0 &&
-         m_problem.overlap(vectors.col(nearest_column(vectors, s.lambda)), s.lambda) >= same_branch;
+         m_system.overlap(vectors.col(nearest_column(vectors, s.lambda)), s.lambda) >= same_branch;
 }
 
+}  // namespace internal
 }  // namespace Conformal_geometry_processing
 
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Dirac_equation<Default_solver_traits, Lobpcg_eigensolver_traits, Mesh_view>;
-extern template class Dirac_equation<Default_solver_traits, Lobpcg_eigensolver_traits,
-                                     Delaunay_view>;
+extern template class internal::Dirac_branch<Default_solver_traits, Lobpcg_eigensolver_traits>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_EXACTNESS_FUNCTIONS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FORMS_EXACTNESS_FUNCTIONS_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/forms/Harmonic_basis.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgForms
+/// how the constraints of exactness are discretised
+enum class Exactness {
+  adjoint,  ///< the derivative of what the program computes: the error left is of second order
+  thesis    ///< solutions of D Z = v [CGP 6.4.5], least squares: leaves a first-order error O(h^2)
+};
+
+/// \ingroup PkgForms
+/// \brief solves for the change y of lambda = 1 that answers to sources c: (D^H M D) y = c in the
+/// space of spins; |V| x k -> |V| x k.
+using Spin_response = std::function<Block<Quaternion<double>>(const Block<Quaternion<double>>&)>;
+
+/// \ingroup PkgForms
+/// \brief the functions z to which rho must be orthogonal so that the edges of the spin transformed
+/// surface stay exact to first order: 3k columns, three for each of the k harmonic forms [CGP
+/// 4.5.2, 6.4.5].
+///
+/// For small rho the solution of (D - rho) lambda = gamma lambda is 1 + Y with D^H D Y = D^H rho,
+/// and the harmonic part of the new edges is, to first order, twice the inner products of rho and
+/// z in the basis of forms and the axes of space: sum_i A_i rho_i z_i with the areas
+/// `curvature_areas()`. On isothermic surfaces, such as tori of revolution, only 6G - 1 of the 6G
+/// functions are independent.
+///
+/// Where the spins are a space over the quaternions, costs one solve for each form; where they are
+/// one over the reals (directions prescribed at a boundary), one for each form and axis.
+///
+/// \param on where rho lives
+/// \param version `Exactness::thesis` on closed surfaces only
+/// \returns |V| x 3k or |F| x 3k; column 3 i + a belongs to form i and axis a
+Eigen::MatrixXd exactness_functions(const Surface_ref& surface, const Harmonic_basis& basis,
+                                    const Spin_response& respond, Curvature_potential::On on,
+                                    Coefficients coefficients = Coefficients::quaternions,
+                                    Exactness version = Exactness::adjoint);
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/forms/exactness_functions_impl.h>
+#endif
+
+#endif

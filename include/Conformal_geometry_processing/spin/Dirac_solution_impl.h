@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SOLUTION_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SOLUTION_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
+
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Dirac_evidence in_units(Dirac_evidence evidence, double unit)
+{
+  for (double* number : {&evidence.eigenvalue, &evidence.gap, &evidence.spectral_shift,
+                         &evidence.generalized_eigenvalue})
+    *number /= unit;
+  evidence.converged = evidence.converged && std::isfinite(evidence.eigenvalue);
+  return evidence;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SYSTEM_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SYSTEM_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/spin/Boundary_condition.h>
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
+#include <Conformal_geometry_processing/spin/Prescribed_directions.h>
+#include <Conformal_geometry_processing/spin/Prescribed_positions.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief the discrete operator D - rho of a surface in its least-squares form X = (D - R)^H M (D -
+/// R) on a space of spins, with the factor of X [CGP (5.3), Alg. 2].
+///
+/// The space is all of H^n; with directions prescribed at the boundary the spins that turn the
+/// directions of the boundary into them, a space over the real numbers; with positions prescribed
+/// those with given values at the boundary. The pattern, the ordering of the vertices and the
+/// symbolic factorization are made once; `set_potential()` repeats the numbers only, for another
+/// rho or other positions of the vertices.
+///
+/// What solves equations with it are functions: `solve_dirac_equation()`, `Dirac_spectral_problem`.
+///
+/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
+template <class SolverTraits = Default_solver_traits>
+class Dirac_system {
+ public:
+  using Vectors = Block<Quaternion<double>>;
+  using Matrix = Hermitian_sparse_matrix<Quaternion<double>>;
+  using Solver = typename SolverTraits::template Solver<Quaternion<double>>;
+  using Directions = Prescribed_directions<SolverTraits>;
+  using Positions = Prescribed_positions<SolverTraits>;
+
+  /// \param surface must outlive the object
+  /// \param function named in exceptions
+  /// \pre `require_surface()` of the mesh holds
+  /// \throw Precondition_error if the condition does not fit the surface, see
+  /// `require_condition()`, or if positions need another spin structure
+  /// \throw Solver_error if the analysis fails
+  explicit Dirac_system(const Surface_ref& surface, const Boundary_condition& condition = {},
+                        const std::string& function = "Dirac_system");
+
+  Dirac_system(const Dirac_system&) = delete;
+  Dirac_system& operator=(const Dirac_system&) = delete;
+
+  /// \brief the surface has new positions; the next call must be `set_potential()`.
+  /// \pre no positions are prescribed
+  void update_geometry();
+
+  const Surface_ref& surface() const { return m_surface; }
+  const Eigen::VectorXd& areas() const { return m_areas; }  ///< M_V, |V|
+  const Matrix& matrix() const { return m_X; }
+  bool is_closed() const { return m_is_closed; }
+
+  /// whether gamma is a true eigenvalue, up to which rho is realised; otherwise it is a misfit
+  bool is_self_adjoint() const { return m_is_closed || m_is_self_adjoint; }
+
+  const Directions* directions() const { return m_directions.get(); }  ///< prescribed, or null
+  Positions* positions() { return m_positions.get(); }                 ///< prescribed, or null
+
+  /// over which numbers the spins are a space
+  Coefficients coefficients() const;
+
+  /// 4 pi / area: the size of the low eigenvalues of X
+  double unit() const;
+
+  /// assembles X for rho, and factors nothing
+  void assemble(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds);
+
+  /// \brief assembles X for rho and factors it, shifted by a share of `unit()` M_V.
+  ///
+  /// X is singular for rho = 0 and nearly so for small rho. The shares tried are `least` and then
+  /// 1e-6, 1e-3 and 1e-2, until rounding leaves X positive definite: slivers and factors in single
+  /// precision need more. For eigenvectors `least` should be 1e-3: a smaller shift lets the
+  /// rounding of the solves blow up along the wanted vector, and Rayleigh-Ritz takes the effect of
+  /// this one out. \throw Solver_error if X is not positive definite to rounding, or memory is
+  /// short
+  void set_potential(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
+                     double least = 1e-3);
+
+  /// \brief assembles X for rho and factors it with a given shift of its diagonal, |V|.
+  /// \throw Solver_error as above
+  void set_potential(const Curvature_potential& rho, const Eigen::VectorXd& shift,
+                     Dirac_evidence::Seconds& seconds);
+
+  /// the shift of the last factorization by `set_potential()`, in M_V
+  double shift() const { return m_shift; }
+
+  /// \brief x in the space with (X + shift) x = b on it.
+  /// \pre `set_potential()` has been called
+  Vectors solve(const Vectors& b) const;
+
+  /// \brief factors X for rho = 0, for `response()`.
+  ///
+  /// With a free boundary it is shifted by `nearness_weight()`: infinitely many spins solve the
+  /// equation then, and the ones nearest to 1 are meant.
+  void prepare_response();
+
+  /// \brief the change y of lambda = 1 in the space that answers to sources c: D^H M D y = c. On
+  /// closed surfaces, where constants are the kernel, the mean of y is zero and that of c ignored.
+  /// \pre `prepare_response()` has been called last
+  /// \throw Solver_error if the solver fails
+  Vectors response(const Vectors& c) const;
+
+  /// X^-1 of noise: start vectors of an iteration
+  Vectors noise(Eigen::Index columns, unsigned seed) const;
+
+  /// the nearest members of the space
+  Vectors projected(Vectors v) const;
+
+  /// solves on all of H^n; its analysis is shared
+  const Solver& solver() const { return m_solver; }
+
+  /// solves where directions are prescribed
+  const Reduced_hermitian_solver& reduced_solver() const { return m_reduced; }
+
+  /// gives back the memory of factors, until the next `set_potential()`
+  void release();
+
+  /// <a, M_V a>
+  double squared_norm(const Quaternion_vector<double>& a) const;
+
+  /// |<a, b>| / (|a| |b|) in [0, 1] over the numbers of `coefficients()`: one if the vectors differ
+  /// by a right factor only
+  double overlap(const Quaternion_vector<double>& a, const Quaternion_vector<double>& b) const;
+
+  /// `overlap()` with lambda = 1 over the quaternions
+  double overlap_with_identity(const Quaternion_vector<double>& a) const;
+
+  /// the mean of |lambda|^2 becomes one; over the quaternions see `fix_gauge()`
+  Quaternion_vector<double> normalized(Quaternion_vector<double> lambda) const;
+
+ private:
+  void check(const char* step, Solver_status status) const;
+  Solver_status factorize(const Eigen::VectorXd& shift);
+
+  std::string m_function;
+  Surface_ref m_surface;
+  bool m_is_closed, m_is_self_adjoint;
+  Eigen::VectorXd m_areas;  // |V|
+  Matrix m_X;
+  Solver m_solver;
+  Reduced_hermitian_solver m_reduced;
+  std::unique_ptr<Directions> m_directions;
+  std::unique_ptr<Positions> m_positions;
+  double m_shift = 0;
+};
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
+#endif
+
+#endif

@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SYSTEM_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SYSTEM_TEMPLATES_H
+
+#include <Conformal_geometry_processing/algebra/random_quaternions.h>
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/forms/Dirac_energy_inverse_templates.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/release_factor.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/operators/vertex_graph.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/Prescribed_directions_templates.h>
+#include <Conformal_geometry_processing/spin/Prescribed_positions_templates.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
+#include <Conformal_geometry_processing/spin/nearness_weight.h>
+#include <Conformal_geometry_processing/spin/require_condition.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+template <class SolverTraits>
+Dirac_system<SolverTraits>::Dirac_system(const Surface_ref& surface,
+                                         const Boundary_condition& condition,
+                                         const std::string& function)
+    : m_function(function),
+      m_surface(surface),
+      m_is_closed(boundary_loops(surface).empty()),
+      m_is_self_adjoint(condition.is_self_adjoint()),
+      m_areas(vertex_areas(surface)),
+      m_X(vertex_graph(surface))
+{
+  using Kind = Boundary_condition::Kind;
+  require_condition(surface, condition, function);
+  check("analysis", m_solver.analyze_with_positions(m_X.pattern(), surface.positions()));
+  if (condition.kind == Kind::positions)
+    m_positions =
+        std::make_unique<Positions>(surface, condition, m_X.shared_pattern(), m_solver, function);
+  if (condition.kind != Kind::directions) return;
+  m_directions = std::make_unique<Directions>(surface, condition, m_X.shared_pattern(), m_solver);
+  check("analysis", m_reduced.analyze_with_positions(m_X.pattern(), m_directions->basis().rows(),
+                                                     surface.positions()));
+}
+
+template <class SolverTraits>
+void Dirac_system<SolverTraits>::update_geometry()
+{
+  m_areas = vertex_areas(m_surface);
+  if (m_directions) m_directions->update_geometry();
+}
+
+template <class SolverTraits>
+Coefficients Dirac_system<SolverTraits>::coefficients() const
+{
+  return m_directions ? Coefficients::reals : Coefficients::quaternions;
+}
+
+template <class SolverTraits>
+double Dirac_system<SolverTraits>::unit() const
+{
+  const double pi = std::acos(-1.);
+  return 4 * pi / m_areas.sum();
+}
+
+template <class SolverTraits>
+void Dirac_system<SolverTraits>::assemble(const Curvature_potential& rho,
+                                          Dirac_evidence::Seconds& seconds)
+{
+  Stopwatch watch;
+  assemble_dirac_energy(m_surface, rho, m_X);
+  seconds.assembly += watch.lap();
+}
+
+template <class SolverTraits>
+void Dirac_system<SolverTraits>::set_potential(const Curvature_potential& rho,
+                                               Dirac_evidence::Seconds& seconds, double least)
+{
+  Stopwatch watch;
+  assemble_dirac_energy(m_surface, rho, m_X);
+  seconds.assembly += watch.lap();
+  Solver_status status = Solver_status::not_positive_definite;
+  for (const double share : {least, 1e-6, 1e-3, 1e-2}) {
+    if (share < least || status != Solver_status::not_positive_definite) continue;
+    m_shift = share * unit();
+    status = factorize(m_shift * m_areas);
+  }
+  check("factorization", status);
+  seconds.factorization += watch.lap();
+}
+
+template <class SolverTraits>
+void Dirac_system<SolverTraits>::set_potential(const Curvature_potential& rho,
+                                               const Eigen::VectorXd& shift,
+                                               Dirac_evidence::Seconds& seconds)
+{
+  assemble(rho, seconds);
+  Stopwatch watch;
+  check("factorization", factorize(shift));
+  seconds.factorization += watch.lap();
+}
+
+template <class SolverTraits>
+auto Dirac_system<SolverTraits>::solve(const Vectors& b) const -> Vectors
+{
+  Vectors x;
+  check("solution", m_directions ? m_reduced.solve(b, x) : m_solver.solve(b, x));
+  return x;
+}
+
+template <class SolverTraits>
+void Dirac_system<SolverTraits>::prepare_response()
+{
+  Dirac_evidence::Seconds seconds;
+  const Curvature_potential none = no_potential(m_surface);
+  if (m_is_closed || m_directions)
+    set_potential(none, seconds, 1e-6);
+  else
+    set_potential(none, nearness_weight(m_surface) * m_areas, seconds);
+}
+
+template <class SolverTraits>
+auto Dirac_system<SolverTraits>::response(const Vectors& c) const -> Vectors
+{
+  return m_is_closed ? Dirac_energy_inverse<Solver>(m_X, m_areas, m_solver)(c) : solve(c);
+}
+
+template <class SolverTraits>
+auto Dirac_system<SolverTraits>::noise(Eigen::Index columns, unsigned seed) const -> Vectors
+{
+  return solve(block_operator(m_areas)(random_quaternions(m_areas.size(), columns, seed)));
+}
+
+template <class SolverTraits>
+auto Dirac_system<SolverTraits>::projected(Vectors v) const -> Vectors
+{
+  return m_directions ? m_directions->basis().project(std::move(v)) : v;
+}
+
+template <class SolverTraits>
+void Dirac_system<SolverTraits>::release()
+{
+  release_factor(m_solver);
+  m_reduced.release();
+}
+
+template <class SolverTraits>
+double Dirac_system<SolverTraits>::squared_norm(const Quaternion_vector<double>& a) const
+{
+  return inner_product(a, m_areas, a).w;
+}
+
+template <class SolverTraits>
+double Dirac_system<SolverTraits>::overlap(const Quaternion_vector<double>& a,
+                                           const Quaternion_vector<double>& b) const
+{
+  return norm(reduced_to(coefficients(), inner_product(a, m_areas, b))) /
+         std::sqrt(squared_norm(a) * squared_norm(b));
+}
+
+template <class SolverTraits>
+double Dirac_system<SolverTraits>::overlap_with_identity(const Quaternion_vector<double>& a) const
+{
+  const auto one = Quaternion_vector<double>::Constant(a.size(), {1, 0, 0, 0}).eval();
+  return norm(inner_product(a, m_areas, one)) / std::sqrt(squared_norm(a) * m_areas.sum());
+}
+
+template <class SolverTraits>
+Quaternion_vector<double> Dirac_system<SolverTraits>::normalized(
+    Quaternion_vector<double> lambda) const
+{
+  if (m_directions)
+    components(lambda) *= std::sqrt(m_areas.sum() / squared_norm(lambda));
+  else
+    fix_gauge(lambda, m_areas);
+  return lambda;
+}
+
+template <class SolverTraits>
+void Dirac_system<SolverTraits>::check(const char* step, Solver_status status) const
+{
+  if (status != Solver_status::success)
+    throw Solver_error(m_function, std::string(step) + " of X failed: " + to_string(status));
+}
+
+template <class SolverTraits>
+Solver_status Dirac_system<SolverTraits>::factorize(const Eigen::VectorXd& shift)
+{
+  return m_directions ? m_reduced.factorize(m_X, shift, m_directions->basis())
+                      : m_solver.factorize(m_X, shift);
+}
+
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class Dirac_system<Default_solver_traits>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACT_STEPS_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACT_STEPS_TEMPLATES_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/spin/Exact_steps.h>
+#include <Conformal_geometry_processing/spin/certify.h>
+#include <Conformal_geometry_processing/spin/restore_area.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+template <class Transformation>
+Exact_steps<Transformation>::Exact_steps(Transformation& transformation,
+                                         const Curvature_potential& rho,
+                                         const Spin_transformation_options& options)
+    : m_transformation(transformation),
+      m_options(options),
+      m_before(transformation.positions(), transformation.domain().measured().corners()),
+      m_missing(rho),
+      m_left_out(Eigen::VectorXd::Zero(rho.values.size())),
+      m_areas(areas())
+{}
+
+template <class Transformation>
+Spin_result Exact_steps<Transformation>::run(const Dirac_options& options,
+                                             const Go_further& go_further)
+{
+  const double wanted = norm(m_missing.values);
+  Spin_result all;
+  all.lambda = Quaternion_vector<double>::Constant(m_before.size_of_vertices(), {1, 0, 0, 0});
+  all.report.steps = 0;
+  all.report.reached = 0;
+  go_all_the_way(options, go_further, all);
+  if (all.report.steps > 0) {  // each of which keeps the area of its own faces
+    all.positions = m_transformation.positions();
+    restore_area(m_before, all.positions, all.lambda);
+    certify(m_before, all.positions, all.lambda, all.report);
+  }
+  if (wanted > 0) all.report.missing_share = norm(m_left_out + m_missing.values) / wanted;
+  return all;
+}
+
+template <class Transformation>
+void Exact_steps<Transformation>::go_all_the_way(const Dirac_options& options,
+                                                 const Go_further& go_further, Spin_result& all)
+{
+  for (double step = 1; step > 0;) {
+    const Eigen::VectorXd v =
+        m_transformation.exactness(m_missing.on).basis().project_out(m_missing.values);
+    const double rest = 1 - all.report.reached;
+    const std::optional<Spin_result> next =
+        largest_step(v / rest, options, go_further, all.report, step);
+    if (!next) return;
+    take(v, step / rest);
+    for (Eigen::Index i = 0; i < all.lambda.size(); ++i)
+      all.lambda[i] = all.lambda[i] * next->lambda[i];
+    append(all.report, next->report);
+    all.report.reached += step;
+    step = next_step(step, next->report.period_defect, 1 - all.report.reached);
+  }
+  all.report.reached = 1;  // but for rounding
+}
+
+template <class Transformation>
+std::optional<Spin_result> Exact_steps<Transformation>::largest_step(const Eigen::VectorXd& v,
+                                                                     const Dirac_options& options,
+                                                                     const Go_further& go_further,
+                                                                     Spin_report& all, double& step)
+{
+  const Exactness_constraints& exactness = m_transformation.exactness(m_missing.on);
+  for (;;) {
+    Spin_result next = m_transformation.step({m_missing.on, step * v}, options, go_further);
+    if (next.report.cancelled) {
+      all.cancelled = true;
+      return std::nullopt;
+    }
+    double& defect = next.report.period_defect;
+    defect = exactness.period_defect(
+        transformed_edges(m_transformation.system().surface(), next.lambda));
+    const bool is_good = next.report.converged && defect <= m_options.max_period_defect * step;
+    if (is_good && can_go_on_from(next.positions)) return next;
+    if (step <= m_options.min_step) {
+      if (all.steps == 0) all.boundary_fault = next.report.boundary_fault;
+      if (all.steps == 0) all.mollification = next.report.mollification;
+      return std::nullopt;
+    }
+    const double better = next.report.converged && !is_good ? best_step(step, defect) : 0;
+    step = (std::max)(m_options.min_step, std::clamp(better, step / 8, step / 2));
+  }
+}
+
+// A face that has shrunk to nothing is no fault of the caller's mesh.
+template <class Transformation>
+bool Exact_steps<Transformation>::can_go_on_from(const Points& positions)
+{
+  try {
+    m_transformation.set_positions(positions);
+  } catch (const Precondition_error&) {
+    return false;
+  }
+  return true;
+}
+
+// Defects grow with the square of the step, the share of them that a step may have linearly.
+template <class Transformation>
+double Exact_steps<Transformation>::best_step(double step, double defect) const
+{
+  const double caution = 0.8;
+  return caution * m_options.max_period_defect * step * step / defect;
+}
+
+// At most twice the last one; avoids a tiny last step.
+template <class Transformation>
+double Exact_steps<Transformation>::next_step(double step, double defect, double rest) const
+{
+  const double better = (std::min)(best_step(step, defect), 2 * step);
+  return rest - better < m_options.min_step ? (rest < m_options.min_step / 2 ? 0 : rest) : better;
+}
+
+template <class Transformation>
+void Exact_steps<Transformation>::take(const Eigen::VectorXd& v, double share)
+{
+  const Eigen::VectorXd now = areas(), shrinking = m_areas.cwiseQuotient(now).cwiseSqrt();
+  m_areas = now;
+  m_left_out = shrinking.cwiseProduct(m_left_out + m_missing.values - v);
+  m_missing.values = (1 - share) * shrinking.cwiseProduct(v);
+}
+
+template <class Transformation>
+Eigen::VectorXd Exact_steps<Transformation>::areas() const
+{
+  const double unit = m_transformation.domain().unit();
+  return unit * unit * curvature_areas(m_transformation.system().surface(), m_missing.on);
+}
+
+template <class Transformation>
+double Exact_steps<Transformation>::norm(const Eigen::VectorXd& rho) const
+{
+  const bool has_effect = !m_transformation.system().is_self_adjoint();
+  const double mean = has_effect ? 0 : m_areas.dot(rho) / m_areas.sum();
+  return std::sqrt(m_areas.dot((rho.array() - mean).square().matrix()));
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif

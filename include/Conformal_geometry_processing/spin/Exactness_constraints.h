@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACTNESS_CONSTRAINTS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACTNESS_CONSTRAINTS_H
+
+#include <Conformal_geometry_processing/forms/exactness_functions.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
+#include <Conformal_geometry_processing/spin/Constraint_basis.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief what rho must be orthogonal to on a surface with handles or holes so that the edges of
+/// the transformed surface stay exact and close up around them, and how far a transformation is
+/// from that [CGP 4.5.2].
+struct Exactness_constraints {
+  Harmonic_basis forms;       ///< of the surface: none on spheres and disks
+  Eigen::VectorXd weights;    ///< `cotan_weights()`, |E|
+  Eigen::VectorXd areas;      ///< `curvature_areas()`, |V| or |F|
+  Eigen::MatrixXd functions;  ///< `exactness_functions()`, three for each form; |V| or |F| rows
+  bool constants_have_effect = false;  ///< gamma is no eigenvalue, up to which rho is realised
+
+  /// what rho must be orthogonal to: the functions, and the constants where they have no effect
+  Constraint_basis basis() const;
+
+  /// \brief the norm of the harmonic part of new edge vectors by their norm: zero where they close
+  /// up around the handles; always zero for spheres and disks.
+  /// \param edges |E| x 3, of a transformation of the surface
+  double period_defect(const Eigen::MatrixX3d& edges) const;
+};
+
+/// \ingroup PkgSpin
+/// \brief finds the constraints of a surface.
+///
+/// Costs 4G solves with a Laplacian that is factored already, a factorization of the Dirac matrix
+/// for rho = 0, and 2G solves with it; nothing without generators.
+///
+/// \param system of the surface; its factor is lost
+/// \param laplacian solves with the Laplacian of the surface
+/// \param generators closed forms of the surface, a column for each loop around handles and holes
+/// \param on where the values of rho are
+/// \param version without one there are no functions; with a boundary it is the adjoint in any case
+/// \throw Solver_error if a factorization fails, or a solve
+template <class SolverTraits>
+Exactness_constraints exactness_constraints(Dirac_system<SolverTraits>& system,
+                                            const Grounded_solver<SolverTraits>& laplacian,
+                                            const Eigen::MatrixXd& generators,
+                                            Curvature_potential::On on,
+                                            std::optional<Exactness> version);
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Exactness_constraints_impl.h>
+#endif
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Exactness_constraints_templates.h>
+#endif
+
+#endif

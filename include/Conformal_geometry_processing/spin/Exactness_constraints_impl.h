@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACTNESS_CONSTRAINTS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACTNESS_CONSTRAINTS_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/spin/Exactness_constraints.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Constraint_basis Exactness_constraints::basis() const
+{
+  Constraint_basis basis(areas);
+  if (!constants_have_effect) basis.add(Eigen::VectorXd::Ones(areas.size()));
+  basis.add(functions);
+  return basis;
+}
+
+CGP_INLINE double Exactness_constraints::period_defect(const Eigen::MatrixX3d& edges) const
+{
+  if (forms.size() == 0) return 0;
+  // |w|, for w itself is negative opposite large angles and then defines no norm.
+  const double total = weights.cwiseAbs().dot(edges.rowwise().squaredNorm());
+  return forms.coefficients(weights, edges).norm() / std::sqrt(total);
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACTNESS_CONSTRAINTS_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACTNESS_CONSTRAINTS_TEMPLATES_H
+
+#include <Conformal_geometry_processing/forms/Hodge_decomposition_templates.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
+#include <Conformal_geometry_processing/spin/Exactness_constraints.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace Conformal_geometry_processing {
+
+template <class SolverTraits>
+Exactness_constraints exactness_constraints(Dirac_system<SolverTraits>& system,
+                                            const Grounded_solver<SolverTraits>& laplacian,
+                                            const Eigen::MatrixXd& generators,
+                                            Curvature_potential::On on,
+                                            std::optional<Exactness> version)
+{
+  const Surface_ref& surface = system.surface();
+  Exactness_constraints c;
+  c.constants_have_effect = !system.is_self_adjoint();
+  c.areas = curvature_areas(surface, on);
+  c.functions = Eigen::MatrixXd(c.areas.size(), 0);
+  if (generators.cols() == 0) return c;
+  c.weights = cotan_weights(surface);
+  c.forms = Hodge_decomposition<SolverTraits>(surface, generators, laplacian).harmonic_basis();
+  if (!version) return c;
+  system.prepare_response();
+  c.functions = exactness_functions(
+      surface, c.forms, [&](const Block<Quaternion<double>>& b) { return system.response(b); }, on,
+      system.coefficients(), system.is_closed() ? *version : Exactness::adjoint);
+  return c;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template Exactness_constraints exactness_constraints<Default_solver_traits>(
+    Dirac_system<Default_solver_traits>&, const Grounded_solver<Default_solver_traits>&,
+    const Eigen::MatrixXd&, Curvature_potential::On, std::optional<Exactness>);
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif

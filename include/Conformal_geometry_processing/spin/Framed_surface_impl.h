@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_FRAMED_SURFACE_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_FRAMED_SURFACE_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/spin/Framed_surface.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+CGP_INLINE Framed_surface::Framed_surface(const Mesh_view& mesh,
+                                          std::optional<double> mollification,
+                                          const Eigen::MatrixXd& generators)
+    : m_positions(mesh.positions()),
+      m_frame(m_positions),
+      m_mesh(mesh),
+      m_mollification(mollification.value_or(0))
+{
+  m_mesh.set_positions(m_frame.to_frame(m_positions));
+  if (!mollification) return;
+  m_view.emplace(m_mesh, *mollification, generators);
+  m_measured = well_shaped_faces(m_mesh);
+}
+
+CGP_INLINE void Framed_surface::require(const Mesh_view& mesh, std::optional<double> mollification,
+                                        const std::string& function)
+{
+  if (!mollification) return require_surface(mesh, function);
+  require_manifold(mesh, function);
+  require_some_area(mesh, function);
+  if (!(*mollification > 0 && *mollification < 1))
+    throw Precondition_error(function, "a mollification of " + std::to_string(*mollification) +
+                                           "; a number between 0 and 1 is needed");
+}
+
+CGP_INLINE void Framed_surface::require_faces(const Mesh_view& mesh, bool is_mollified,
+                                              const std::string& function)
+{
+  require_finite_positions(mesh, function);
+  if (is_mollified)
+    require_some_area(mesh, function);
+  else
+    require_positive_areas(mesh, function);
+}
+
+CGP_INLINE void Framed_surface::set_positions(const Points& positions)
+{
+  m_positions = positions;
+  m_frame = Normalized_frame(positions);
+  m_mesh.set_positions(m_frame.to_frame(positions));
+}
+
+CGP_INLINE Surface_ref Framed_surface::surface() const
+{
+  if (m_view) return *m_view;
+  return m_mesh;
+}
+
+CGP_INLINE Spin_report::Mollification Framed_surface::mollification() const
+{
+  if (!m_view) return {};
+  const bool is_longer = m_view->added_length() > 0;
+  return {m_mollification,
+          m_view->number_of_thin_faces(),
+          is_longer ? m_mesh.size_of_edges() : 0,
+          m_view->added_length() * unit(),
+          m_view->number_of_flips(),
+          m_measured->mesh.size_of_faces(),
+          m_measured->share};
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif

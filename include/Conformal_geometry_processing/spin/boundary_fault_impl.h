@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_FAULT_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_FAULT_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/mean_edge_length.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/boundary_fault.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE double greatest_misfit(const Surface_ref& surface)
+{
+  const double pi = std::acos(-1.), radius = std::sqrt(face_areas(surface).sum() / pi);
+  return (std::max)(0.05, 3 * mean_edge_length(surface) / radius) / radius;
+}
+
+CGP_INLINE Boundary_fault boundary_fault(const Surface_ref& surface, double sigma,
+                                         const Spin_report& report)
+{
+  const double pi = std::acos(-1.), radius = std::sqrt(face_areas(surface).sum() / pi);
+  const double h = mean_edge_length(surface) / radius, small_gap = 0.01, great_misfit = 0.15;
+  const double closing = report.closure_residual;
+  if (sigma > greatest_misfit(surface) && (closing > small_gap || sigma * radius > great_misfit))
+    return Boundary_fault::not_realizable;
+  if (closing > (std::max)(0.02, 3 * h * h)) return Boundary_fault::does_not_close;
+  if (report.min_spin_ratio < 0.02) return Boundary_fault::degenerate;
+  return Boundary_fault::none;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_NEARNESS_WEIGHT_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_NEARNESS_WEIGHT_H
+
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief the weight alpha^2 of nearness to 1 for a surface with free boundary, in 1/area:
+/// alpha = 10 h / R^2 with the mean length h of the edges and pi R^2 the area.
+///
+/// Where h << alpha R^2 << R, the solution tends to the projection of 1 on the kernel of D - rho.
+double nearness_weight(const Surface_ref& surface);
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/nearness_weight_impl.h>
+#endif
+
+#endif

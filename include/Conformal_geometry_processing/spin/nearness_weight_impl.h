@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_NEARNESS_WEIGHT_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_NEARNESS_WEIGHT_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/mean_edge_length.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/nearness_weight.h>
+
+#include <cmath>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE double nearness_weight(const Surface_ref& surface)
+{
+  const double pi = std::acos(-1.);
+  const double alpha = 10 * mean_edge_length(surface) / (vertex_areas(surface).sum() / pi);
+  return alpha * alpha;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SOLVE_DIRAC_EQUATION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SOLVE_DIRAC_EQUATION_H
+
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief solves (D - rho) lambda = gamma lambda [CGP (5.2), (5.3)] on the space of spins of a
+/// system.
+///
+/// On a closed surface lambda is the eigenvector on the branch that leads to 1 as rho goes to zero.
+/// With prescribed directions it is the singular vector of smallest value, or one of the next that
+/// is nearer to the guide of `Prescribed_directions` [CGP 5.7]. With prescribed positions it has
+/// the least energy of those with the given values at the boundary [CGP 6.3.2].
+///
+/// With a free boundary lambda minimises |(D - rho) lambda|^2 + alpha^2 |lambda - 1|^2 with alpha^2
+/// = `nearness_weight()`. The eigenvector of smallest eigenvalue, which [CGP 5.8.3] takes, is
+/// arbitrary: without a condition at the boundary the kernel has infinite dimension, and which of
+/// its vectors has the smallest discretisation error says nothing; often it has zeros.
+///
+/// One factorization, or one for each substep of the branch; three to eight solves for each.
+///
+/// \param rho finite values, in 1/length
+/// \param go_further asked between iterations with an `Eigensolver_progress`; false cancels
+/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`, for closed surfaces
+/// \throw Precondition_error if the generalized problem is asked for with rho on vertices, or on a
+/// surface with boundary
+/// \throw Solver_error if a factorization fails. No convergence is not an error but a field of the
+/// result.
+template <class EigensolverTraits = Lobpcg_eigensolver_traits, class SolverTraits>
+Dirac_solution solve_dirac_equation(Dirac_system<SolverTraits>& system,
+                                    const Curvature_potential& rho,
+                                    const Dirac_options& options = {},
+                                    const Go_further& go_further = Always_go_further());
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
+#endif
+
+#endif

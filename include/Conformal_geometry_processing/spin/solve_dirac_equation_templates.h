@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SOLVE_DIRAC_EQUATION_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SOLVE_DIRAC_EQUATION_TEMPLATES_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/spin/Dirac_branch_templates.h>
+#include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
+#include <Conformal_geometry_processing/spin/Directions_search_templates.h>
+#include <Conformal_geometry_processing/spin/generalized_dirac.h>
+#include <Conformal_geometry_processing/spin/nearness_weight.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+template <class SolverTraits>
+void require_generalized(const Dirac_system<SolverTraits>& system, const Curvature_potential& rho)
+{
+  if (!system.is_closed())
+    throw Precondition_error("Dirac_equation",
+                             "the generalized problem is for closed surfaces only");
+  require_on_faces(rho);
+}
+
+template <class SolverTraits>
+void solve_with_positions(Dirac_system<SolverTraits>& system, const Curvature_potential& rho,
+                          Dirac_solution& s)
+{
+  system.assemble(rho, s.seconds);
+  Stopwatch watch;
+  auto& positions = *system.positions();
+  positions.factorize(system.matrix());
+  s.seconds.factorization += watch.lap();
+  s.lambda = positions.spins(system.matrix());
+  s.residual = positions.residual(system.matrix(), s.lambda);
+  s.seconds.eigenvectors += watch.lap();
+}
+
+template <class SolverTraits>
+void solve_with_free_boundary(Dirac_system<SolverTraits>& system, const Curvature_potential& rho,
+                              Dirac_solution& s)
+{
+  const Eigen::VectorXd weights = nearness_weight(system.surface()) * system.areas();
+  system.set_potential(rho, weights, s.seconds);
+  Stopwatch watch;
+  Block<Quaternion<double>> b(weights.size(), 1);
+  for (Eigen::Index i = 0; i < b.rows(); ++i) b(i, 0) = {weights[i], 0, 0, 0};
+  s.lambda = system.solve(b).col(0);
+  Quaternion_vector<double> rest = system.matrix() * s.lambda - b.col(0);
+  for (Eigen::Index i = 0; i < b.rows(); ++i) rest[i] += weights[i] * s.lambda[i];
+  s.residual = components(rest).norm() / weights.norm();
+  s.seconds.eigenvectors += watch.lap();
+}
+
+}  // namespace internal
+
+template <class EigensolverTraits, class SolverTraits>
+Dirac_solution solve_dirac_equation(Dirac_system<SolverTraits>& system,
+                                    const Curvature_potential& rho, const Dirac_options& options,
+                                    const Go_further& go_further)
+{
+  if (options.problem == Eigenproblem::generalized) internal::require_generalized(system, rho);
+  Dirac_solution s;
+  if (system.is_closed() || system.directions()) system.set_potential(rho, s.seconds);
+  if (system.is_closed()) {
+    internal::Dirac_branch<SolverTraits, EigensolverTraits>(system).solve(rho, options, s,
+                                                                          go_further);
+    return s;
+  }
+  if (system.directions()) {
+    internal::Directions_search<SolverTraits>(system).solve(rho, options, s, go_further);
+    return s;
+  }
+  if (system.positions())
+    internal::solve_with_positions(system, rho, s);
+  else
+    internal::solve_with_free_boundary(system, rho, s);
+  s.energy = inner_product(s.lambda, system.matrix() * s.lambda).w / system.squared_norm(s.lambda);
+  s.eigenvalue = dirac_misfit(system.surface(), rho, s.lambda);  // no terms cancel, as they do in X
+  s.converged = components(s.lambda).allFinite();
+  s.overlap = system.overlap_with_identity(s.lambda);
+  return s;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template Dirac_solution solve_dirac_equation<Lobpcg_eigensolver_traits>(
+    Dirac_system<Default_solver_traits>&, const Curvature_potential&, const Dirac_options&,
+    const Go_further&);
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif
