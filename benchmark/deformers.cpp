@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-/// Moves handles of surfaces by CGAL's `Surface_mesh_deformation` (as rigid as possible), and then
-/// looks for the nearest spin transformation of what comes out: which keeps angles, which keeps
-/// lengths, and which leaves the handles where they were put. Prints a line of JSON for each mesh,
-/// motion and way.
+/// Moves handles of surfaces by CGAL's `Surface_mesh_deformation` (as rigid as possible), and
+/// computes the nearest spin transformation of the result: compares the preservation of angles and
+/// lengths, and the positions of the handles. Prints a line of JSON for each mesh, motion and
+/// method.
 ///
 /// Usage: benchmark_deformers [--write FOLDER] MESH.off...
 ///
-/// Meshes have the area 4 pi. What lies in the first 15 % of the longest extent is held, what lies
-/// in the last 15 % is bent towards the second longest, as the end of a rod of constant curvature,
+/// Meshes have the area 4 pi. The first 15 % of the longest extent are fixed; the last 15 % are
+/// bent towards the second longest, like the end of a rod of constant curvature, or twisted.
 /// or twisted.
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/nearest_spin_transform.h>

@@ -1,16 +1,16 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-/// Compares fairing methods as the thesis does: each has the same solver, the same seconds of the
-/// processor, and its largest stable time step, which is searched for. Prints lines of JSON for
-/// each mesh: of the surface before, and of the surface that each method ends with.
+/// Compares fairing methods as in the thesis: each has the same solver, the same processor time,
+/// and its largest stable time step, which is determined by a search. Prints lines of JSON for each
+/// mesh: for the initial surface, and for the result of each method.
 ///
 /// Usage: benchmark_fairing [--write FOLDER] MESH.off...
 ///        benchmark_fairing --check
 ///
-/// Meshes are closed and have the area 4 pi. The seconds are those that the flow of this library
-/// takes with time step 1 until its energy settles, at most twenty steps. With --check the methods
-/// are compared with what is known of them in closed form.
+/// Meshes are closed and have the area 4 pi. The processor time is that of the flow of this library
+/// with time step 1 until its energy settles, at most twenty steps. With --check the methods are
+/// compared with known results in closed form.
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 

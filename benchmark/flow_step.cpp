@@ -12,8 +12,8 @@ namespace {
 
 using namespace cgp_benchmark;
 
-// A later step of Willmore flow on a bumpy sphere: the mean of the steps 2 to 5 of the fastest run.
-// The memory is that of the whole flow.
+// A later step of Willmore flow on a bumpy sphere: the mean of steps 2 to 5 of the fastest run. The
+// memory is that of the whole flow.
 template <class SolverTraits>
 void later_step(benchmark::State& state, double tau)
 {

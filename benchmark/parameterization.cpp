@@ -6,11 +6,11 @@
 ///
 /// Usage: benchmark_parameterization [--method NAME]... [--cones N] MESH.off...
 ///
-/// With cones, three or four, the meshes are spheres: they are cut open along a path through as
-/// many vertices, and CGAL's orbifold Tutte embeddings are among the methods. Zero ends that.
+/// With cones, three or four, the meshes are spheres: they are cut open along a path through the
+/// cones, and CGAL's orbifold Tutte embeddings are among the methods. Zero disables cones.
 ///
-/// Every method runs in a process of its own, for at most ten minutes: some do not end on some
-/// meshes. Seconds are those of the processor on one thread, the least of up to five runs; memory
+/// Every method runs in a separate process, for at most ten minutes, because some do not terminate
+/// on some meshes. Seconds are processor time on one thread, the minimum of up to five runs; memory
 /// is the peak above the mesh. *spread* is the standard deviation of the log of the scale, over the
 /// area. A face is flipped if it is oriented against the area of the whole image.
 #include <Conformal_geometry_processing/core/Graph_view.h>

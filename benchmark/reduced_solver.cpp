@@ -58,8 +58,8 @@ double seconds_of(Action action)
   return best;
 }
 
-/// the factorization, and what it costs in units of the quaternionic factorization of the same X
-/// without reduced rows
+/// The factorization, and its cost in units of the quaternionic factorization of the same X without
+/// reduced rows
 template <class Solver>
 void factorization(benchmark::State& state)
 {

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-/// Compares the conformal Willmore flow with CGAL's `smooth_shape()`, a mean curvature flow whose
-/// angles stay better than those of most others: what they have done to the triangles when the
-/// surface is equally round. Prints a line of JSON for each mesh, way and roundness.
+/// Compares the conformal Willmore flow with CGAL's `smooth_shape()`, a mean curvature flow that
+/// preserves angles better than most others: measures the triangles when the surface is equally
+/// round. Prints a line of JSON for each mesh, method and roundness.
 ///
 /// Usage: benchmark_smooth_shape MESH.off...
 ///
-/// Meshes have the area 4 pi, so that time steps mean the same for all. Roundness is the standard
-/// deviation of the distance from the centroid, weighted by area, by its mean.
+/// Meshes have the area 4 pi, so that time steps are comparable. Roundness is the area-weighted
+/// standard deviation of the distance from the centroid, divided by its mean.
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
@@ -69,7 +69,7 @@ Way flow(const CGP::Mesh_view& mesh, double time_step)
   return std::move(recorder.way);
 }
 
-/// a sparse Cholesky factorization that shows what it has found: one coordinate of all vertices
+/// A sparse Cholesky factorization that exposes its solution: one coordinate of all vertices
 class Watched_solver : public CGAL::Eigen_solver_traits<
                            Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>> {
  public:
@@ -104,8 +104,8 @@ Mesh surface_mesh(const CGP::Mesh_view& view)
   return mesh;
 }
 
-// One call, for the next would start from a Laplacian of its own. Surfaces are seen as they come
-// out of the linear system, before they are scaled, which changes none of our measures.
+// A single call, because the next one would start from its own Laplacian. Surfaces are observed as
+// solutions of the linear system, before scaling, which does not affect our measures.
 Way smooth_shape(const CGP::Mesh_view& view, double time_step)
 {
   Mesh mesh = surface_mesh(view);

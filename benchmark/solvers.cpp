@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 /// Compares the models of solvers: factorizations, whole spin transformations, ... and prints one
-/// line of JSON per row. Every row is measured in a process of its own, together with the
-/// yardstick P, one scalar Poisson problem by CHOLMOD; times are seconds of the processor, the best
-/// of several runs. `benchmark/performance` calls this and makes doc/performance.md of it.
+/// line of JSON per row. Every row is measured in a separate process, together with the
+/// yardstick P, one scalar Poisson problem by CHOLMOD; times are processor seconds, the minimum of
+/// several runs. `benchmark/performance` calls this program and generates doc/performance.md.
 ///
 /// Usage: benchmark_solvers [OPTION]... [MESH]...
 /// A mesh is the frequency f of a bumpy sphere of 20 f^2 faces, a file in the format OFF, or FILE:k
@@ -89,7 +89,7 @@ bool is_named(const std::vector<std::string>& names, const std::string& name)
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// measures the row in a process of its own, or says why not; true if it is done
+/// Measures the row in a separate process, or reports a failure; returns true on success
 bool measure_apart(const Options& options, const std::vector<Row>& rows, std::size_t k,
                    const std::string& name, const CGP::Mesh_view& mesh,
                    const std::string& reference)

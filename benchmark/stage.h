@@ -13,8 +13,8 @@
 #include "support/memory.h"
 #include "support/spheres.h"
 
-/// What the benchmarks of all stages share: the mesh, the yardstick and the counters. The argument
-/// is the frequency of a geodesic sphere, which has 10 frequency^2 + 2 vertices.
+/// Common functions of the benchmarks of all stages: mesh, yardstick and counters. The
+/// argument is the frequency of a geodesic sphere, which has 10 frequency^2 + 2 vertices.
 namespace cgp_benchmark {
 
 namespace CGP = Conformal_geometry_processing;
@@ -32,8 +32,8 @@ inline Curvature_potential potential_of(const Mesh_view& mesh)
   return Curvature_potential::on_vertices(cgp_test::rho_of_section_3_on_vertices(mesh));
 }
 
-/// one scalar Poisson problem on the mesh by CHOLMOD: assembly, ordering, factorization and one
-/// solve with three right-hand sides; the floor for any method that people know
+/// One scalar Poisson problem on the mesh by CHOLMOD: assembly, ordering, factorization and one
+/// solve with three right-hand sides; a lower bound for all known methods
 inline Eigen::MatrixXd solve_scalar_poisson(const Mesh_view& mesh)
 {
   Cholmod_poisson poisson(mesh);
@@ -51,8 +51,8 @@ inline double seconds_of_scalar_poisson(const Mesh_view& mesh)
   return best;
 }
 
-/// measures `stage()`: time of the processor, peak memory above what was there before, and the
-/// ratio to the yardstick on the same mesh in the same run
+/// Measures `stage()`: processor time, peak memory above the initial one, and the ratio to the
+/// yardstick on the same mesh in the same run
 template <class Stage>
 void run_stage(benchmark::State& state, const Mesh_view& mesh, Stage stage)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// The first step of the conformal Willmore flow, with all that is found once (ordering, symbolic
-// factorization, Laplacian, loops around handles), and the later ones, which find none of it again.
+// The first step of the conformal Willmore flow, including everything that is computed once
+// (ordering, symbolic factorization, Laplacian, loops around handles), and the later ones without.
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 
 #include <benchmark/benchmark.h>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace cgp_benchmark;
 
-/// the time of the benchmark is that of the whole run; the counters are the fastest of its parts
+/// The time of the benchmark is that of the whole run; the counters are the minima of its parts
 void measure(benchmark::State& state, const CGP::Mesh_view& mesh)
 {
   const int later_steps = 4;

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Turns a mesh of a round sphere into Dirac spheres, whose curvature half-density is a multiple of
-// their length density, and writes the last of them.
+// Transforms a mesh of a round sphere to Dirac spheres, whose curvature half-density is a multiple
+// of their length density, and writes the last of them.
 //
 //   dirac_spheres [INPUT [OUTPUT.ply]]
 //
-// Their spins are the spherical spinors, which physics knows from the hydrogen atom, and their
-// Willmore energy is 4 pi kappa^2 [CGP 6.5.1].
+// Their spins are the spherical spinors, known from the hydrogen atom, and their Willmore energy is
+// 4 pi kappa^2 [CGP 6.5.1].
 #include <Conformal_geometry_processing/dirac_sphere.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Finds the tangent fields that run along and around the handles of a surface, and the metric that
-// they make.
+// Computes the tangent fields along and around the handles of a surface, and the metric that they
+// define.
 //
 //   fields_along_handles [INPUT [OUTPUT.ply]]
 //
 // A surface of genus G has 2G harmonic fields. Half the sum of their squared lengths is the area
-// density of its canonical metric, which knows the conformal structure alone, and whose area is G
-// [CGP 4.5.3, 6.4.5]. OUTPUT is the surface with that density, as the vertex property quality.
+// density of its canonical metric, which depends on the conformal structure only, and whose area is
+// G [CGP 4.5.3, 6.4.5]. OUTPUT is the surface with that density, as the vertex property quality.
 #include <Conformal_geometry_processing/canonical_metric.h>
 #include <Conformal_geometry_processing/harmonic_basis.h>
 

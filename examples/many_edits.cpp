@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Edits one surface many times without a mesh class: what can be kept from edit to edit is kept,
-// and a linear solver of one's own tells how often it had to work.
+// Edits one surface many times without a mesh class: reuses data from edit to edit, and counts the
+// calls of a user-defined linear solver.
 //
 //   many_edits [INPUT [OUTPUT.ply [STRENGTH]]]
 //
-// A mesh is two arrays here; the linear solver is the library's own with a counter, which is the
-// least that a model of SparseHermitianSolver can be.
+// The mesh consists of two arrays; the linear solver is the library's own with a counter, a minimal
+// model of SparseHermitianSolver.
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/templates.h>
 

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Bends a surface by half a turn, and finds the conformal deformation that is nearest to that.
+// Bends a surface by half a turn, and computes the nearest conformal deformation.
 //
 //   nearest_to_a_bend [INPUT [OUTPUT.ply [BLEND]]]
 //
-// The curvature of the bend is kept, its shear is not. With BLEND = 1 its rotations and scalings
-// are integrated as they are, which leaves a shear that no finer mesh takes away [CGP 5.9, 6.3].
+// The curvature of the bend is preserved, its shear is not. With BLEND = 1 its rotations and
+// scalings are integrated, with a shear that does not vanish under refinement [CGP 5.9, 6.3].
 #include <Conformal_geometry_processing/nearest_spin_transform.h>
 #include <Conformal_geometry_processing/spin/Spin_report_io.h>
 

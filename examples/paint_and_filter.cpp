@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Paints curvature onto a surface by a gray picture, as it is or filtered.
+// Paints curvature on a surface by a gray-scale image, unfiltered or filtered.
 //
 //   paint_and_filter [INPUT [OUTPUT.ply [low | high | unsharp]]]
 //
-// Filters of surfaces are filters of pictures: what is blurred or sharpened is the picture, and
-// the map to every result is conformal [CGP 6.2].
+// Filters of surfaces are filters of images: the image is blurred or sharpened, and the map to
+// every result is conformal [CGP 6.2].
 #include <Conformal_geometry_processing/painting/image_filters.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 

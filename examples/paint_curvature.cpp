@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Paints rings of curvature onto a closed surface and shows the surface that has it.
+// Paints rings of curvature on a closed surface and computes the surface with that curvature.
 //
 //   paint_curvature [INPUT [OUTPUT.ply]]
 //
 // The new surface has the mean curvature half-density (H + rho + gamma)|df|, where H|df| is the old
-// one, and the map to it is conformal [CGP (5.3)-(5.5)]; the certificate tells how nearly.
+// one, and the map to it is conformal [CGP (5.3)-(5.5)]; the certificate measures its quality.
 #include <Conformal_geometry_processing/core/Conformal_mesh_traits_Surface_mesh.h>
 #include <Conformal_geometry_processing/spin/Spin_report_io.h>
 #include <Conformal_geometry_processing/spin_transform.h>

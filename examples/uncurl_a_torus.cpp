@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Smooths a surface with handles, say a curled torus, without shearing it.
+// Smooths a surface with handles, for example a curled torus, without shearing it.
 //
 //   uncurl_a_torus [INPUT [OUTPUT.ply]]
 //
-// The conformal Willmore flow knows which changes of curvature would open the loops around handles,
-// and leaves them out [CGP 4.5.2]. It cannot tell a surface from its inversions in spheres, though,
-// and might drift along them until all area is in a few faces: balancing towards the areas of the
-// canonical metric, which every surface with handles has, brings it back [CGP 4.5.3].
+// The conformal Willmore flow omits changes of curvature that would open the loops around handles
+// [CGP 4.5.2]. Because its energy is invariant under inversions in spheres, the flow might drift
+// until all area is in a few faces: balancing towards the areas of the canonical metric, which
+// every surface with handles has, prevents this [CGP 4.5.3].
 #include <Conformal_geometry_processing/conformal_willmore_flow.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -30,7 +30,7 @@ Eigen::VectorXd values(const Range& range, Map map)
   return Eigen::VectorXd::Map(list.data(), static_cast<Eigen::Index>(list.size()));
 }
 
-/// densities on faces and on vertices are those of the arrays up to `tolerance`, the precision of
+/// Densities on faces and on vertices equal those of the arrays up to `tolerance`, the precision of
 /// the points
 template <class Mesh>
 void expect_canonical_metric(Mesh& mesh, double tolerance)

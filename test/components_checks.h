@@ -19,8 +19,8 @@
 #include "spin_transform_checks.h"
 #include "support/several_components.h"
 
-/// What the entry points do to each component of a mesh of any type, measured against what they do
-/// to a mesh of one.
+/// Compares the results of the entry points on components of a mesh of any type with those on a
+/// mesh with one component.
 namespace cgp_test {
 
 inline double rho_at(const Eigen::Vector3d& p)
@@ -127,7 +127,7 @@ void expect_flows_as_alone()
 template <class Mesh>
 using Places = std::map<Vertex_of<Mesh>, std::complex<double>>;
 
-/// but for a translation
+/// Up to a translation
 template <class Mesh>
 void expect_flat_images_as_alone()
 {

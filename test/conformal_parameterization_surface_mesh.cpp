@@ -131,7 +131,7 @@ TEST(Spectral_conformal_parameterizer_3, gives_the_map_of_the_entry_point_by_way
     ASSERT_EQ(SMP::parameterize(mesh, CGP::Spectral_conformal_parameterizer_3<Surface>(options),
                                 border_of(mesh), uv),
               SMP::OK);
-    // The same up to a turn, for the loop need not begin at the same vertex.
+    // Equal up to a rotation, because the loop may begin at another vertex.
     std::vector<std::complex<double>> z, w;
     for (const Vertex v : vertices(mesh)) {
       z.emplace_back(expected[v].x(), expected[v].y());

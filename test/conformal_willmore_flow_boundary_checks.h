@@ -49,7 +49,7 @@ inline Boundary_condition condition_of_binormals(const Mesh_view& view)
   return Boundary_condition::binormals(targets);
 }
 
-/// \param mesh the one that the maps in `np` know, which a copy need not be
+/// \param mesh the mesh that the maps in `np` refer to
 /// \param np two steps with this condition
 template <class Mesh, class NamedParameters>
 void expect_flow_with(Mesh&& mesh, const NamedParameters& np, const Boundary_condition& condition,

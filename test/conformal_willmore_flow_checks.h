@@ -17,7 +17,7 @@ namespace cgp_test {
 
 namespace CGP = Conformal_geometry_processing;
 
-/// positions and energies are those of the class, up to the precision of the points
+/// Positions and energies equal those of the class, up to the precision of the points
 template <class Mesh>
 void expect_flow(Mesh mesh, double tolerance)
 {

@@ -39,7 +39,7 @@ Curve curve_of(const Range& points)
   return curve;
 }
 
-/// what the kernel of the library makes of it
+/// The result of the class
 Curve expected(const Curve& curve, double tau, int steps)
 {
   CGP::Curve_flow_options options;

@@ -30,8 +30,8 @@ Points points_of(const Mesh& mesh)
   return CGP::Graph_view<Mesh>(mesh, CGP::parameters::default_values(), "test").view().positions();
 }
 
-/// each edge vector e becomes conjugate(lambda_i) e lambda_j, up to `tolerance`, and the inversion
-/// in a sphere is that of its formula
+/// Each edge vector e is mapped to conjugate(lambda_i) e lambda_j, up to `tolerance`, and the
+/// inversion in a sphere satisfies its formula
 template <class Mesh>
 void expect_moebius_transforms(const Mesh& original, double tolerance)
 {

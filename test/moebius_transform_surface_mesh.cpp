@@ -17,7 +17,7 @@ using namespace cgp_test;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 
-/// what the exception says, and nothing if there is none; checks that nothing is written then
+/// Returns the message of the exception, empty if there is none; checks that nothing is written
 template <class Transform>
 std::string refusal(const Mesh_view& view, Transform transform)
 {

@@ -19,8 +19,7 @@
 #include "support/meshes.h"
 #include "support/views.h"
 
-/// What the editing of shapes does to a mesh of any type, measured against the classes on flat
-/// arrays.
+/// Compares shape editing of meshes of any type with the classes on flat arrays.
 namespace cgp_test {
 
 namespace CGP = Conformal_geometry_processing;

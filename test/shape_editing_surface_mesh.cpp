@@ -16,7 +16,7 @@ using namespace cgp_test;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 
-/// what the exception says, and nothing if there is none; the mesh stays as it was
+/// Returns the message of the exception, empty if there is none; checks that the mesh is unchanged
 template <class Call>
 std::string refusal(Surface& mesh, Call call)
 {

@@ -37,7 +37,7 @@ class Spin_transform_with_boundary : public testing::Test {
     EXPECT_EQ(view_of(surface).positions(), before.positions());
   }
 
-  /// what the transformation is refused with; nothing must have been written
+  /// Returns the message with which the transformation is rejected; checks that nothing is written
   template <class NamedParameters>
   std::string refusal(const NamedParameters& np)
   {

@@ -27,7 +27,7 @@ inline Eigen::Vector3d new_direction(const Eigen::Vector3d& p)
   return {p.x(), p.y() + .2, -2 * p.z()};
 }
 
-/// the columns of the boundary vertices out of those of all vertices
+/// Returns the columns of the boundary vertices
 inline Points at_boundary(const Mesh_view& mesh, const Points& all)
 {
   const std::vector<int> vertices = CGP::boundary_frames(mesh).vertices;
@@ -49,7 +49,7 @@ auto map_of_columns(const Mesh& mesh, const Points& columns)
   return map;
 }
 
-/// not on a copy, for the maps in `np` know the vertices of this mesh; its points are put back
+/// Not on a copy, because the maps in `np` refer to vertices of this mesh; its points are restored
 template <class Mesh, class NamedParameters>
 void expect_transformation(Mesh& mesh, const NamedParameters& np,
                            const Boundary_condition& condition, double tolerance)

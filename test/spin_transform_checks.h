@@ -63,7 +63,7 @@ Quaternion_vector<double> spins(const Range& range, Map map, int size)
   return lambda;
 }
 
-/// rho on vertices with lambda, and rho on faces: positions and spins are those of the class, up
+/// rho on vertices with lambda, and rho on faces: positions and spins equal those of the class, up
 /// to `tolerance`, the precision of the points
 template <class Mesh>
 void expect_transformation(const Mesh& original, double tolerance)

@@ -34,7 +34,7 @@ boost::function_property_map<Function, Vertex> map_of(Function function)
   return boost::function_property_map<Function, Vertex>(std::move(function));
 }
 
-/// what the exception says, and nothing if there is none
+/// Returns the message of the exception, empty if there is none
 std::string refusal(
     const Mesh_view& view, Function rho = [](Vertex) { return 0.; })
 {
@@ -55,7 +55,7 @@ Mesh_view with_point(const Mesh_view& mesh, int v, const Eigen::Vector3d& p)
   return {points, mesh.corners()};
 }
 
-/// A writable map that throws when it is written for the n-th time, once. Keeps what it got.
+/// A writable map that throws once, when it is written for the n-th time. Stores its values.
 template <class Value>
 struct Throwing_map {
   using key_type = Vertex;

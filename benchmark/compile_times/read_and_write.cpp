@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// What examples/first_program.cpp does without this library: what it takes to compile is CGAL's.
+// The part of examples/first_program.cpp without this library, to measure the compile time of CGAL.
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -59,8 +59,8 @@ inline Point normal_of_torus(const Point& p)
   return {p.x() * (1 - 2 / radius), p.y() * (1 - 2 / radius), p.z()};
 }
 
-/// what becomes of the plane unit disk for constant rho if its tangents at the boundary stay: a
-/// surface of revolution made of Bessel functions
+/// The image of the plane unit disk for constant rho with tangents at the boundary preserved: a
+/// surface of revolution given by Bessel functions
 inline Point image_of_disk(const Point& p, double rho)
 {
   const double radius = p.norm();

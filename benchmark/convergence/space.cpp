@@ -55,8 +55,8 @@ double relative_error(const Mesh_view& mesh, const Eigen::VectorXd& found,
   return std::sqrt(areas.dot((found - expected).cwiseAbs2()) / areas.dot(expected.cwiseAbs2()));
 }
 
-/// \brief of H~ |lambda|^2 = H + rho + gamma, where H is known; and how far the mean curvature of
-/// the mesh is from that of its smooth surface, before anything is transformed
+/// \brief Adds the error of H~ |lambda|^2 = H + rho + gamma, where H is known, and the error of the
+/// mean curvature of the mesh before the transformation
 void add_curvature(Record& record, const Space_case& c, const Mesh_view& mesh,
                    const Eigen::VectorXd& rho, const CGP::Spin_result& result)
 {

@@ -23,11 +23,11 @@ class Fairing_flow {
 
   virtual const CGP::Mesh_view& mesh() const = 0;
 
-  /// the same surface in another place or size, from where the flow goes on
+  /// Replaces the surface by a moved or scaled one, from which the flow continues
   virtual void set_positions(CGP::Points positions) = 0;
 };
 
-/// a method that moves the vertices of a mesh of its own
+/// A method that moves the vertices of its own mesh
 class Flow_of_positions : public Fairing_flow {
  public:
   Flow_of_positions(const CGP::Mesh_view& mesh, double time_step)

@@ -19,9 +19,10 @@ struct Method {
   std::function<void(const CGP::Mesh_view&, double time_step, Race&)> run;
 };
 
-/// \brief steps, each followed by scaling to the area 4 pi about the centroid.
+/// \brief Steps, each followed by scaling to the area 4 pi about the centroid.
 ///
-/// The thesis' flows of positions shrink; none of the measures sees the scale, and time means the
+/// The thesis' flows of positions shrink; the measures are scale-invariant, and scaling keeps the
+/// meaning of time.
 /// same throughout.
 template <class Flow>
 void run_steps(const CGP::Mesh_view& mesh, double time_step, Race& race)

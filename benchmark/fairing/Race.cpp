@@ -12,7 +12,7 @@
 namespace cgp_benchmark {
 namespace {
 
-// Of the energy: above the least so far, and by that before, when nothing good will come of it.
+// Of the energy: relative to the minimum so far, and to the previous one, to detect divergence.
 const double tolerance = 0.01, explosion = 4;
 
 const int most_moments = 100;  // at which a surface is measured

@@ -14,7 +14,7 @@ namespace cgp_benchmark {
 
 namespace CGP = Conformal_geometry_processing;
 
-/// what has become of a surface
+/// Result of a method on a surface
 struct Run {
   struct Moment {
     double seconds, energy;
@@ -31,12 +31,12 @@ struct Run {
   double energy() const { return curve.empty() ? HUGE_VAL : curve.back().energy; }
 };
 
-/// \brief watches a method step by step, and stops it when its seconds are over.
+/// \brief Observes a method step by step, and stops it when its time is over.
 ///
-/// The clock starts with this object, so that all that is done once counts, and stands still while
-/// the surface is measured: after every step, or a hundred times if there are more. A step that
-/// ends too late is no step. A run is *stable* if every number is finite, every system solved, and
-/// the Willmore energy never more than 1 % above the least so far.
+/// The clock starts at construction, so that setup counts, and is paused while the surface is
+/// measured: after every step, or a hundred times if there are more. A step that ends too late does
+/// not count. A run is *stable* if every number is finite, every system was solved, and the
+/// Willmore energy never exceeds the minimum so far by more than 1 %.
 class Race {
  public:
   Race(const CGP::Mesh_view& mesh, double seconds, int max_steps);
@@ -45,14 +45,14 @@ class Race {
   /// \returns whether to go on
   bool operator()(const CGP::Points& positions);
 
-  /// notes why there is no other step, and that this is no success
+  /// Records why there is no further step, as a failure
   bool fail(std::string why)
   {
     m_run.end = std::move(why);
     return m_run.is_stable = false;
   }
 
-  /// notes why there is no other step
+  /// Records why there is no further step
   void finish(std::string why) { m_run.end = std::move(why); }
 
   Run result() && { return std::move(m_run); }

@@ -43,7 +43,7 @@ class Rank_one_sum {
 
   const CGP::Sparse_pattern& pattern() const { return m_matrix.pattern(); }
 
-  /// \param coefficients those of all c_s, in the order of the vertices of the stencils
+  /// \param coefficients of all c_s, in the order of the vertices of the stencils
   const CGP::Hermitian_sparse_matrix<double>& assemble(const Eigen::VectorXd& D,
                                                        const Eigen::VectorXd& w,
                                                        const std::vector<double>& coefficients)

@@ -22,7 +22,7 @@ class Real_cholesky {
     check(m_solver.analyze_with_positions(pattern, positions));
   }
 
-  /// \pre A is symmetric and, but for rounding, positive definite
+  /// \pre A is symmetric and, up to rounding, positive definite
   void factorize(const CGP::Hermitian_sparse_matrix<double>& A)
   {
     check(m_solver.factorize(A, {}));

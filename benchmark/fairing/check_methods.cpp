@@ -87,7 +87,7 @@ double growth(double time_step)
   Eigen::VectorXd u = Eigen::VectorXd::Random(sphere.size_of_vertices()).normalized();
   double growth = 1;
   for (int i = 0; i < 400; ++i) {
-    flow.set_positions(noisy(u));  // back to the sphere: the bound is that of this metric
+    flow.set_positions(noisy(u));  // back to the sphere: the bound holds for this metric
     flow.step();
     const CGP::Points difference = flow.mesh().positions() - clean.mesh().positions();
     u = difference.cwiseProduct(normals).colwise().sum().transpose() / size;

@@ -13,13 +13,12 @@
 
 namespace cgp_benchmark {
 
-/// \brief the gradient flow of the energy of circle angles [BS05], semi-implicit:
+/// \brief The gradient flow of the energy of circle angles [BS05], semi-implicit:
 /// (M + times tau / 2 L M^-1 L) (f' - f) = -tau grad W.
 ///
 /// The gradient is exact. The Hessian of W is replaced by that of the smooth energy for a fixed
 /// metric, which is positive semidefinite. On equilateral triangles W is 3 / 2 of the smooth
-/// energy, and where circles nearly coincide its Hessian is without bound: a multiple allows larger
-/// steps.
+/// energy, and its Hessian is unbounded if circles nearly coincide: a multiple allows larger steps.
 template <int times>
 class Discrete_willmore : public Flow_of_positions {
  public:

@@ -19,8 +19,9 @@ namespace cgp_benchmark {
 /// a sum over the hinges, each an edge and its two faces, of 3 / (area of both) times the square of
 /// K f.
 ///
-/// K has the cotangents at the ends of the edge: for the beginning those at the end, for the end
-/// those at the beginning, for the opposite corner of each face minus the sum of its own.
+/// K consists of the cotangents at the ends of the edge: the coefficient of the first vertex is the
+/// sum of those at the second one and vice versa, the coefficient of the opposite corner of each
+/// face is minus the sum of the cotangents in this face.
 class Bending_matrix {
  public:
   explicit Bending_matrix(const CGP::Mesh_view& mesh) : m_sum(mesh.size_of_vertices(), hinges(mesh))

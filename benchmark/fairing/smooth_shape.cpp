@@ -25,10 +25,10 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 /// thrown through `smooth_shape()`, which has no other way to be stopped
 struct Race_is_over {};
 
-/// \brief a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d` that shows the surface to the
-/// race before each factorization but the first, when it is that of the step before.
+/// \brief A model of CGAL's `SparseLinearAlgebraWithFactorTraits_d` that passes the surface of the
+/// previous step to the race before each factorization except the first.
 ///
-/// Copies share all they have.
+/// Copies share their state.
 class Watched_cholesky {
  public:
   using NT = double;
@@ -46,7 +46,7 @@ class Watched_cholesky {
     if (!m_is_first && !m_on_step()) throw Race_is_over();
     m_is_first = false;
     denominator = 1;
-    // The lower triangles of its columns are those of our pattern, in the same order.
+    // The lower triangles of its columns have our pattern, in the same order.
     int k = 0;
     for (int j = 0; j < A.eigen_object().outerSize(); ++j)
       for (Matrix::EigenType::InnerIterator a(A.eigen_object(), j); a; ++a)

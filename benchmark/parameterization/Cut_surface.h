@@ -39,7 +39,7 @@ class Cut_surface {
   void build_disk();
 };
 
-/// the orbifold Tutte embeddings of CGAL with as many cones; their image is that of `cut.disk`
+/// The orbifold Tutte embeddings of CGAL with this number of cones; they map `cut.disk`
 std::vector<Method> orbifold_methods(Cut_surface& cut);
 
 }  // namespace cgp_benchmark

@@ -23,10 +23,10 @@ struct Method {
   std::function<std::string(Surface&, Border, UV_map)> run;  ///< returns its status in words
 };
 
-/// the methods of CGAL, as they are when nothing is said
+/// The methods of CGAL, with default options
 std::vector<Method> methods_of_cgal();
 
-/// those of them whose systems are symmetric, with the solver of this library
+/// Those with symmetric systems, with the solver of this library
 std::vector<Method> methods_of_cgal_with_our_solver();
 
 /// the methods of this library

@@ -15,7 +15,7 @@ namespace {
 
 using Circle = SMP::Circular_border_arc_length_parameterizer_3<Surface>;
 
-/// `parameterize()` does not take it, for it counts iterations
+/// `parameterize()` does not support it, because it has a number of iterations
 Method iterative_authalic()
 {
   return {"iterative authalic", [](Surface& mesh, Border border, UV_map uv) {

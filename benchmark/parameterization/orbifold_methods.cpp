@@ -16,7 +16,7 @@ namespace {
 
 using Cones = std::unordered_map<Seam_vertex, SMP::Cone_type>;
 
-/// writes the point of a vertex of the seam mesh to that of the disk
+/// Writes the point of a vertex of the seam mesh to the vertex of the disk
 struct Disk_uv_map {
   UV_map uv;
   const std::unordered_map<Seam_vertex, int>* numbers;

@@ -24,9 +24,9 @@ namespace CGP = Conformal_geometry_processing;
 
 const int vectors = 8, steps = 60;
 
-/// \brief the first of eight vectors that the reference finds for the energy with normals of
-/// vertices: inverse iteration with the identity as shift, constants taken out after each step, and
-/// the Rayleigh-Ritz method for the energy of what is left.
+/// \brief The first of eight vectors computed by the reference for the energy with vertex normals:
+/// inverse iteration with the identity as shift, projection orthogonal to the constants after each
+/// step, and the Rayleigh-Ritz method for the energy on the rest.
 Eigen::VectorXd reference_iteration(const CGP::Mesh_view& mesh)
 {
   const auto graph = CGP::vertex_graph(mesh);

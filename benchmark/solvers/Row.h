@@ -13,7 +13,7 @@
 #include "support/clock.h"
 
 /// \file The comparison of solvers is a list of rows: one model in one table, measured on one mesh
-/// in a process of its own, so that no row meets the memory or the caches of another.
+/// in a separate process, so that rows do not share memory or caches.
 namespace cgp_benchmark {
 
 namespace CGP = Conformal_geometry_processing;

@@ -18,7 +18,7 @@
 #include "support/workloads.h"
 
 /// The table of factorizations: the matrices of a spin transformation, and each model of
-/// SparseHermitianSolver with the ordering that it chooses by itself.
+/// SparseHermitianSolver with its default ordering.
 namespace cgp_benchmark {
 
 inline void require(CGP::Solver_status status)

@@ -9,7 +9,7 @@
 #include "Row.h"
 #include "support/Cholmod_poisson.h"
 
-/// The table of flows: what a later step costs, when everything has been analyzed.
+/// The table of flows: the cost of a later step, after all analysis.
 namespace cgp_benchmark {
 
 // The means of the steps 2 to 5, of the fastest run.

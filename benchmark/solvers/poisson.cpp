@@ -6,7 +6,7 @@
 
 namespace cgp_benchmark {
 
-// The yardstick by itself, with its stages and its memory.
+// The yardstick alone, with its stages and its memory.
 static void measure_poisson(const Job& job, const CGP::Mesh_view& mesh, Record& record)
 {
   Poisson_seconds seconds;

@@ -12,10 +12,10 @@
 
 namespace cgp_benchmark {
 
-/// \brief runs this program anew with the arguments; what it prints goes where ours goes.
+/// \brief Runs this program again with the arguments; its output is passed through.
 ///
 /// One BLAS thread: the threads of a BLAS wait in busy loops, which would count as work.
-/// \returns how it ended, in words; nothing if well
+/// \returns a description of the failure, empty on success
 inline std::string run_anew(std::vector<std::string> arguments)
 {
   std::vector<char*> pointers{const_cast<char*>("benchmark_solvers")};

@@ -19,11 +19,12 @@ namespace cgp_benchmark {
 
 namespace CGP = Conformal_geometry_processing;
 
-/// \brief the yardstick P: one scalar Poisson problem by CHOLMOD as it comes, called directly.
+/// \brief The yardstick P: one scalar Poisson problem by CHOLMOD with default options,
+/// called directly.
 ///
-/// The cotan Laplacian is assembled in place and handed over without a copy; ordering and kind of
-/// factorization are what CHOLMOD chooses; three right-hand sides are solved at once. Less than
-/// this, no method that people know can do for a spin transformation.
+/// The cotan Laplacian is assembled in place and passed without a copy; CHOLMOD chooses ordering
+/// and kind of factorization; three right-hand sides are solved at once. This is a lower bound for
+/// all known methods for a spin transformation.
 class Cholmod_poisson {
  public:
   explicit Cholmod_poisson(const CGP::Mesh_view& mesh)

@@ -9,7 +9,7 @@
 
 namespace cgp_benchmark {
 
-/// what has been measured, as one line of JSON
+/// Measured values, as one line of JSON
 class Record {
  public:
   Record& add(const std::string& key, double value)

@@ -36,7 +36,7 @@ int iterations_of(const CGP::Lagged_solver<Solver>& solver)
   return solver.iterations();
 }
 
-/// how many of `steps` matrices have been factorized
+/// Returns how many of `steps` matrices were factorized
 template <class Solver>
 int factorizations_of(const Solver&, int steps)
 {

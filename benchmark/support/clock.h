@@ -10,7 +10,7 @@
 
 namespace cgp_benchmark {
 
-/// what has not been measured: any time is less
+/// Marks missing measurements: any time is less
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// seconds of the processor, of all threads of this program: other programs do not count

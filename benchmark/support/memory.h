@@ -23,7 +23,7 @@ inline double bytes_of(const std::string& line)
   return 0;
 }
 
-/// the peak of memory while `stage()` runs, above what was in use before
+/// Returns the peak of memory while `stage()` runs, above the initial use
 template <class Stage>
 double peak_bytes(Stage stage)
 {

@@ -16,14 +16,14 @@
 #include <stdexcept>
 #include <vector>
 
-/// \brief a spin transformation as the thesis has it [CGP 5.5, 5.6, 6.6], by a careful user of the
-/// libraries it names: the baseline that the library is measured against.
+/// \brief A spin transformation as described in the thesis [CGP 5.5, 5.6, 6.6], implemented
+/// carefully with the libraries it names: the baseline of the comparison.
 ///
-/// Every quaternion is a real 4 x 4 block; the matrix X is collected as triplets face by face
-/// (Listing 6.1), of its lower triangle only, for CHOLMOD wants no more; `CholmodSupernodalLLT`
-/// orders, analyzes and factors it by its defaults; three steps of the inverse power method from
-/// lambda = 1 (Algorithm 1); then the scalar Poisson problem by the same means, with the three
-/// coordinates at once. Nothing is checked and nothing certified.
+/// Every quaternion is a real 4 x 4 block; the matrix X is assembled from triplets face by face
+/// (Listing 6.1), with its lower triangle only, as required by CHOLMOD; `CholmodSupernodalLLT`
+/// orders, analyzes and factors it with default options; three steps of the inverse power method
+/// from lambda = 1 (Algorithm 1); then the scalar Poisson problem by the same means, with the three
+/// coordinates at once. Nothing is checked or certified.
 namespace cgp_benchmark {
 
 namespace CGP = Conformal_geometry_processing;

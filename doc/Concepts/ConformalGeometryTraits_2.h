@@ -26,7 +26,7 @@ class ConformalGeometryTraits_2 {
   /// a functor with `FT operator()(const Point_2& p) const`, the first coordinate of p
   typedef unspecified_type Compute_x_2;
 
-  /// the same for the second coordinate
+  /// likewise, the second coordinate
   typedef unspecified_type Compute_y_2;
 
   /// a functor with `Point_2 operator()(const FT& x, const FT& y) const`

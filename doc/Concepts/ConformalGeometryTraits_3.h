@@ -27,10 +27,10 @@ class ConformalGeometryTraits_3 {
   /// a functor with `FT operator()(const Point_3& p) const`, the first coordinate of p
   typedef unspecified_type Compute_x_3;
 
-  /// the same for the second coordinate
+  /// likewise, the second coordinate
   typedef unspecified_type Compute_y_3;
 
-  /// the same for the third coordinate
+  /// likewise, the third coordinate
   typedef unspecified_type Compute_z_3;
 
   /// a functor with `Point_3 operator()(const FT& x, const FT& y, const FT& z) const`

@@ -8,7 +8,7 @@
 /// factorization of A plus a small shift: what the named parameter `eigenvalue_solver` takes.
 ///
 /// Eigenvectors are right ones and defined up to a quaternion on their right; each eigenvalue
-/// counts once. Not to converge is no error: it is told in the result.
+/// counts once. If the iteration does not converge, the result says so; this is not an error.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Lobpcg_eigensolver_traits`, the default;}

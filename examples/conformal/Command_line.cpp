@@ -220,7 +220,7 @@ class Parser {
     throw Failure(Exit_code::usage, "unknown command '" + name + "'; try: " + all + "or --help");
   }
 
-  // Of `--wrong 3 input`, where 3 was taken for the input, the option is what is wrong.
+  // In `--wrong 3 input`, where 3 was parsed as the input, the option is the error.
   std::string unknown_argument() const
   {
     const std::vector<std::string> all = m_app.remaining(true);

@@ -12,7 +12,7 @@
 
 namespace conformal {
 
-/// what the user asked for
+/// The parsed command line
 struct Command_line {
   Common_options common;
   std::string command;

@@ -15,15 +15,15 @@ namespace conformal {
 /// which components of a surface failed, and why
 class Component_failures {
  public:
-  /// \param path the file that messages name \param size how many components there are
+  /// \param path the file name in messages \param size number of components
   Component_failures(std::string path, std::size_t size) : m_path(std::move(path)), m_size(size) {}
 
-  /// \brief Works on a component, and keeps why it failed.
-  /// \returns the reason, or nothing if all went well
-  /// \throws what is not about this component alone: of signals and of memory
+  /// \brief Works on a component, and records the reason if it fails.
+  /// \returns the reason, or nothing on success
+  /// \throws exceptions that do not concern this component only: signals, lack of memory
   std::string attempt(const std::string& name, const std::function<void()>& work);
 
-  /// \throws Failure that tells each reason with the first components that failed for it
+  /// \throws Failure with each reason and the first components that failed for it
   void throw_if_any() const;
 
  private:

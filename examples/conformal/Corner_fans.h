@@ -10,12 +10,12 @@
 
 namespace conformal {
 
-/// \brief The corners of polygons that hang together around a vertex: two corners of neighbours are
-/// in one fan if exactly two faces share the edge between them, and pass it in opposite directions.
+/// \brief Connected fans of polygon corners around vertices: two corners of neighbours are in the
+/// same fan if exactly two faces share the edge between them, in opposite directions.
 ///
-/// If every fan has a vertex of its own, the faces are an oriented manifold: each corner has two
-/// edges, so that a fan is a path or a cycle, and its two ends pass an edge that they may still
-/// share in opposite directions.
+/// If every fan has its own vertex, the faces form an oriented manifold: each corner has two edges,
+/// so that a fan is a path or a cycle, and if its two ends share an edge, they have opposite
+/// directions there.
 class Corner_fans {
  public:
   explicit Corner_fans(const Polygons& polygons);

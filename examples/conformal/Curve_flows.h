@@ -35,7 +35,7 @@ class Curve_flows {
 
   const std::vector<One>& all() const { return m_all; }
 
-  /// the curves as they are now
+  /// The current curves
   std::vector<Plane_curve> curves() const;
 
   /// the steps of the flow that has made most

@@ -13,13 +13,13 @@ namespace conformal {
 /// whether faces of area zero are a defect
 enum class Flat_faces { refused, allowed };
 
-/// What keeps a mesh from being one oriented manifold surface with areas, in the words of the
-/// user's file: how many elements, the first of them, what to try.
+/// Reasons why a mesh is not one oriented manifold surface with positive areas, in terms of the
+/// user's file: number of elements, the first of them, and advice.
 struct Defects {
   std::vector<std::string> of_topology;    ///< non-manifold, not orientable
   std::vector<std::string> of_geometry;    ///< faces of area zero, coordinates too large
   std::vector<std::string> of_components;  ///< more than one
-  bool has_area = true;  ///< of geometry nothing but faces of area zero, and not all of them
+  bool has_area = true;  ///< the only geometric defects are faces of area zero, but not all faces
 
   /// the first one, or an empty string
   std::string first(Flat_faces flat_faces = Flat_faces::refused) const;
@@ -34,7 +34,7 @@ std::string description(const CGP::Mesh_view& mesh);
 /// \throws Failure naming the first defect
 void require_surface(const Surface_input& input, Flat_faces flat_faces = Flat_faces::refused);
 
-/// the same but for the number of components
+/// Likewise, for any number of components
 void require_surface_components(const Surface_input& input,
                                 Flat_faces flat_faces = Flat_faces::refused);
 

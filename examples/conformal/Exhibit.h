@@ -16,13 +16,13 @@ namespace CGP = Conformal_geometry_processing;
 /// places on a checkerboard at the corners of the faces, corner c of face f at 3 f + c
 using Corner_places = std::vector<std::array<double, 2>>;
 
-/// What there is to see of a run: a surface before and after, and squares drawn onto the former
-/// that the map has carried to the latter. Each shape is in a frame of its own.
+/// The shapes to be shown: a surface before and after, and squares on the former that are mapped to
+/// the latter. Each shape has its own frame.
 struct Exhibit {
   CGP::Mesh_view before;
   CGP::Points after;
   Corner_places squares;
-  std::string kind_of_squares;  ///< where they are from, for the user
+  std::string kind_of_squares;  ///< their origin, for the user
 };
 
 }  // namespace conformal

@@ -11,12 +11,12 @@
 
 namespace conformal {
 
-/// \brief A formula of a user in x, y, z, nx, ny, nz, more variables where there are any, and the
+/// \brief A formula of the user in x, y, z, nx, ny, nz, possibly further variables, and the
 /// constants pi and e.
 ///
-/// Beside the functions of muParser (sin ... atan2, exp, ln, log10, sqrt, abs, sign, min, max,
-/// `a < b ? c : d`) it knows gauss(d, s) = exp(-d^2 / (2 s^2)), and bump(d, r), which is 1 at
-/// d = 0, smooth, and 0 beyond |d| = r.
+/// Besides the functions of muParser (sin ... atan2, exp, ln, log10, sqrt, abs, sign, min, max,
+/// `a < b ? c : d`) it supports gauss(d, s) = exp(-d^2 / (2 s^2)), and bump(d, r), which is 1 at
+/// d = 0, smooth, and 0 for |d| > r.
 class Expression {
  public:
   /// \param option whose value the text is

@@ -8,7 +8,7 @@
 
 namespace conformal {
 
-/// what the program returns to its caller
+/// Exit codes of the program
 enum class Exit_code : int {
   done = 0,
   failed = 1,      ///< the computation failed, or its result did not verify
@@ -21,7 +21,7 @@ enum class Exit_code : int {
   terminated = 143    ///< SIGTERM
 };
 
-/// Why a command gives up. The message is one line: what, where, how many; what to try.
+/// The failure of a command. The message is one line: what, where, how many; advice.
 class Failure : public std::runtime_error {
  public:
   Failure(Exit_code code, const std::string& message) : std::runtime_error(message), m_code(code) {}

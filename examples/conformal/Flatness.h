@@ -12,8 +12,8 @@
 
 namespace conformal {
 
-/// \brief What is flat among the triangles of a soup, and what a flip or a collapse would make of
-/// it: judgements only, nothing is changed.
+/// \brief Predicates on flat triangles of a soup, and on the effect of flips and collapses; changes
+/// nothing.
 class Flatness {
  public:
   using Corners = std::array<int, 3>;

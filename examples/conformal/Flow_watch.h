@@ -18,9 +18,9 @@ namespace conformal {
 /// what to try where a flow does not verify
 inline constexpr const char* easier_than_flow = "a smaller --time-step, fewer --steps";
 
-/// \brief Watches a flow: shows how far it is, writes snapshots, ends it when a signal comes, and
-/// gathers the evidence of its steps. Once there is a complete step, a signal no longer ends the
-/// program by force, for there is something to write.
+/// \brief Observes a flow: shows its progress, writes snapshots, stops it on a signal, and
+/// accumulates the reports of its steps. After the first complete step, a signal no longer
+/// terminates the program, because there is a result to write.
 class Flow_watch : public CGP::Flow_visitor {
  public:
   Flow_watch(const Surface_input& input, const Flow_options& options, Session& session);
@@ -33,7 +33,7 @@ class Flow_watch : public CGP::Flow_visitor {
   /// The flow is over: the line of progress goes away.
   void end() { m_progress.clear(); }
 
-  /// of all steps so far: sums of what was spent, and of evidence the worst
+  /// Of all steps so far: sums of costs, and the worst quality measures
   const CGP::Spin_report& evidence() const { return m_evidence; }
 
  private:

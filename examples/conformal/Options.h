@@ -22,12 +22,12 @@ enum class Projection { uv, x, y, z, sphere };
 
 enum class Filter_choice { none, low_pass, high_pass, unsharp };
 
-/// what becomes of rho before it is used; what is not given has its default
+/// Filter for rho; missing values have defaults
 struct Filter_request {
   Filter_choice choice = Filter_choice::none;
   std::optional<bool> on_image;  ///< else on the surface; undecided: where there is one
   std::optional<double> radius;  ///< in pixels, on the image
-  std::optional<double> weight;  ///< on the surface, as of `CGP::Curvature_filter`
+  std::optional<double> weight;  ///< on the surface, as for `CGP::Curvature_filter`
   std::optional<int> order;      ///< likewise
   std::optional<double> amount;  ///< of the unsharp mask
 };
@@ -84,7 +84,7 @@ struct Flow_options {
   Verification_limits limits;
 };
 
-/// what the boundary becomes: exactly one of them is not empty
+/// The prescribed boundary: exactly one member is not empty
 struct Prescription_options {
   std::string tangents_from, binormals_from, positions_from;  ///< files with meshes
   std::string curve;                                          ///< a file with points
@@ -102,7 +102,7 @@ struct Fit_options {
   std::string target;
   double blend = 0;   ///< 0 is conformal, 1 nearest to the target
   std::string scale;  ///< a formula of factors for the scales of the target, none if empty
-  Boundary_choice boundary = Boundary_choice::tangents;  ///< what it has of the target; not free
+  Boundary_choice boundary = Boundary_choice::tangents;  ///< taken from the target; not free
 };
 
 struct Blend_options {

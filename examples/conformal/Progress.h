@@ -7,8 +7,7 @@
 
 namespace conformal {
 
-/// A line on stderr that tells how far the work is, where a person is watching: only if stderr is
-/// a terminal. It disappears in the end.
+/// A progress line on stderr, only if stderr is a terminal. It is erased at the end.
 class Progress {
  public:
   explicit Progress(bool is_quiet);

@@ -12,7 +12,7 @@
 
 namespace conformal {
 
-/// What a command found out, in the order in which it did; `to_json()` writes it.
+/// The results of a command, in order; `to_json()` writes them.
 ///
 /// A place is a path, `result/scale/min`; numbers that are not finite become null.
 class Report {

@@ -11,7 +11,7 @@
 namespace conformal {
 namespace {
 
-// An extension of its own keeps a page from being written over a mesh.
+// Requires an extension, so that a page does not overwrite a mesh.
 void require_html(const std::string& path)
 {
   const std::string why = why_no_html_reports();

@@ -11,8 +11,8 @@
 
 namespace conformal {
 
-/// \brief The files that tell about a run: JSON, which tells about failures too, and HTML. They are
-/// opened before the work, so that a folder that cannot be written to is known by then.
+/// \brief The report files of a run: JSON, which also reports failures, and HTML. They are opened
+/// before the work, to detect folders without write permission early.
 class Report_files {
  public:
   /// \throws Failure if HTML reports were not built in; Write_error

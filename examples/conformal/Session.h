@@ -16,7 +16,7 @@
 
 namespace conformal {
 
-/// One run of a command: its options, what it has found out, and what it tells the user.
+/// One run of a command: its options, its report, and its output for the user.
 class Session {
  public:
   Session(const Common_options& options, const std::string& command);
@@ -28,12 +28,12 @@ class Session {
   const std::string& input() const { return m_input; }
   void set_input(const std::string& path) { m_input = path; }
 
-  /// Tells what was done to the input without being asked: a line on stderr, and in the report.
+  /// Notes a change of the input that was not requested: a line on stderr, and in the report.
   void note(const std::string& text);
   void note_all(const std::vector<std::string>& texts);
   const std::vector<std::string>& notes() const { return m_notes; }
 
-  /// Prints a result on stdout, unless the user wants silence.
+  /// Prints a result on stdout, unless the user has requested quiet operation.
   void print(std::string_view text) const;
 
   /// Ends a stage that began when the last one ended.
@@ -42,11 +42,11 @@ class Session {
   /// Begins a stage whose seconds the report has from elsewhere.
   void begin_stage() { m_watch.lap(); }
 
-  /// Has the report written though the run was interrupted, for it tells about a result.
+  /// Writes the report even if the run was interrupted, because there is a result.
   void keep_report() { m_keeps_report = true; }
   bool keeps_report() const { return m_keeps_report; }
 
-  /// Keeps what the HTML report shows.
+  /// Stores the shapes of the HTML report.
   void keep_exhibit(Exhibit exhibit) { m_exhibit = std::move(exhibit); }
   const std::optional<Exhibit>& exhibit() const { return m_exhibit; }
 

@@ -15,7 +15,7 @@
 namespace conformal {
 namespace {
 
-// Numbers the vertices that have a face, in their order, and tells the corners so.
+// Renumbers the referenced vertices in order and updates the face indices.
 std::vector<int> leave_out_unreferenced(std::size_t size, CGP::Mesh_view::Corners& corners)
 {
   std::vector<int> number(size, -1);
@@ -92,7 +92,7 @@ void turn_outward(Surface_input& input)
       "the surface is inside out: computed with outward normals, faces are written as they were");
 }
 
-// What the user has is the file before it was repaired.
+// The index in the user's file, before its repair.
 int before_repair(std::vector<int> Repair::*in_file, const Surface_input& input, int i)
 {
   return input.repair ? ((*input.repair).*in_file)[static_cast<std::size_t>(i)] : i;

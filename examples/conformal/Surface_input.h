@@ -21,7 +21,7 @@ namespace CGP = Conformal_geometry_processing;
 /// outward, if the surface is closed), vertices without a face left out. The maps lead back.
 struct Surface_input {
   Surface_file file;  ///< as read; where faces were against each other, some are turned around
-  std::optional<Repair> repair;  ///< what was done to the file before, if it was asked for
+  std::optional<Repair> repair;  ///< the preceding repair of the file, if requested
 
   CGP::Mesh_view mesh;
   std::vector<int> vertex_in_file;  ///< of each vertex of the mesh
@@ -33,14 +33,14 @@ struct Surface_input {
   bool is_orientable = true;       ///< no face had to be left against its neighbour
   bool is_turned_outward = false;  ///< all faces of `mesh` are reversed against the file
 
-  std::vector<std::string> notes;  ///< what was done, for the user
+  std::vector<std::string> notes;  ///< changes of the input, for the user
 };
 
 /// \param is_repaired whether the file is repaired first, see `repair()`
-/// \throws Read_error; never refuses a mesh for what it is
+/// \throws Read_error; does not reject meshes for their properties
 Surface_input read_surface_input(const std::string& path, bool is_repaired = false);
 
-/// the same of a file already read
+/// Prepares a file that was already read
 Surface_input prepare(Surface_file file);
 
 /// names with the numbers of the file, which count from 0; for OBJ also the number that its faces

@@ -13,8 +13,8 @@ namespace conformal {
 /// \brief The faces of a file as triangles that can be removed and flipped, and whose edges can be
 /// collapsed; they need not be a manifold.
 ///
-/// A corner knows its vertex and its rows of the texture coordinates and of the normals (-1: none),
-/// which go with it. A triangle knows the face of the file whose properties it has.
+/// A corner stores its vertex and its rows of the texture coordinates and of the normals (-1:
+/// none). A triangle stores the face of the file whose properties it has.
 class Triangle_soup {
  public:
   struct Corner {
@@ -65,7 +65,7 @@ class Triangle_soup {
   /// that is then there twice is removed.
   void collapse(int v, int w);
 
-  /// what the faces of the file are now; those of which no triangle was changed, as they were
+  /// The resulting faces of the file; unchanged if none of their triangles was changed
   Selected_faces faces() const;
 
  private:

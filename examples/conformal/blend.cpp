@@ -62,7 +62,7 @@ void tell_equivalence(const Pair& pair, Session& session)
                  "): the way does not lead there, but to what has its curvature");
 }
 
-/// The values of t in their order; the last one is that of the output.
+/// The values of t in order; the last one belongs to the output.
 std::vector<double> values_of_t(const Blend_options& options)
 {
   std::vector<double> all;
@@ -98,7 +98,7 @@ Frame frame_at(double t, const Pair& pair, const CGP::Curvature_potential& whole
   if (!CGP::topology(pair.start.mesh).is_closed()) {
     problem.boundary = CGP::Boundary_condition::binormals(
         CGP::turned_binormals(pair.a.mesh, pair.b_near_a, pair.start.mesh, t));
-    problem.closes_loops = false;  // what is prescribed leaves no choice
+    problem.closes_loops = false;  // the prescribed data determine the loops
   }
   const auto solve = [&](const Go_further& go_further) {
     return solve_spin(pair.start.mesh, problem, options.spin, session.options(), go_further);

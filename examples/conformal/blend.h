@@ -10,7 +10,7 @@ namespace conformal {
 
 /// Adds a multiple of the difference between two conformally equivalent surfaces to one of them, or
 /// to a third: `conformal blend`.
-/// \throws Failure, Read_error, Write_error, and what the library throws
+/// \throws Failure, Read_error, Write_error, and exceptions of the library
 void blend(const Blend_options& options, Session& session);
 
 }  // namespace conformal

@@ -40,7 +40,7 @@ void boundary(const Boundary_options& options, Session& session)
   const Prescription_options& by = options.prescription;
   problem.boundary = prescribed_boundary(input, by);
   note_repaired_alike(input, {by.tangents_from, by.binormals_from, by.positions_from}, session);
-  // What is prescribed leaves no choice: loops close with it, or the residual tells.
+  // The prescribed data determine the loops: they close, or the residual is large.
   problem.closes_loops = false;
   if (options.minimal) problem.kernel_tolerance = CGP::minimal_kernel_tolerance(input.mesh);
   deform(input, std::move(problem), options.spin, "a gentler change of the directions", session);

@@ -10,7 +10,7 @@
 
 namespace conformal {
 
-/// what the library calls it
+/// The corresponding condition of the library
 CGP::Boundary_condition kept_boundary(Boundary_choice choice);
 
 /// \throws Failure if something is to be kept at the boundary of a surface without one

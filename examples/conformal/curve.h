@@ -8,10 +8,10 @@
 
 namespace conformal {
 
-/// Smooths curves in the plane without stretching them: `conformal curve`. When a signal comes, the
-/// curves after the last complete step are written, and the failure thrown.
+/// Smooths curves in the plane without stretching them: `conformal curve`. On a signal, the curves
+/// after the last complete step are written, and the failure is thrown.
 /// \throws Failure if the input is unsuitable, no step can be made, the result does not verify, or
-/// a signal has come, and what the readers and the writers throw
+/// a signal was received, and exceptions of the readers and writers
 void curve(const Curve_options& options, Session& session);
 
 }  // namespace conformal

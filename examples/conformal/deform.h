@@ -12,7 +12,7 @@
 
 namespace conformal {
 
-/// a surface that has been computed, and what was asked for
+/// A computed surface, and the problem
 struct Deformation {
   CGP::Curvature_potential rho;  ///< in the *user's frame*
   CGP::Boundary_condition boundary;
@@ -30,9 +30,9 @@ Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& sol
 /// Enters the certificate and what came of the boundary into the report, and prints them.
 void tell_certificate(const Surface_input& input, const Deformation& deformation, Session& session);
 
-/// \brief Judges a result, and tells what was done for it without being asked.
-/// \param what is said to be at fault
-/// \param easier what to try that asks for less
+/// \brief Verifies a result, and reports changes that were not requested.
+/// \param what the cause, for the message
+/// \param easier advice for an easier problem
 /// \throws Failure if it does not verify, unless the options force it
 void verify(const std::string& what, const Surface_input& input, const Spin_solution& solution,
             const Spin_options& options, const std::string& easier, Session& session);
@@ -41,10 +41,10 @@ void verify(const std::string& what, const Surface_input& input, const Spin_solu
 void write_deformation(const std::string& path, const Surface_input& input,
                        const Deformation& deformation, const std::string& lambda, Session& session);
 
-/// \brief What `conformal spin` and `conformal boundary` have in common: solves the problem, tells
-/// the certificate, and writes the surface if it verifies.
+/// \brief Common part of `conformal spin` and `conformal boundary`: solves the problem, prints the
+/// certificate, and writes the surface if it verifies.
 /// \param problem with rho in the *user's frame*
-/// \param easier what to try that asks for less
+/// \param easier advice for an easier problem
 /// \throws Failure, Write_error
 void deform(const Surface_input& input, Spin_problem problem, const Spin_options& options,
             const std::string& easier, Session& session);

@@ -52,7 +52,7 @@ std::vector<Component> components_of(const Surface_input& input)
   return components;
 }
 
-/// what is told of the shape of a component, whatever becomes of it
+/// Reports the counts of a component, independently of its result
 void report_counts(const Component& component, Report& report)
 {
   const CGP::Topology t = CGP::topology(component.input.mesh);

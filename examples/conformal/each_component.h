@@ -19,17 +19,17 @@ struct Component {
   std::vector<int> vertices, faces;  ///< in the mesh of the whole surface
 };
 
-/// new positions of a component, 3 x |V|; tells a session of its own what came of it
-/// \throws Failure if it does not verify, and what the library throws
+/// Computes new positions of a component, 3 x |V|, and reports to its own session
+/// \throws Failure if it does not verify, and exceptions of the library
 using Component_work = std::function<CGP::Points(const Component&, Session&)>;
 
-/// \brief Works on one component after the other, on all of them whatever becomes of the others.
+/// \brief Works on all components in sequence, even if some of them fail.
 ///
-/// What their sessions were told is in the report at `components/<number>`, a line for each is
-/// printed. The whole is verified if all of them are.
+/// The reports of their sessions are included at `components/<number>`, and one line is printed for
+/// each. The whole is verified if all of them are.
 /// \returns the new positions of all vertices
-/// \throws Failure that names all that failed and why; what is not about one of them (signals,
-/// memory) at once
+/// \throws Failure with all components that failed and the reasons; exceptions that do not concern
+/// a single component (signals, memory) immediately
 CGP::Points each_component(const Surface_input& input, Session& session,
                            const Component_work& work);
 

@@ -9,7 +9,7 @@
 
 namespace conformal {
 
-// What the commands take that lead from one surface to another.
+// Options of the commands that transform one surface to another.
 
 void add_fit_options(CLI::App& command, Fit_options& fit);
 void add_blend_options(CLI::App& command, Blend_options& blend);

@@ -10,7 +10,7 @@
 namespace conformal {
 namespace {
 
-/// Grows regions from seeds; distances are those of the middles of faces, through common edges.
+/// Grows regions from seeds; distances are between centres of faces, across common edges.
 class Region_growth {
  public:
   explicit Region_growth(const CGP::Mesh_view& mesh)

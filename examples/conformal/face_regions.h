@@ -11,9 +11,9 @@ namespace conformal {
 
 namespace CGP = Conformal_geometry_processing;
 
-/// \brief The region of each face, numbered from 0: connected ones of about the same extent, the
-/// faces nearest to seeds that are far from each other.
-/// \param count how many; more where there are more components, for regions are connected
+/// \brief Computes the region of each face, numbered from 0: regions are connected and of similar
+/// extent, and consist of the faces nearest to distant seeds.
+/// \param count number of regions; exceeded if there are more components
 std::vector<int> face_regions(const CGP::Mesh_view& mesh, int count);
 
 }  // namespace conformal

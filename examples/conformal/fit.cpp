@@ -27,7 +27,7 @@ namespace {
 
 const char* const easier_than_fit = "a target that is bent and sheared less";
 
-/// The factors that a formula gives at the vertices; none if there is no formula.
+/// Evaluates a formula for the factors at the vertices; empty if there is no formula.
 Eigen::VectorXd scale_factors(const Surface_input& input, const std::string& text)
 {
   if (text.empty()) return {};
@@ -52,7 +52,7 @@ CGP::Boundary_condition boundary_of(const Surface_input& input, const CGP::Mesh_
   return directions_of(input, target, choice);
 }
 
-/// what is known of the target: how far the surface is from it, and how far it is from conformal
+/// Reports on the target: its distance from the surface, and its deviation from conformality
 void tell_target(const Surface_input& input, const CGP::Mesh_view& target,
                  const Fit_solution& solution, Session& session)
 {

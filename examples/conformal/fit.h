@@ -10,7 +10,7 @@ namespace conformal {
 
 /// Deforms a surface conformally, as nearly as it can in the way another mesh of the same faces is
 /// deformed: `conformal fit`.
-/// \throws Failure, Read_error, Write_error, and what the library throws
+/// \throws Failure, Read_error, Write_error, and exceptions of the library
 void fit(const Fit_options& options, Session& session);
 
 }  // namespace conformal

@@ -17,8 +17,8 @@ struct Flat_image {
   std::string fault;      ///< why it cannot be trusted, with what to try; empty if it can
 };
 
-/// Maps a surface with boundary to the plane, and tells how well in the report and in a table.
-/// \throws Failure if the options do not fit it, and what the library throws
+/// Maps a surface with boundary to the plane, and reports the quality, also in a table.
+/// \throws Failure if the options do not fit it, and exceptions of the library
 Flat_image flat_image(const Surface_input& input, const Flatten_options& options, Session& session);
 
 }  // namespace conformal

@@ -9,7 +9,7 @@
 
 namespace conformal {
 
-/// what `conformal flatten` takes of its own
+/// Adds the options that are specific to `conformal flatten`
 void add_flatten_options(CLI::App& command, Flatten_options& options);
 
 }  // namespace conformal

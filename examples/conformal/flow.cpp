@@ -38,7 +38,7 @@ std::string stopped_after(const CGP::Flow_report& report, const Flow_options& op
          count_of(static_cast<std::size_t>(options.steps), "step") + ": " + reason(report);
 }
 
-/// What is wrong with the result, or nothing.
+/// Describes a fault of the result, or returns an empty text.
 std::string fault_of(const Flow_solution& solution, CGP::Spin_report evidence,
                      const Surface_input& input, const Flow_options& options)
 {
@@ -94,7 +94,7 @@ void tell_if_interrupted(const Flow_solution& solution, Session& session)
                        " was written to " + session.options().output);
 }
 
-/// Lets a surface in one component flow, tells what came of it, and judges it.
+/// Runs the flow on a surface with one component, reports the result, and verifies it.
 Flow_solution flowed(const Surface_input& input, const Flow_options& options, Session& session)
 {
   require_options_that_fit(input, options);
@@ -109,7 +109,7 @@ Flow_solution flowed(const Surface_input& input, const Flow_options& options, Se
   return solution;
 }
 
-/// The same for each component; the report of the way is that of each alone.
+/// Likewise for each component; the steps are reported for each of them.
 Flow_solution flowed_components(const Surface_input& input, const Flow_options& options,
                                 Session& session)
 {

@@ -7,10 +7,10 @@
 
 namespace conformal {
 
-/// Smooths a closed surface by the conformal Willmore flow: `conformal flow`. When a signal comes,
-/// the surface after the last complete step is written, and the failure thrown.
+/// Smooths a closed surface by the conformal Willmore flow: `conformal flow`. On a signal, the
+/// surface after the last complete step is written, and the failure is thrown.
 /// \throws Failure if the input is unsuitable, no step can be made, the result does not verify, or
-/// a signal has come, and what the readers, the library and the writers throw
+/// a signal was received, and exceptions of the readers, the library and the writers
 void flow(const Flow_options& options, Session& session);
 
 }  // namespace conformal

@@ -9,7 +9,7 @@
 
 namespace conformal {
 
-/// what `conformal flow` takes of its own
+/// Adds the options that are specific to `conformal flow`
 void add_flow_options(CLI::App& command, Flow_options& flow);
 
 }  // namespace conformal

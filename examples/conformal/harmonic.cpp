@@ -42,7 +42,8 @@ CGP::Mesh_view in_frame(const CGP::Mesh_view& mesh)
   return {CGP::Normalized_frame(mesh.positions()).to_frame(mesh.positions()), mesh.corners()};
 }
 
-// The certificate: closed, coclosed and orthonormal forms are harmonic, whoever has computed them.
+// The certificate: forms are harmonic if they are closed, coclosed and orthonormal, independently
+// of their computation.
 struct Residuals {
   double closed, coclosed, orthonormal;
 

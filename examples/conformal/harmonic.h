@@ -7,9 +7,9 @@
 
 namespace conformal {
 
-/// Finds the harmonic fields of a closed surface with handles: `conformal harmonic`.
-/// \throws Failure if the input is unsuitable, and what the readers, the library and the writers
-/// throw
+/// Computes the harmonic fields of a closed surface with handles: `conformal harmonic`.
+/// \throws Failure if the input is unsuitable, and exceptions of the readers, the library and the
+/// writers
 void harmonic(const Harmonic_options& options, Session& session);
 
 }  // namespace conformal

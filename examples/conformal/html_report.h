@@ -9,9 +9,9 @@
 
 namespace conformal {
 
-/// \brief A page that shows a run: it stands alone, and opens without a network.
+/// \brief Creates a self-contained page that shows a run, and needs no network.
 ///
-/// It holds the report as it is, and of the exhibit, each in a frame of its own: `before` and
+/// It contains the report and, of the exhibit, each in its own frame: `before` and
 /// `after` (float32, 3 per vertex), `faces` (uint32, 3 per face), `quality` (float32, Q of each
 /// face), `squares` (float32, 2 per corner), in base64 and little endian.
 /// \param json the report

@@ -8,14 +8,14 @@
 
 namespace conformal {
 
-/// \brief Keeps both shapes for the HTML report, if one is wanted. Comes before the surface is
-/// written, for it takes memory and time.
+/// \brief Stores both shapes for the HTML report, if one is requested. To be called before the
+/// surface is written, because it takes memory and time.
 ///
-/// The squares are those of the texture coordinates of the file, if it has them; else of conformal
-/// maps to the plane, of the whole surface or of pieces of it.
+/// The squares are those of the texture coordinates of the file, if it has any; otherwise of
+/// conformal maps to the plane, of the whole surface or of pieces of it.
 void keep_exhibit(const Surface_input& before, const CGP::Points& after, Session& session);
 
-/// the same of a map to the plane z = 0, which brings its own squares
+/// Likewise for a map to the plane z = 0, which defines the squares
 void keep_flat_exhibit(const Surface_input& before, const CGP::Points& after, Session& session);
 
 }  // namespace conformal

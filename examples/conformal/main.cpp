@@ -23,7 +23,7 @@ bool is_memory_limited()
   return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
-// A sanitizer wants to be there first.
+// A sanitizer has to be loaded first.
 #if defined(__ELF__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
     !defined(CONFORMAL_IS_SANITIZED)
 
@@ -35,7 +35,7 @@ extern "C" void on_blas_without_memory(int)
 }
 
 // OpenBLAS starts its threads when it is loaded, before main(), and raises SIGINT if it cannot.
-// Only what is named here comes before the libraries. run() listens to signals in its own way.
+// This function runs before the libraries are initialized. run() installs its own signal handlers.
 void expect_blas_without_memory()
 {
   if (is_memory_limited()) std::signal(SIGINT, on_blas_without_memory);

@@ -11,11 +11,11 @@
 
 namespace conformal {
 
-/// what was done to get rid of faces of area zero
+/// Operations that have removed faces of area zero
 struct Mended_faces {
   int flipped_edges = 0;
   int cut_polygons = 0;  ///< of which only triangles are left
-  /// corners of what was removed at the boundary, or of a component that has no area at all
+  /// Corners of triangles removed at the boundary, or with a component that has no area
   std::vector<std::array<int, 3>> removed;
   std::vector<std::pair<int, int>> collapsed;  ///< this vertex into that one, in their order
   double longest_collapsed = 0;                ///< length of the longest such edge
@@ -29,14 +29,14 @@ struct Mended_faces {
 /// In this order:
 /// - The edge opposite the largest angle is flipped, so that the third corner splits the neighbour;
 ///   at the boundary, and where more than two faces meet, the triangle is removed.
-/// - Where no flip helps (the other diagonal exists, or would be no shorter), the edge is collapsed
-///   that changes areas the least, if that makes no edge with more than two faces and turns no face
-///   over.
-/// - Two corners nearer than 1e-12 of the longest edge become one, whatever that makes of the rest.
+/// - If a flip is not possible (the other diagonal exists, or is not shorter), the edge is
+///   collapsed that changes areas the least, provided that no edge gets more than two faces and no
+///   face is turned over.
+/// - Two corners nearer than 1e-12 of the longest edge are merged, regardless of the other faces.
 /// - A triangle with a corner at the boundary, or where the surface must be cut, is removed.
 ///
-/// Each step leaves fewer faces of area zero or shorter edges, so that it ends. What cannot be
-/// mended is left as it is.
+/// Each step reduces the number of faces of area zero or shortens edges, so that it terminates.
+/// Faces that cannot be mended are unchanged.
 ///
 /// \pre neighbours agree in their orientation where they can; no face is there twice
 Mended_faces mend_flat_faces(Surface_file& file);

@@ -17,8 +17,8 @@ struct Mesh_piece {
   CGP::Mesh_view mesh;
 };
 
-/// \brief The faces of one region cut out. Where they meet in nothing but a vertex, the piece has
-/// copies of it, so that it is a manifold if the mesh is one.
+/// \brief Cuts out the faces of one region. If they meet only in a vertex, the piece has copies of
+/// it, so that it is a manifold if the mesh is one.
 /// \param faces all of one region \param region of each face of the mesh
 Mesh_piece mesh_piece(const CGP::Mesh_view& mesh, std::vector<int> faces,
                       const std::vector<int>& region);

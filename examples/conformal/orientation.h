@@ -17,8 +17,8 @@ struct Orientation {
   std::vector<char> is_turned;  ///< per face of the file: the fewer ones of each component
 };
 
-/// \param face_in_file the face of the file that a triangle is part of
-/// \param size how many faces the file has
+/// \param face_in_file the face of the file that contains a triangle
+/// \param size number of faces in the file
 Orientation find_orientation(const Conformal_geometry_processing::Mesh_view& mesh,
                              const std::vector<int>& face_in_file, std::size_t size);
 

@@ -8,7 +8,7 @@
 namespace conformal {
 
 /// \brief Divides edges into equal parts until none is longer than 1 / count of the whole curve,
-/// for an edge cannot bend: what is drawn as a straight line would stay one. \pre count > 0
+/// because edges remain straight. \pre count > 0
 void refine(Plane_curve& curve, int count);
 
 }  // namespace conformal

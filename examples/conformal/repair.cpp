@@ -70,7 +70,7 @@ bool is_counting(const std::vector<int>& numbers, std::size_t size)
   return true;
 }
 
-/// \returns how many faces were turned around
+/// \returns the number of reversed faces
 int orient(Surface_file& file)
 {
   const Triangulation all = triangulate(file);
@@ -82,7 +82,7 @@ int orient(Surface_file& file)
   return static_cast<int>(std::count(o.is_turned.begin(), o.is_turned.end(), 1));
 }
 
-// They may name vertices by numbers that are no longer theirs.
+// They may refer to vertices by outdated numbers.
 void leave_out_other_elements(Surface_file& file)
 {
   for (const Element& element : file.other_elements)
@@ -91,7 +91,7 @@ void leave_out_other_elements(Surface_file& file)
   file.other_elements.clear();
 }
 
-/// Gives corners the first vertex at their place. \returns that of each vertex
+/// Replaces vertices of corners by the first vertex at the same point. \returns it for each vertex
 std::vector<int> merge_vertices(Surface_file& file)
 {
   std::vector<int> merged = merge_points(file.points);

@@ -11,8 +11,8 @@
 
 namespace conformal {
 
-/// \brief What was done to make the faces of a file an oriented manifold of faces with areas, and
-/// which vertex and face became which.
+/// \brief Record of the operations that made the faces of a file an oriented manifold of faces with
+/// positive areas, and of the new numbers of vertices and faces.
 struct Repair {
   int merged_points = 0;    ///< vertices that lay exactly upon another
   int removed_faces = 0;    ///< fewer than three different corners were left, or it was there twice
@@ -29,7 +29,7 @@ struct Repair {
   double longest_collapsed_edge = 0;
 
   std::vector<int> vertex_in_file, face_in_file;  ///< of what there is now, where it was
-  std::vector<int> new_vertex, new_face;  ///< of what was, where it is (the first copy), or -1
+  std::vector<int> new_vertex, new_face;          ///< of old elements: the first copy, or -1
 
   /// the points and faces as they were, if anything has changed
   Surface_file before;
@@ -41,15 +41,15 @@ struct Repair {
 };
 
 /// \brief Merges coincident points, removes degenerate and repeated faces, orients the rest, mends
-/// faces of area zero, separates the surface where it is no manifold, and removes vertices without
-/// a face. Does nothing at all, bit by bit, if there is nothing to do.
+/// faces of area zero, separates the surface where it is not a manifold, and removes vertices
+/// without a face. If there is nothing to do, the file is bitwise unchanged.
 ///
-/// What is kept keeps its order, its properties and the values at its corners; copies of vertices
-/// come last, and parts of a face have its place. No point moves. A face of area zero that cannot
-/// be mended stays. Elements that are neither vertices nor faces are left out, with a note, if
-/// vertices have changed their numbers.
+/// Elements keep their order, their properties and the values at their corners; copies of vertices
+/// come last, and parts of a face replace it. Points are not moved. A face of area zero that cannot
+/// be mended stays. Elements that are neither vertices nor faces are removed, with a note, if
+/// vertices are renumbered.
 /// \param file may have been read with `Bad_faces::kept`
-/// \throws Failure if no face would be left
+/// \throws Failure if no face would remain
 Repair repair(Surface_file& file);
 
 }  // namespace conformal

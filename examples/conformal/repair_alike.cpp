@@ -15,7 +15,7 @@
 namespace conformal {
 namespace {
 
-constexpr double negligible = 1e-6;  // what files with seven digits can tell
+constexpr double negligible = 1e-6;  // precision of files with seven digits
 
 const char* const advice = "; try: repair both in a mesh editor";
 
@@ -24,7 +24,7 @@ Eigen::Vector3d point(const std::vector<Point>& points, int v)
   return Eigen::Vector3d::Map(points[static_cast<std::size_t>(v)].data());
 }
 
-/// of what has a face: vertices without one may lie anywhere
+/// Considers only vertices with a face, because others may lie anywhere
 double diagonal(const Surface_file& file)
 {
   Eigen::AlignedBox3d box;

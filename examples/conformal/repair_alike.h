@@ -7,15 +7,14 @@
 
 namespace conformal {
 
-/// \brief Does to a file what was done to another with the same vertices and faces, so that the two
-/// stay in correspondence: whatever the first one's points decided is done here, too.
+/// \brief Applies the operations of a repair to another file with the same vertices and faces, so
+/// that the two stay in correspondence; the points of the first file determine the operations.
 ///
-/// What disappeared from the first must be next to nothing here: vertices that are one now must
-/// have been together (as in the first, but for a millionth of the diagonal), and triangles that
-/// were removed must have been flat (area at most a millionth of the longest edge squared). Edges
-/// that were flipped, vertices that were separated and faces that were turned harm no
-/// correspondence.
-/// \throws Failure naming the first element for which that is not so
+/// Elements removed from the first file must be negligible here: merged vertices must coincide (as
+/// in the first, up to a millionth of the diagonal), and removed triangles must be flat (area at
+/// most a millionth of the longest edge squared). Flipped edges, separated vertices and reversed
+/// faces do not affect the correspondence.
+/// \throws Failure naming the first element that violates this
 /// \pre the file has the vertices and faces of `first.before`
 void repair_alike(Surface_file& file, const Repair& first);
 

@@ -19,7 +19,7 @@ class User_frame {
 
   Eigen::Vector3d operator()(const Eigen::Vector3d& p) const { return (p - m_center) / m_unit; }
 
-  /// its unit of length in that of the mesh
+  /// Its unit of length in units of the mesh
   double unit() const { return m_unit; }
 
  private:

@@ -46,7 +46,7 @@ std::vector<double> read_numbers(const std::string& path)
   return numbers;
 }
 
-/// those of the elements that are left of a file that was repaired
+/// Selects the values of the elements that remain after a repair of the file
 std::vector<double> left_of(const std::vector<double>& numbers, const std::vector<int>& in_file)
 {
   std::vector<double> left;

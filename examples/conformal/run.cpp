@@ -93,7 +93,7 @@ void dispatch(const Command_line& line, Session& session)
   if (const auto* options = std::get_if<Compare_options>(&line.options)) compare(*options, session);
 }
 
-// Errors of the library do not know the file that is at fault.
+// Adds the file name, which errors of the library do not contain.
 void dispatch_with_name(const Command_line& line, Session& session)
 {
   try {

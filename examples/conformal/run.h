@@ -5,8 +5,8 @@
 
 namespace conformal {
 
-/// The whole program: does what the command line says, prints one line on stderr if that fails,
-/// and returns the exit code (`Exit_code`).
+/// The whole program: executes the command line, prints one line on stderr on failure, and returns
+/// the exit code (`Exit_code`).
 int run(int argc, const char* const* argv);
 
 }  // namespace conformal

@@ -11,7 +11,7 @@
 
 namespace conformal {
 
-/// what the library computes: the surface after the last complete step, and the way there
+/// Result of the library: the surface after the last complete step, and the report
 struct Flow_solution {
   CGP::Points positions;
   CGP::Flow_report report;

@@ -28,8 +28,8 @@ Surface_file read_file_like(const Surface_input& first, const std::string& path)
 void note_repaired_alike(const Surface_input& first, const std::vector<std::string>& paths,
                          Session& session);
 
-/// \brief Reads a surface with the faces of another, as `read_file_like()`: what a command takes
-/// beside its input, where angles and areas matter.
+/// \brief Reads a surface with the faces of another one, like `read_file_like()`: the second input
+/// of commands for which angles and areas matter.
 /// \throws Failure also if a face has area zero
 Surface_input read_surface_like(const Surface_input& first, const std::string& path);
 

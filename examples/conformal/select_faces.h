@@ -9,15 +9,15 @@
 
 namespace conformal {
 
-/// \brief Faces made from those of a file, in their order: some are gone, some are in parts.
+/// \brief Faces derived from those of a file, in their order; faces may be removed or divided.
 struct Selected_faces {
   Polygons polygons;
   std::vector<int> texture, normals;  ///< rows of the file's tables, per corner; read if it has any
   std::vector<int> face_in_file;      ///< whose properties each face has; ascending
 };
 
-/// Adds a face with corners from those of the file.
-/// \param corners their places in `file.polygons.corners`
+/// Appends a face whose corners are corners of the file.
+/// \param corners their positions in `file.polygons.corners`
 void append(Selected_faces& faces, const Surface_file& file, int face_in_file,
             const std::vector<std::size_t>& corners);
 

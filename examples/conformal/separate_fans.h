@@ -17,8 +17,8 @@ struct Separated_vertices {
   int copies = 0;
 };
 
-/// Gives every fan of corners a vertex of its own, with the point and the properties of the old
-/// one: the first fan of a vertex has its place.
+/// Assigns a separate vertex to every fan of corners, with the point and the properties of the old
+/// one: the first fan keeps the old vertex.
 Separated_vertices separate_fans(Surface_file& file, const Corner_fans& fans);
 
 }  // namespace conformal

@@ -19,15 +19,15 @@ namespace conformal {
 
 namespace CGP = Conformal_geometry_processing;
 
-/// what the library computes: new positions, lambda and the certificate
+/// Result of the library: new positions, lambda and the certificate
 struct Spin_solution {
   CGP::Points positions;
   CGP::Quaternion_vector<double> lambda;
   CGP::Spin_report report;
-  std::string note = {};  ///< what was done without being asked, empty if nothing
+  std::string note = {};  ///< changes that were not requested, empty if none
 };
 
-/// what the library is asked for, in the unit of length of the mesh
+/// The problem for the library, in units of the mesh
 struct Spin_problem {
   CGP::Curvature_potential rho;
   CGP::Boundary_condition boundary;

@@ -9,10 +9,10 @@
 
 namespace conformal {
 
-/// \brief `solve_spin()` under a line of progress. Where the result does not verify, the second try
-/// of the problem is made, and taken and noted if that verifies; else the first is the result.
-/// \param part said before the words of progress
-/// \throws Failure if a signal comes, and what the library throws at the first try
+/// \brief Runs `solve_spin()` with a progress line. If the result does not verify, the alternative
+/// problem is solved, and used and noted if it verifies; otherwise the first result is returned.
+/// \param part prefix of the progress line
+/// \throws Failure on a signal, and exceptions of the library in the first attempt
 Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
                           const Spin_options& options, const Common_options& common,
                           const std::string& part = "");

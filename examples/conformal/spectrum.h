@@ -8,9 +8,9 @@
 
 namespace conformal {
 
-/// Finds eigenvalues of the Dirac operator: `conformal spectrum`.
-/// \throws Failure if the input is unsuitable, not all of them are found, or a signal has come, and
-/// what the readers, the library and the writers throw
+/// Computes eigenvalues of the Dirac operator: `conformal spectrum`.
+/// \throws Failure if the input is unsuitable, not all of them are found, or a signal was received,
+/// and exceptions of the readers, the library and the writers
 void spectrum(const Spectrum_options& options, Session& session);
 
 }  // namespace conformal

@@ -25,10 +25,10 @@ inline constexpr const char* about_sphere =
     "For s = 0 it is immersed; for 0 < s < |kappa| it has branch points at both poles.\n"
     "Example: conformal sphere --kappa -3 --s 1 --level 6 -o dirac_sphere.ply";
 
-/// what `conformal spectrum` takes of its own, without the output
+/// Adds the options that are specific to `conformal spectrum`, without the output
 void add_spectrum_options(CLI::App& command, Spectrum_options& options);
 
-/// what `conformal sphere` takes of its own
+/// Adds the options that are specific to `conformal sphere`
 void add_sphere_options(CLI::App& command, Sphere_options& options);
 
 }  // namespace conformal

@@ -8,8 +8,8 @@
 
 namespace conformal {
 
-/// Makes a Dirac sphere: `conformal sphere`.
-/// \throws Failure if there is none with these numbers, and what the library and the writers throw
+/// Computes a Dirac sphere: `conformal sphere`.
+/// \throws Failure if none exists with these numbers, and exceptions of the library and the writers
 void sphere(const Sphere_options& options, Session& session);
 
 }  // namespace conformal

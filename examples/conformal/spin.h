@@ -11,8 +11,8 @@
 namespace conformal {
 
 /// Transforms a surface and writes it with its certificate: `conformal spin`.
-/// \throws Failure if the input is unsuitable or the result does not verify, and what the readers,
-/// the library and the writers throw
+/// \throws Failure if the input is unsuitable or the result does not verify, and exceptions of the
+/// readers, the library and the writers
 void spin(const Spin_options& options, Session& session);
 
 /// What to try where a result of these options does not verify.

@@ -12,9 +12,9 @@
 
 namespace conformal {
 
-/// \brief Reads the surface that a command is to work on, with or without a boundary, and enters it
-/// into the report.
-/// \throws Read_error; Failure for what cannot be worked on, or under --strict what was repaired
+/// \brief Reads the input surface of a command, with or without a boundary, and adds it to the
+/// report.
+/// \throws Read_error; Failure for unsuitable surfaces, or with --strict for repaired ones
 /// \param flat_faces whether it may have faces of area zero
 Surface_input read_suitable_surface(const std::string& path, Session& session,
                                     Flat_faces flat_faces = Flat_faces::refused);
@@ -25,7 +25,7 @@ inline Flat_faces flat_faces(const std::optional<double>& mollification)
   return mollification.value_or(0) > 0 ? Flat_faces::allowed : Flat_faces::refused;
 }
 
-/// the same for closed surfaces only, and for those with a boundary only
+/// Likewise, for closed surfaces only, and for surfaces with a boundary only
 Surface_input read_closed_surface(const std::string& path, Session& session);
 Surface_input read_bounded_surface(const std::string& path, Session& session);
 

@@ -5,9 +5,9 @@
 
 namespace conformal {
 
-/// \brief Lets the library, the BLAS and OpenMP use so many threads.
+/// \brief Sets the number of threads of the library, the BLAS and OpenMP.
 ///
-/// Results of the library alone are the same to the bit for any number; where the BLAS works, for
+/// Results of the library alone are bitwise independent of it; if the BLAS is used, for
 /// `--solver cholmod`, the last bits may depend on it.
 void set_threads(int count);
 

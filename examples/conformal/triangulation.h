@@ -18,7 +18,7 @@ struct Triangulation {
   Conformal_geometry_processing::Mesh_view::Corners corners;
   std::vector<int> face_in_file;                   ///< of each triangle
   std::vector<std::array<std::size_t, 3>> places;  ///< of its corners among those of the file
-  int triangulated = 0;                            ///< how many faces had more than three corners
+  int triangulated = 0;                            ///< number of faces with more than three corners
 };
 
 /// \brief Cuts polygons into triangles without new vertices: ear clipping in the plane that fits

@@ -10,7 +10,7 @@
 namespace conformal {
 namespace {
 
-/// Of the faults at a boundary those that no limit tells of.
+/// Describes boundary faults that are not covered by the limits.
 std::string fault_of_boundary(const CGP::Spin_report& report, const Verification_limits& limits,
                               const std::string& easier)
 {
@@ -28,7 +28,7 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
   return {};
 }
 
-/// of how many faces the conformality is
+/// Returns the number of faces included in the conformality
 int measured_faces(const CGP::Spin_report& report, int faces)
 {
   return report.mollification.share > 0 ? report.mollification.measured_faces : faces;
@@ -78,7 +78,7 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
   if (report.steps == 0)
     return "no part of rho could be reached with handles and holes closed; try: a weaker rho, a "
            "finer mesh, or --open-handles";
-  // Written so that what is not a number is objected to.
+  // Written such that NaN violates the limit.
   if (!std::isfinite(report.eigenvalue))
     return "the eigenvalue is not finite: the mesh is too small or too thin; try: a finer mesh";
   if (!report.converged)

@@ -25,7 +25,7 @@ namespace CGP = Conformal_geometry_processing;
 std::string objection(const CGP::Spin_report& report, const CGP::Points& positions, int faces,
                       const Verification_limits& limits, const std::string& easier);
 
-/// The same for what the map alone tells.
+/// Likewise, for properties of the map only.
 std::string objection(const CGP::Conformality& map, int faces, const Verification_limits& limits,
                       const std::string& easier);
 
@@ -43,7 +43,7 @@ CGP::Mesh_view measured_part(const CGP::Mesh_view& mesh, bool is_mollified);
 void report_mollification(const CGP::Spin_report::Mollification& made, Report& report);
 void add_mollification(const CGP::Spin_report::Mollification& made, Table& table);
 
-/// Enters and shows the part that tells about the map alone.
+/// Reports and prints the part that concerns the map only.
 void report_conformality(const CGP::Conformality& map, Report& report);
 void add_conformality(const CGP::Conformality& map, int faces, Table& table);
 

@@ -38,7 +38,7 @@ std::string cholmod()
 #endif
 }
 
-// OpenBLAS tells about itself; of any other BLAS we see the file it lives in.
+// OpenBLAS reports its version; for any other BLAS only the file is known.
 std::string blas()
 {
   if (void* const function = ::dlsym(RTLD_DEFAULT, "openblas_get_config"))

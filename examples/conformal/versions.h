@@ -7,7 +7,7 @@
 
 namespace conformal {
 
-/// the program's version and those of the libraries it computes with, a line each
+/// Versions of the program and of its numerical libraries, one line each
 std::string versions();
 
 }  // namespace conformal

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Includes headers of CGAL that are under the GPL: programs that use this one are under it, too.
+// Includes headers of CGAL under the GPL, which then applies to programs that use this header.
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPECTRAL_CONFORMAL_PARAMETERIZER_3_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPECTRAL_CONFORMAL_PARAMETERIZER_3_H
 
@@ -26,13 +26,13 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
-/// \brief the spectral conformal parameterization as a method of \cgal's package Triangulated
-/// Surface Mesh Parameterization: in place of `LSCM_parameterizer_3` in
+/// \brief The spectral conformal parameterization as a method of \cgal's package Triangulated
+/// Surface Mesh Parameterization: replaces `LSCM_parameterizer_3` in
 /// `CGAL::Surface_mesh_parameterization::parameterize()`.
 ///
-/// Free border, nothing pinned, no choice of two vertices. Flattens the connected component of the
-/// border given, which is the one whose spread is kept; other borders are holes. Includes headers
-/// of \cgal under the GPL, as `conformal_parameterization()` does not.
+/// Free border; no vertices are pinned. Flattens the connected component of the given border, whose
+/// variance is fixed; other borders are holes. Includes headers of \cgal under the GPL, unlike
+/// `conformal_parameterization()`.
 ///
 /// \tparam TriangleMesh_ a model of `FaceGraph`
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
@@ -55,11 +55,11 @@ class Spectral_conformal_parameterizer_3 {
   {}
 
   /// \param border on the border of the component that is flattened
-  /// \param uv receives the points; untouched unless the result is `OK`
-  /// \param number an index of each vertex of the component, from 0 on
+  /// \param uv receives the points; unchanged unless the result is `OK`
+  /// \param number an index of each vertex of the component, from 0
   /// \param is_parameterized receives `true` for each of them
   /// \returns `ERROR_EMPTY_MESH` if there is no border or no face, `ERROR_NON_TRIANGULAR_MESH`,
-  /// `ERROR_WRONG_PARAMETER` if the component is no manifold or has a face of area zero,
+  /// `ERROR_WRONG_PARAMETER` if the component is not a manifold or has a face of area zero,
   /// `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the map was not found
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(const TriangleMesh& mesh, halfedge_descriptor border, VertexUVMap uv,
@@ -91,7 +91,7 @@ class Spectral_conformal_parameterizer_3 {
   }
 
  private:
-  /// the faces that can be reached from a border, and their vertices by their numbers
+  /// The faces of the connected component of a border, and their vertices by index
   struct Component {
     template <class VertexIndexMap>
     Component(const TriangleMesh& mesh, halfedge_descriptor border, VertexIndexMap number)
@@ -143,7 +143,7 @@ class Spectral_conformal_parameterizer_3 {
     Mesh_view::Corners corners;
   };
 
-  /// the vertices along a border, which runs with the surface on its right
+  /// Returns the vertices along a border, which runs with the surface on its right
   template <class VertexIndexMap>
   static Vertex_loop loop(const TriangleMesh& mesh, halfedge_descriptor border,
                           VertexIndexMap number)

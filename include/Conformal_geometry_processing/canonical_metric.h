@@ -18,7 +18,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgEntryPoints
-/// \brief the result of `canonical_metric()` in numbers.
+/// \brief Measurements of a canonical metric, returned by `canonical_metric()`.
 struct Canonical_metric_report {
   int genus = 0;
   double area = 0;         ///< in the canonical metric: the genus, up to rounding
@@ -27,10 +27,10 @@ struct Canonical_metric_report {
 };
 
 /// \ingroup PkgEntryPoints
-/// \brief writes the area density of the canonical metric of a closed surface of genus > 0: how
-/// often the area of a face or around a vertex counts there, in 1/area of the mesh [CGP 4.5.3].
+/// \brief Computes the area density of the canonical metric of a closed surface of genus > 0
+/// relative to the area of faces or around vertices, in 1/area of the mesh [CGP 4.5.3].
 ///
-/// The canonical metric depends on the conformal structure alone; its total area is the genus. It
+/// The canonical metric depends on the conformal structure only; its total area is the genus. It
 /// is u = 1/2 sum |v_i|^2 times the metric of the surface, for an orthonormal basis v_i of the
 /// harmonic fields. On a torus it is flat. Takes 4G solves with the Laplacian, for genus G.
 ///
@@ -38,8 +38,8 @@ struct Canonical_metric_report {
 /// \tparam DensityMap a model of `WritablePropertyMap` whose key is the face or the vertex
 /// descriptor of the mesh, and whose value is constructed from a `double`
 /// \param mesh the surface
-/// \param density written only after all has been computed; at a vertex the mean of the faces
-/// around it, weighted by their areas
+/// \param density written after all values have been computed; at vertices the area-weighted mean
+/// of the incident faces
 /// \param np optional, as follows
 ///
 /// \cgalNamedParamsBegin
@@ -48,20 +48,20 @@ struct Canonical_metric_report {
 ///     \cgalParamDefault{the points in the mesh}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{tells the coordinates of a point}
+///     \cgalParamDescription{accesses the coordinates of a point}
 ///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
 ///     \cgalParamDefault{the kernel of the points}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_solver}
-///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
+///     \cgalParamDescription{the linear solver; only its type matters, not its value}
 ///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
 ///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \throw Precondition_error if the mesh is not a closed, connected, oriented triangle mesh of
-/// genus 1 or more with finite coordinates and positive areas; the message names the element \throw
-/// Solver_error if the Laplacian cannot be factored
+/// genus 1 or more with finite coordinates and positive areas; the message names the element
+/// \throw Solver_error if the Laplacian cannot be factored
 template <class TriangleMesh, class DensityMap,
           class NamedParameters = parameters::Default_named_parameters>
 Canonical_metric_report canonical_metric(const TriangleMesh& mesh, DensityMap density,

@@ -12,14 +12,14 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgEntryPoints
-/// \brief writes the unit normals of the vertices, the faces around each weighted by their area;
-/// zero where they cancel out. In `double`, whatever the kernel.
+/// \brief Computes the area-weighted unit normals of the vertices; zero if the incident faces
+/// cancel out. In `double`, for any kernel.
 ///
 /// \tparam TriangleMesh a triangle mesh, see \ref triangle_mesh_requirements
 /// \tparam VertexNormalMap a model of `WritablePropertyMap`, from vertices to a type that is
 /// constructed from three numbers, such as `Vector_3`
 /// \param mesh may have a boundary
-/// \param normals written only after all have been computed
+/// \param normals written after all have been computed
 /// \param np optional, as follows
 ///
 /// \cgalNamedParamsBegin
@@ -28,7 +28,7 @@ namespace Conformal_geometry_processing {
 ///     \cgalParamDefault{the points in the mesh}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{tells the coordinates of a point}
+///     \cgalParamDescription{accesses the coordinates of a point}
 ///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
 ///     \cgalParamDefault{the kernel of the points}
 ///   \cgalParamNEnd

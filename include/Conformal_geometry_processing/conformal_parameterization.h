@@ -16,7 +16,7 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// a point of the plane of any type made of two numbers, in parentheses or in braces
+/// Constructs a point of the plane of any type from two numbers, in parentheses or in braces
 template <class Point>
 Point plane_point(const std::complex<double>& z)
 {
@@ -39,8 +39,7 @@ Parameterization_options parameterization_options(const NamedParameters& np)
   return options;
 }
 
-/// What `conformal_parameterization()` finds, of a mesh or of one of its components; nothing is
-/// written.
+/// Computes the parameterization of a mesh or of one of its components, without writing anything.
 template <class TriangleMesh, class NamedParameters>
 Parameterization_result parameterization_result(const Graph_view<TriangleMesh>& graph,
                                                 const NamedParameters& np,
@@ -72,23 +71,23 @@ void write_plane_points(const Graph_view<TriangleMesh>& graph, const Eigen::Vect
 }  // namespace internal
 
 /// \ingroup PkgEntryPoints
-/// \brief flattens a surface with boundary with as little distortion of angles as a linear method
-/// can: the map to the plane of least conformal energy [CGP 6.1].
+/// \brief Flattens a surface with boundary with small angle distortion: computes the map to the
+/// plane that minimizes the conformal energy [CGP 6.1].
 ///
-/// By default this is the spectral conformal parameterization of Mullen et al. Nothing is pinned:
-/// among all maps whose boundary has the same spread (mean squared distance from its centre) it is
-/// the one whose energy |D psi|^2, psi = u - v N, is least, by an eigenvector. It has no need of a
-/// disk: holes are taken as they come. That no face flips is likely and not guaranteed; the report
-/// counts them.
+/// By default this is the spectral conformal parameterization of Mullen et al. No vertices are
+/// pinned: among all maps with the same variance of the boundary (mean squared distance from its
+/// centre) it minimizes the energy |D psi|^2, psi = u - v N, by an eigenvector. The surface need
+/// not be a disk; it may have holes. Faces rarely flip, but this is not guaranteed; the report
+/// counts flipped faces.
 ///
-/// The image is as large as the surface (sum of the areas of the faces), its longest loop centred
-/// at the origin. Computes in double precision whatever the kernel. One factorization of a complex
-/// |V| x |V| matrix and a few solves.
+/// The image has the area of the surface (sum of the areas of the faces), and its longest loop is
+/// centred at the origin. Computes in double precision for any kernel. One factorization of a
+/// complex |V| x |V| matrix and a few solves.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam VertexUVMap a model of `WritablePropertyMap` with the vertex descriptor as key and a
 /// point of the plane as value: of a kernel of \cgal, `Eigen::Vector2d`, `std::array<double, 2>`,
-/// `std::complex<double>`, or whatever else is made of two numbers
+/// `std::complex<double>`, or any type that is constructed from two numbers
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 /// \param mesh the surface
 /// \param uv_map receives the point of each vertex
@@ -105,42 +104,41 @@ void write_plane_points(const Graph_view<TriangleMesh>& graph, const Eigen::Vect
 ///     \cgalParamDefault{the kernel of the points}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{conformal_normals}
-///     \cgalParamDescription{whose normals N are in the energy. Those of the vertices, as in the
-///                           thesis, give maps of scans that are much worse, and depend on how the
-///                           image is turned; on smooth meshes there is no difference.}
+///     \cgalParamDescription{the normals N in the energy. Vertex normals, as in the thesis, give
+///                           much worse maps of scans, which depend on the rotation of the image;
+///                           on smooth meshes there is no difference.}
 ///     \cgalParamType{`Conformal_normals`}
 ///     \cgalParamDefault{`Conformal_normals::of_faces`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{normalized_boundary}
-///     \cgalParamDescription{which part of the boundary has its spread kept}
+///     \cgalParamDescription{the part of the boundary whose variance is fixed}
 ///     \cgalParamType{`Normalized_boundary`}
 ///     \cgalParamDefault{`Normalized_boundary::longest_loop`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
-///     \cgalParamDescription{of the map, relative, in the norm of the energy}
+///     \cgalParamDescription{relative error of the map in the norm of the energy}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-6}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{at most}
+///     \cgalParamDescription{maximal number of iterations}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{100; three to ten are usual}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_solver}
-///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
-///     \cgalParamType{a model of `SparseHermitianSolverTraits`, for `std::complex<double>` too;
-///     direct,
-///                    in double precision}
+///     \cgalParamDescription{the linear solver; only its type matters, not its value}
+///     \cgalParamType{a model of `SparseHermitianSolverTraits`, also for `std::complex<double>`;
+///                    direct, in double precision}
 ///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the report, which converts to `true` if the map was found. Otherwise nothing has been
+/// \returns the report, which converts to `true` if the map was found. Otherwise nothing is
 /// written.
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
 /// boundary, finite coordinates and positive areas; the message names the element
 /// \throw Solver_error if the energy cannot be factorized
-/// \sa `minimal_surface()`, with planar boundary directions the flat image with those directions
+/// \sa `minimal_surface()`, which yields the flat image with given planar boundary directions
 template <class TriangleMesh, class VertexUVMap,
           class NamedParameters = parameters::Default_named_parameters>
 Parameterization_report conformal_parameterization(

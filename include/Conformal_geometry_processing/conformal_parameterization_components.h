@@ -15,25 +15,25 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgEntryPoints
-/// \brief flattens each connected component of a mesh as `conformal_parameterization()` flattens a
-/// mesh of one, and places the images side by side.
+/// \brief Flattens each connected component of a mesh by `conformal_parameterization()`, and places
+/// the images side by side.
 ///
-/// Each image has the shape and the size that it would have alone, and is moved so that their
-/// bounding boxes, above and right of the origin, do not overlap (`place_side_by_side()`).
+/// Each image has the same shape and size as for the component alone. Bounding boxes of images do
+/// not overlap, and lie above and to the right of the origin (`place_side_by_side()`).
 ///
-/// \tparam TriangleMesh, VertexUVMap, NamedParameters as of `conformal_parameterization()`
+/// \tparam TriangleMesh, VertexUVMap, NamedParameters as for `conformal_parameterization()`
 /// \param mesh the surface, of any number of components, with a boundary each
 /// \param uv_map receives the point of each vertex
 /// \param np optional named parameters: those of `conformal_parameterization()`
 ///
 /// \returns the reports in the order of the first vertices of the components. They convert to
-/// `true` if all maps were found; otherwise nothing has been written.
+/// `true` if all maps were found; otherwise nothing is written.
 /// \throw Precondition_error if the mesh is not an oriented manifold triangle mesh with finite
 /// coordinates and positive areas, or a component is closed
 /// \throw Solver_error if an energy cannot be factorized
 ///
-/// A component that is refused, or fails, does not keep the others from being tried, unless there
-/// is no memory left; the message tells how many failed, and names the first ones for each reason.
+/// If a component is rejected or fails, the others are still tried, unless memory is exhausted; the
+/// message contains the number of failed components, and names the first ones for each reason.
 template <class TriangleMesh, class VertexUVMap,
           class NamedParameters = parameters::Default_named_parameters>
 Component_reports<Parameterization_report> conformal_parameterization_components(

@@ -13,29 +13,27 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgEntryPoints
-/// \brief does to each connected component of a mesh what `conformal_willmore_flow()` does to a
-/// mesh of one.
+/// \brief Applies `conformal_willmore_flow()` to each connected component of a mesh.
 ///
-/// Each component flows to the bit as it would in a mesh of its own, with time steps of its own,
-/// until it arrives itself, and keeps its own area and centroid. Nothing keeps components from
-/// running into each other.
+/// Each component flows bitwise as in a separate mesh, with its own time steps, until it converges,
+/// and preserves its area and centroid. Intersections of components are not prevented.
 ///
-/// \tparam TriangleMesh, NamedParameters as of `conformal_willmore_flow()`
+/// \tparam TriangleMesh, NamedParameters as for `conformal_willmore_flow()`
 /// \param mesh the surface, of any number of components; its points are overwritten
-/// \param np optional named parameters: those of `conformal_willmore_flow()`; a visitor watches one
-/// component after the other, and cancels all of them
+/// \param np optional named parameters: those of `conformal_willmore_flow()`; a visitor observes
+/// one component after the other, and cancels all of them
 ///
-/// \returns the reports in the order of the first vertices of the components, which tell why each
-/// has stopped. They convert to `true` if all of them do. Whatever the reason, the points are those
-/// of the last complete step of each: after a visitor has said no, the components that follow have
-/// made none, stay where they were, and report `Flow_stop::cancelled` too.
+/// \returns the reports in the order of the first vertices of the components, with the reason why
+/// each has stopped. They convert to `true` if all of them do. In any case, the points are those
+/// of the last complete step of each: after cancellation by a visitor, the remaining components are
+/// unchanged, and also report `Flow_stop::cancelled`.
 /// \throw Precondition_error if the mesh is not an oriented manifold triangle mesh with finite
-/// coordinates and positive areas, or a component or a parameter is refused
+/// coordinates and positive areas, or a component or a parameter is rejected
 /// \throw Solver_error if an analysis fails
 ///
-/// A component that is refused, or fails, does not keep the others from being tried, unless there
-/// is no memory left; the message tells how many failed, and names the first ones for each reason.
-/// Whatever is thrown, also by the visitor, the mesh is as it was.
+/// If a component is rejected or fails, the others are still tried, unless memory is exhausted; the
+/// message contains the number of failed components, and names the first ones for each reason. If
+/// an exception is thrown, also by the visitor, the mesh is unchanged.
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 Component_reports<Flow_report> conformal_willmore_flow_components(
     TriangleMesh& mesh, const NamedParameters& np = parameters::default_values())
@@ -50,7 +48,7 @@ Component_reports<Flow_report> conformal_willmore_flow_components(
       graph, function,
       [&](const Graph_view<TriangleMesh>& component) {
         internal::Flow_result result{component.view().positions(), {}};
-        result.report.stop = Flow_stop::cancelled;  // unless it is begun
+        result.report.stop = Flow_stop::cancelled;  // unless the flow is started
         if (!is_cancelled) result = internal::flow_result(component, np, function);
         is_cancelled = result.report.stop == Flow_stop::cancelled;
         return result;

@@ -33,25 +33,26 @@ Dirac_spectrum_options dirac_spectrum_options(const NamedParameters& np)
 }  // namespace internal
 
 /// \ingroup PkgEntryPoints
-/// \brief finds eigenvalues of D - rho and their eigenfunctions: those of the smallest modulus, or
+/// \brief Computes eigenvalues of D - rho and their eigenfunctions: those of smallest modulus, or
 /// those nearest to a shift, with their sign [CGP 5.8.2].
 ///
-/// Of the unit sphere with rho = 0 they are all integers n but -1, |n + 1| times over the
-/// quaternions; constants belong to 0. Each eigenfunction lambda is the spin of a surface whose
-/// mean curvature half-density is a multiple of its length density, a Dirac surface.
+/// On the unit sphere with rho = 0 they are all integers n except -1, with quaternionic
+/// multiplicity |n + 1|; constants belong to 0. Each eigenfunction lambda is the spin of a surface
+/// whose mean curvature half-density is a multiple of its length density, a Dirac surface.
 ///
-/// On a surface with boundary, directions that are orthogonal to its tangents are kept or
-/// prescribed: by default the binormals. Then eigenfunctions are spaces over the reals.
+/// On a surface with boundary, directions that are orthogonal to its tangents are preserved or
+/// prescribed: by default the binormals. Then the eigenspaces are real vector spaces.
 ///
-/// Computes in double precision whatever the kernel. One factorization, and a few solves and
-/// several hundred operations per vertex for each eigenvalue and each other: a hundred of them on
-/// 8 000 triangles take seconds. Eigenvalues err by O(h^2); those too near to the shift by more,
-/// see `Dirac_spectral_problem`, which is the class to use for several rho on one mesh.
+/// Computes in double precision for any kernel. One factorization, and for each eigenvalue a few
+/// solves and, for each pair of eigenvalues, several hundred operations per vertex: a hundred
+/// eigenvalues on 8 000 triangles take seconds. Eigenvalues have an error of O(h^2); those very
+/// close to the shift have a larger one, see `Dirac_spectral_problem`, the class for several rho on
+/// one mesh.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 /// \param mesh the surface, oriented with normals outward
-/// \param count how many eigenvalues, at least one
+/// \param count number of eigenvalues, at least one
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
@@ -65,7 +66,7 @@ Dirac_spectrum_options dirac_spectrum_options(const NamedParameters& np)
 ///     \cgalParamDefault{the kernel of the points}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_solver}
-///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
+///     \cgalParamDescription{the linear solver; only its type matters, not its value}
 ///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
 ///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
@@ -75,28 +76,28 @@ Dirac_spectrum_options dirac_spectrum_options(const NamedParameters& np)
 ///     \cgalParamDefault{zero}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{spectral_shift}
-///     \cgalParamDescription{the eigenvalues nearest to it, in 1/length}
+///     \cgalParamDescription{computes the eigenvalues nearest to it, in 1/length}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_direction}
-///     \cgalParamDescription{which direction of the boundary frame is kept or prescribed}
+///     \cgalParamDescription{the direction in the boundary frame that is preserved or prescribed}
 ///     \cgalParamType{`Boundary_direction`, orthogonal to the tangent and not the normal}
 ///     \cgalParamDefault{the binormal}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_direction_map}
-///     \cgalParamDescription{what it becomes, for each vertex on the boundary}
+///     \cgalParamDescription{the prescribed direction, for each vertex on the boundary}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
 ///                    vector, not zero, as value; needs `boundary_direction`}
-///     \cgalParamDefault{what it is}
+///     \cgalParamDefault{the direction before}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
-///     \cgalParamDescription{on the residuals of the discrete problem}
+///     \cgalParamDescription{bound on the residuals of the discrete problem}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-8}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{how many restarts at most}
+///     \cgalParamDescription{maximal number of restarts}
 ///     \cgalParamType{`int`}
 ///     \cgalParamDefault{100}
 ///   \cgalParamNEnd
@@ -107,10 +108,10 @@ Dirac_spectrum_options dirac_spectrum_options(const NamedParameters& np)
 /// \cgalNamedParamsEnd
 ///
 /// \returns the eigenvalues nearest to the shift first; rows of the vectors are in the order of
-/// `vertices(mesh)`. Look at `converged`.
+/// `vertices(mesh)`. Check `converged`.
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
-/// finite coordinates and positive areas, if the directions do not fit it, or if there are not so
-/// many eigenvalues
+/// finite coordinates and positive areas, if the directions do not fit it, or if `count` exceeds
+/// the number of eigenvalues
 /// \throw Solver_error if a matrix cannot be factored
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 Dirac_spectrum dirac_spectrum(const TriangleMesh& mesh, int count,

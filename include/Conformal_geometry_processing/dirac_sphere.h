@@ -11,20 +11,20 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgEntryPoints
-/// \brief turns a mesh of a round sphere into a Dirac sphere: a conformal image whose mean
+/// \brief Transforms a mesh of a round sphere to a Dirac sphere: a conformal image whose mean
 /// curvature half-density is a multiple of its length density, with Willmore energy 4 pi kappa^2
 /// [CGP 6.5.1].
 ///
-/// Its spin is the spherical spinor Omega_kappa,s in closed form, around the axis z. For s = 0 the
-/// surface is immersed, else it has branch points at both poles. For surfaces of other
+/// Its spin is the spherical spinor Omega_kappa,s in closed form, about the axis z. For s = 0 the
+/// surface is immersed, otherwise it has branch points at both poles. For surfaces of other
 /// eigenfunctions see `dirac_spectrum()` and `surface_of_spin()`.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param mesh a round sphere with normals outward, wherever and however large; its points are
-/// overwritten, area and centroid stay
-/// \param kappa any integer but zero; -1 gives the sphere itself
+/// \param mesh a round sphere with normals outward, of any position and size; its points are
+/// overwritten, area and centroid are preserved
+/// \param kappa any integer except zero; -1 gives the sphere itself
 /// \param s from -|kappa| to |kappa| - 1; -s - 1 gives the same surface as s
 /// \param np optional named parameters
 ///
@@ -36,14 +36,14 @@ namespace Conformal_geometry_processing {
 ///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{output_vertex_point_map}
-///     \cgalParamDescription{where the new points go}
+///     \cgalParamDescription{receives the new points}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
 ///     \cgalParamDefault{the vertex point map}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_spin_map}
 ///     \cgalParamDescription{receives lambda}
-///     \cgalParamType{a model of `WritablePropertyMap`; its value is any type that
-///                    `Quaternion_access` knows}
+///     \cgalParamType{a model of `WritablePropertyMap` whose value type is supported by
+///                    `Quaternion_access`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
@@ -51,13 +51,13 @@ namespace Conformal_geometry_processing {
 ///     \cgalParamDefault{the kernel of the points}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_solver}
-///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
+///     \cgalParamDescription{the linear solver; only its type matters, not its value}
 ///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
 ///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the report; `eigenvalue` is near -(kappa + 1) over the radius
+/// \returns the report; `eigenvalue` is approximately -(kappa + 1) divided by the radius
 /// \throw Precondition_error if kappa is zero, s is out of its range, or the mesh is not a closed
 /// round sphere with normals outward, finite coordinates and positive areas
 /// \throw Solver_error if the Laplacian cannot be factored

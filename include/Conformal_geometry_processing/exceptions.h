@@ -8,39 +8,39 @@
 
 namespace Conformal_geometry_processing {
 
-/// \brief the base of every exception that this library throws itself.
+/// \brief Base class of all exceptions thrown by this library.
 class Error : public std::runtime_error {
  public:
-  /// \param function the function that gives up, \param message what, where, how many, what was
-  /// wanted
+  /// \param function the function that fails, \param message what, where, how many, and the
+  /// requirement
   Error(const std::string& function, const std::string& message)
       : std::runtime_error(function + ": " + message), m_function(function), m_message(message)
   {}
 
-  /// the function that gave up
+  /// The function that failed
   const std::string& function() const { return m_function; }
 
-  /// the message without the name of the function
+  /// The message without the name of the function
   const std::string& message() const { return m_message; }
 
  private:
   std::string m_function, m_message;
 };
 
-/// \brief the data break a documented precondition; the message names the offending element.
+/// \brief The data violate a documented precondition; the message names the offending element.
 class Precondition_error : public Error {
  public:
   using Error::Error;
 };
 
-/// \brief a factorization failed although the preconditions hold.
+/// \brief A factorization failed although the preconditions hold.
 class Solver_error : public Error {
  public:
   using Error::Error;
 };
 
 /// \relates Solver_error
-/// whether the solver had no memory left, which its status says in these words (`Solver_status`)
+/// Returns whether the solver ran out of memory, by the description of its `Solver_status`
 inline bool is_out_of_memory(const Solver_error& error)
 {
   return error.message().find("out of memory") != std::string::npos;

@@ -22,27 +22,27 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgEntryPoints
-/// \brief filters a function on the vertices, such as rho or a height, by its frequencies on the
-/// surface: (id + sigma Delta^k)^-1 and what is made of it [CGP 6.2, 6.4.2.1].
+/// \brief Filters a function on the vertices, such as rho or a height, by its frequencies on the
+/// surface: (id + sigma Delta^k)^-1 and filters derived from it [CGP 6.2, 6.4.2.1].
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam VertexMap a model of `ReadWritePropertyMap` with the vertex descriptor as key and a
 /// number as value
 ///
 /// \param mesh the surface, with boundary or without
-/// \param values are replaced by their filtered ones
-/// \param band which frequencies stay
+/// \param values are replaced by the filtered ones
+/// \param band the frequencies that pass
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{filter_weight}
-///     \cgalParamDescription{sigma, on the surface scaled to the area 4 pi: features larger than
-///                           about sigma^(1/(2k)) are large}
+///     \cgalParamDescription{sigma, for the surface scaled to area 4 pi: features larger than
+///                           about sigma^(1/(2k)) count as large}
 ///     \cgalParamType{`double`, positive}
 ///     \cgalParamDefault{0.01}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{filter_order}
-///     \cgalParamDescription{k, how sharp the cut is}
+///     \cgalParamDescription{k, the sharpness of the filter}
 ///     \cgalParamType{`int`, 0 to 3}
 ///     \cgalParamDefault{1}
 ///   \cgalParamNEnd
@@ -66,8 +66,8 @@ namespace Conformal_geometry_processing {
 /// \cgalNamedParamsEnd
 ///
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
-/// finite coordinates and positive areas, a value is not finite, or a parameter out of its range;
-/// nothing is written then
+/// finite coordinates and positive areas, a value is not finite, or a parameter is out of its
+/// range; then nothing is written
 /// \throw Solver_error if a factorization fails
 template <class TriangleMesh, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters>

@@ -20,7 +20,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgEntryPoints
-/// \brief what `harmonic_basis()` makes harmonic forms from.
+/// \brief Closed forms from which `harmonic_basis()` computes harmonic forms.
 enum class One_form_generators {
   tree_cotree,  ///< loops, see `closed_generators()`
   random  ///< random numbers [CGP 6.4.5.1], see `random_closed_forms()`: slower, no right angles
@@ -28,7 +28,7 @@ enum class One_form_generators {
 
 namespace internal {
 
-/// the harmonic basis of a mesh in the frame of the computation, all requirements checked
+/// Computes the harmonic basis of a mesh in normalized coordinates; requirements are checked before
 template <class SolverTraits>
 Harmonic_basis harmonic_basis_from(const Mesh_view& mesh, One_form_generators generators,
                                    unsigned seed, const std::string& function)
@@ -47,17 +47,16 @@ Harmonic_basis harmonic_basis_from(const Mesh_view& mesh, One_form_generators ge
 }  // namespace internal
 
 /// \ingroup PkgEntryPoints
-/// \brief finds the harmonic 1-forms of a surface and their tangent fields, orthonormal: 2G of them
-/// for genus G, and 2G + L - 1 where L loops bound it [CGP 6.4.5.1].
+/// \brief Computes the harmonic 1-forms of a surface and their tangent fields, orthonormal: 2G of
+/// them for genus G, and 2G + L - 1 with L boundary loops [CGP 6.4.5.1].
 ///
 /// Harmonic forms are closed and co-closed: they integrate to zero around each face, and their
-/// weighted sum around each vertex is zero. At a boundary this makes their fields tangent to it
-/// (forms of Neumann type). They tell what a surface has in addition to functions: the directions
-/// along its handles and around its holes. Spheres and disks have none.
+/// weighted sum around each vertex is zero. At a boundary their fields are therefore tangent to it
+/// (forms of Neumann type). They represent the cohomology of the surface: directions along its
+/// handles and around its holes. Spheres and disks have none.
 ///
-/// Computes in double precision whatever the kernel. Takes one factorization of the Laplacian and
-/// two solves per form. Which orthonormal basis it is, depends on the order of the vertices and
-/// faces.
+/// Computes in double precision for any kernel. Takes one factorization of the Laplacian and two
+/// solves per form. The orthonormal basis depends on the order of the vertices and faces.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -75,12 +74,12 @@ Harmonic_basis harmonic_basis_from(const Mesh_view& mesh, One_form_generators ge
 ///     \cgalParamDefault{the kernel of the points}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_solver}
-///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
+///     \cgalParamDescription{the linear solver; only its type matters, not its value}
 ///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
 ///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{one_form_generators}
-///     \cgalParamDescription{what the forms are made from; their span is the same}
+///     \cgalParamDescription{the closed forms to start from; the span of the result is the same}
 ///     \cgalParamType{`One_form_generators`}
 ///     \cgalParamDefault{`One_form_generators::tree_cotree`}
 ///   \cgalParamNEnd
@@ -93,7 +92,7 @@ Harmonic_basis harmonic_basis_from(const Mesh_view& mesh, One_form_generators ge
 ///
 /// \returns the forms; vectors are those of the kernel of the points, or Eigen's if they have none
 /// \throw Precondition_error if the mesh is not a connected, oriented triangle mesh with finite
-/// coordinates and positive areas, or if random generators meet a cotan weight of zero; the message
+/// coordinates and positive areas, or if a cotan weight is zero with random generators; the message
 /// names the element
 /// \throw Solver_error if the Laplacian cannot be factored
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>

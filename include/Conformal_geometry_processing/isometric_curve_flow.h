@@ -29,19 +29,18 @@ Curve_flow_options curve_flow_options(const NamedParameters& np)
 }  // namespace internal
 
 /// \ingroup PkgEntryPoints
-/// \brief makes a curve in the plane as smooth as its turning number allows, in a handful of large
-/// steps that keep the length of every edge [CGP 4.2, 6.4.3].
+/// \brief Smooths a curve in the plane as far as its turning number allows, in a few large steps
+/// that preserve the length of every edge [CGP 4.2, 6.4.3].
 ///
-/// The curve is a polygon, closed or open. Closed ones that turn around k times become circles run
-/// through k times, those that do not turn (k = 0) the figure eight of least bending energy, open
-/// ones straight. The energy, the integral of the square of the curvature, falls in every step; a
-/// step that would raise it is tried again with half of tau. The centroid stays.
+/// The curve is a polygon, closed or open. Closed curves of turning number k converge to k-fold
+/// circles, or for k = 0 to the figure eight of minimal bending energy, open ones to straight
+/// lines. The energy, the integral of the squared curvature, decreases in every step; a step that
+/// would raise it is repeated with half of tau. The centroid is fixed.
 ///
-/// Computes in double precision whatever the kernel. O(m) for each step, without a linear system
-/// to factor. Use `Isometric_curve_flow` to go step by step.
+/// Computes in double precision for any kernel. O(m) for each step, without a factorization. Use
+/// `Isometric_curve_flow` for single steps.
 ///
-/// \tparam PointRange a model of `Range` with mutable iterators over what the point map takes as
-/// key
+/// \tparam PointRange a model of `Range` with mutable iterators over keys of the point map
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param points the vertices in order, at least three; they are overwritten
@@ -54,30 +53,31 @@ Curve_flow_options curve_flow_options(const NamedParameters& np)
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{time_step}
-///     \cgalParamDescription{tau, between 0 and 1: a step multiplies what can go away by 1 - 2 tau,
-///                           so 1/2 goes furthest and small ones show the way}
+///     \cgalParamDescription{tau, between 0 and 1: a step multiplies the removable part of the
+///                           curvature by 1 - 2 tau, so 1/2 converges fastest and small values
+///                           show the evolution}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.5}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{how many steps at most}
+///     \cgalParamDescription{maximal number of steps}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{100}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
-///     \cgalParamDescription{the flow stops where the energy changes by less than this share of it,
-///                           in a time of 1}
+///     \cgalParamDescription{the flow stops if the relative change of the energy per unit of time
+///                           is below it}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-8}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{closing}
-///     \cgalParamDescription{how the ends of a closed curve are brought together: without
-///                           stretching any edge, or by a little of that, as the thesis does}
+///     \cgalParamDescription{how the ends of a closed curve are joined: without stretching any
+///                           edge, or by stretching edges slightly, as in the thesis}
 ///     \cgalParamType{`Curve_closing`}
 ///     \cgalParamDefault{`Curve_closing::exact`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of every step and may stop the flow}
+///     \cgalParamDescription{is called for every step and may stop the flow}
 ///     \cgalParamType{a `std::reference_wrapper` of a model of `CurveFlowVisitor`}
 ///     \cgalParamDefault{`Curve_flow_visitor`}
 ///   \cgalParamNEnd
@@ -92,13 +92,13 @@ Curve_flow_options curve_flow_options(const NamedParameters& np)
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the report, which tells why the flow has stopped, and converts to `true` if it arrived
-/// or made the steps it was asked for. Whatever the reason, the points are those of the last
-/// complete step.
+/// \returns the report, which contains the reason why the flow has stopped, and converts to `true`
+/// if it has converged or has done the requested steps. In any case, the points are those of the
+/// last complete step.
 /// \throw Precondition_error if there are fewer than three points, one has a coordinate that is not
-/// finite, two that follow each other coincide, the curve goes straight back somewhere, or
-/// a parameter is out of its range; the message names the point. Whatever is thrown, also by the
-/// visitor, the points are as they were.
+/// finite, two consecutive ones coincide, the curve reverses its direction at a point, or a
+/// parameter is out of its range; the message names the point. If an exception is thrown, also by
+/// the visitor, the points are unchanged.
 template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
 Curve_flow_report isometric_curve_flow(PointRange& points,
                                        const NamedParameters& np = parameters::default_values())

@@ -13,11 +13,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgEntryPoints
-/// \brief deforms a surface with boundary conformally into a minimal surface, by rho = -H in one
+/// \brief Deforms a surface with boundary conformally into a minimal surface, by rho = -H in one
 /// solve [CGP 6.5.3].
 ///
-/// What it looks like is up to the directions at its boundary: by default its tangents are kept. Of
-/// a flat mesh, tangents that stay in the plane give its conformal maps to other plane domains.
+/// Its shape is determined by the directions at its boundary: by default its tangents are
+/// preserved. For a flat mesh, tangents in its plane yield its conformal maps to other plane
+/// domains.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -27,26 +28,26 @@ namespace Conformal_geometry_processing {
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{boundary_direction}
-///     \cgalParamDescription{which direction of the boundary frame is kept or prescribed}
+///     \cgalParamDescription{the direction in the boundary frame that is preserved or prescribed}
 ///     \cgalParamType{`Boundary_direction`, not the normal}
 ///     \cgalParamDefault{the tangent}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_direction_map}
-///     \cgalParamDescription{what it becomes, for each vertex on the boundary}
+///     \cgalParamDescription{the prescribed direction, for each vertex on the boundary}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
 ///                    vector, not zero, as value}
-///     \cgalParamDefault{what it is}
+///     \cgalParamDefault{the direction before}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{kernel_tolerance}
-///     \cgalParamDescription{singular values of D - rho up to it, in 1/length, count as zero, and
-///                           of their surfaces the nearest one is taken}
+///     \cgalParamDescription{singular values of D - rho up to it, in 1/length, are considered
+///                           zero, and the nearest of their surfaces is returned}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`minimal_kernel_tolerance()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the report, which converts to `true` if there is such a surface. Otherwise nothing has
-/// been written.
+/// \returns the report, which converts to `true` if such a surface exists. Otherwise nothing is
+/// written.
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
 /// boundary, finite coordinates and positive areas, or the directions do not fit it
 /// \throw Solver_error if a factorization fails

@@ -21,7 +21,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgEntryPoints
-/// \brief how much a Moebius map scales the surface: lengths at a vertex change by |lambda|^2.
+/// \brief Scaling of the surface by a Moebius map: lengths at a vertex change by |lambda|^2.
 struct Moebius_report {
   double min_length_scale = 0;
   double max_length_scale = 0;
@@ -29,8 +29,8 @@ struct Moebius_report {
 
 namespace internal {
 
-/// p -> map(p - center) + center. The center is not made a part of the map, where a far one would
-/// cost digits.
+/// Applies p -> map(p - center) + center. The center is not included in the map, because a distant
+/// one would cost digits.
 template <class TriangleMesh, class NamedParameters>
 Moebius_report apply_around(const Eigen::Vector3d& center, const Moebius_map& map,
                             TriangleMesh& mesh, const NamedParameters& np,
@@ -60,12 +60,12 @@ Moebius_report apply_around(const Eigen::Vector3d& center, const Moebius_map& ma
 }  // namespace internal
 
 /// \ingroup PkgEntryPoints
-/// \brief moves every vertex of a surface by a Moebius map of space.
+/// \brief Applies a Moebius map of space to every vertex of a surface.
 ///
-/// Conformal to rounding: length cross-ratios stay as they are. The triangles between the vertices
-/// stay flat, so on coarse meshes the surface is only near the image of the old one. It keeps its
-/// orientation; one that encloses the point which goes to infinity is turned inside out, and its
-/// normals then point inward. O(|V|), in double precision whatever the kernel.
+/// Conformal up to rounding: length cross-ratios are preserved. Triangles remain flat, so on coarse
+/// meshes the surface only approximates the image. Its orientation is preserved; a surface that
+/// encloses the point that is mapped to infinity is turned inside out, and its normals then point
+/// inward. O(|V|), in double precision for any kernel.
 ///
 /// \tparam TriangleMesh a triangle mesh, see \ref triangle_mesh_requirements
 /// \param mesh may have a boundary; its points are overwritten
@@ -80,14 +80,14 @@ Moebius_report apply_around(const Eigen::Vector3d& center, const Moebius_map& ma
 ///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{output_vertex_point_map}
-///     \cgalParamDescription{where the new points go}
+///     \cgalParamDescription{receives the new points}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
 ///     \cgalParamDefault{the vertex point map}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_spin_map}
 ///     \cgalParamDescription{receives lambda, with df~ = conjugate(lambda) df lambda}
-///     \cgalParamType{a model of `WritablePropertyMap`; its value is any type that
-///                    `Quaternion_access` knows}
+///     \cgalParamType{a model of `WritablePropertyMap` whose value type is supported by
+///                    `Quaternion_access`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
@@ -96,8 +96,8 @@ Moebius_report apply_around(const Eigen::Vector3d& center, const Moebius_map& ma
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw Precondition_error if a face is not a triangle, or a vertex is not finite or goes to
-/// infinity; the message tells its number, and nothing is written
+/// \throw Precondition_error if a face is not a triangle, or a vertex is not finite or is mapped to
+/// infinity; the message contains its index, and nothing is written
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 Moebius_report moebius_transform(TriangleMesh& mesh, const Moebius_map& map,
                                  const NamedParameters& np = parameters::default_values())
@@ -106,10 +106,10 @@ Moebius_report moebius_transform(TriangleMesh& mesh, const Moebius_map& map,
 }
 
 /// \ingroup PkgEntryPoints
-/// \brief inverts a surface in a sphere: p -> center - radius^2 (p - center) / |p - center|^2.
+/// \brief Inverts a surface in a sphere: p -> center - radius^2 (p - center) / |p - center|^2.
 ///
-/// Followed by the reflection in the center, hence the sign, which keeps the orientation of the
-/// surface. For all else see `moebius_transform()`.
+/// Composed with the reflection in the center, hence the sign, which preserves the orientation of
+/// the surface. For details see `moebius_transform()`.
 ///
 /// \tparam TriangleMesh a triangle mesh, see \ref triangle_mesh_requirements
 /// \tparam Point the type of the points of the mesh
@@ -117,7 +117,7 @@ Moebius_report moebius_transform(TriangleMesh& mesh, const Moebius_map& map,
 /// \param center not on a vertex
 /// \param radius positive
 /// \param np optional, as for `moebius_transform()`
-/// \throw Precondition_error as there, or if the center is not finite or the radius not positive
+/// \throw Precondition_error likewise, or if the center is not finite or the radius not positive
 template <class TriangleMesh, class Point,
           class NamedParameters = parameters::Default_named_parameters>
 Moebius_report invert_in_sphere(TriangleMesh& mesh, const Point& center, double radius,

@@ -14,35 +14,34 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgEntryPoints
-/// \brief does to each connected component of a mesh what `spin_transform()` does to a mesh of one:
-/// all of them, or none.
+/// \brief Applies `spin_transform()` to each connected component of a mesh: to all of them, or
+/// none.
 ///
-/// The Dirac matrix of several components is block diagonal, and each block has an eigenvector and
-/// an eigenvalue gamma of its own: so there is one eigenproblem, one factorization and one
-/// certificate for each, and the factors take the memory of the largest. Each component is
-/// transformed to the bit as it would be in a mesh of its own, whatever lies beside it, and by the
-/// same rules: of rho a constant has no effect on each, each keeps its own area, its own centroid
-/// and on the whole its direction, so that they stay where they were relative to each other; a
-/// component with handles takes its own number of steps; what may be prescribed at a boundary is
-/// refused if one component has none. Nothing keeps components from running into each other.
+/// The Dirac matrix of several components is block diagonal, and each block has its own eigenvector
+/// and eigenvalue gamma: each component has one eigenproblem, one factorization and one report, and
+/// the factors take the memory of the largest one. Each component is transformed bitwise as in a
+/// separate mesh, by the same rules: constants in rho have no effect; each component preserves its
+/// area, its centroid and its mean direction, and thus its relative position; components with
+/// handles take their own number of steps; boundary conditions are rejected if a component has no
+/// boundary. Intersections of components are not prevented.
 ///
-/// \tparam TriangleMesh, CurvaturePotentialMap, NamedParameters as of `spin_transform()`
+/// \tparam TriangleMesh, CurvaturePotentialMap, NamedParameters as for `spin_transform()`
 /// \param mesh the surface, of any number of components; its points are overwritten
 /// \param rho the change of mean curvature, in 1/length of the mesh
-/// \param np optional named parameters: those of `spin_transform()`; a visitor watches one
+/// \param np optional named parameters: those of `spin_transform()`; a visitor observes one
 /// component after the other, and cancels all of them
 ///
 /// \returns the reports in the order of the first vertices of the components. They convert to
-/// `true` if the equations of all were solved; otherwise nothing has been written.
+/// `true` if the equations of all were solved; otherwise nothing is written.
 /// \throw Precondition_error if the mesh is not an oriented manifold triangle mesh with finite
 /// coordinates and, without `mollification`, positive areas; if rho is not finite; or if a
-/// component is refused: because what is prescribed at the boundary does not fit it, because
-/// `mollification` is not above 0 and below 1, or all its faces have area zero with it
+/// component is rejected: because the boundary conditions do not fit it, because `mollification` is
+/// not above 0 and below 1, or all its faces have area zero with it
 /// \throw Solver_error if a factorization fails
 ///
-/// A component that is refused, or fails, does not keep the others from being tried, unless there
-/// is no memory left; the message tells how many failed, and names the first ones for each reason.
-/// Whatever is thrown, the mesh is as it was.
+/// If a component is rejected or fails, the others are still tried, unless memory is exhausted; the
+/// message contains the number of failed components, and names the first ones for each reason. If
+/// an exception is thrown, the mesh is unchanged.
 template <class TriangleMesh, class CurvaturePotentialMap,
           class NamedParameters = parameters::Default_named_parameters>
 Component_reports<Spin_report> spin_transform_components(
@@ -72,7 +71,7 @@ Component_reports<Spin_report> spin_transform_components(
       graph, function,
       [&](const Graph_view<TriangleMesh>& component) {
         Spin_result result;
-        result.report.cancelled = is_cancelled;  // so are those that come after
+        result.report.cancelled = is_cancelled;  // applies to all remaining components
         if (!is_cancelled) result = transformed(component);
         is_cancelled = result.report.cancelled;
         return result;

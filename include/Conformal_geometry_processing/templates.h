@@ -4,9 +4,8 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_TEMPLATES_H
 
 /// \file templates.h
-/// \brief the definitions of all templates: to be included before anything is called with a solver,
-/// an eigenvalue solver or a direction of a flow of one's own. The library contains what belongs to
-/// its own ones.
+/// \brief The definitions of all templates: to be included before calls with user-defined solvers,
+/// eigensolvers or flow directions. The library contains the instances of its own ones.
 
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow_templates.h>
 #include <Conformal_geometry_processing/flow/Constrained_direction_templates.h>
@@ -40,7 +39,7 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// complete where this file is included, see `require_templates()`
+/// Complete if this file is included, see `require_templates()`
 template <class T>
 struct Templates_are_included {};
 

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_VERSION_H
 
 /// \file version.h
-/// \brief the version of the library; CMake reads it from here.
+/// \brief The version of the library, which is also read by CMake.
 
 #define CONFORMAL_GEOMETRY_PROCESSING_VERSION_MAJOR 0
 #define CONFORMAL_GEOMETRY_PROCESSING_VERSION_MINOR 1

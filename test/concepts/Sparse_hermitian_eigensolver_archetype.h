@@ -13,8 +13,8 @@
 
 namespace cgp_test {
 
-/// What the concept SparseHermitianEigensolverTraits demands, and nothing more: dense, not for
-/// mass matrices, without use for the solver and the initial vectors.
+/// A minimal model of the concept SparseHermitianEigensolverTraits: dense, without support of mass
+/// matrices, ignores the solver and the initial vectors.
 struct Sparse_hermitian_eigensolver_archetype {
   template <class Solver, class GoFurther = CGP::Always_go_further>
   CGP::Eigensolver_result operator()(const CGP::Hermitian_sparse_matrix<Quaternion<double>>& A,

@@ -15,7 +15,7 @@
 
 namespace cgp_test {
 
-/// What the concept SparseHermitianSolver demands, and nothing more: dense, and tied to its place.
+/// A minimal model of the concept SparseHermitianSolver: dense, neither copyable nor movable.
 template <class Scalar_>
 class Sparse_hermitian_solver_archetype {
  public:
@@ -94,7 +94,7 @@ class Sparse_hermitian_solver_archetype {
   bool m_analyzed = false, m_factorized = false;
 };
 
-/// What the concept SparseHermitianSolverTraits demands.
+/// A minimal model of the concept SparseHermitianSolverTraits.
 struct Sparse_hermitian_solver_traits_archetype {
   template <class Scalar>
   using Solver = Sparse_hermitian_solver_archetype<Scalar>;

@@ -51,7 +51,7 @@ struct Readable_map {
 };
 using Vector_map = Readable_map<Vector_archetype>;
 
-/// nothing but a condition
+/// Only a condition
 struct Constrained_map {
   using key_type = archetype::Vertex;
   using value_type = bool;

@@ -13,8 +13,8 @@
 #include <functional>
 #include <vector>
 
-/// A mesh outside of CGAL and without points, that offers what the library asks of the concepts
-/// `FaceListGraph` and `HalfedgeListGraph`, and nothing else.
+/// A mesh outside of CGAL and without points, which supports only the requirements of the library
+/// from the concepts `FaceListGraph` and `HalfedgeListGraph`.
 namespace archetype {
 
 struct Triangle_mesh {

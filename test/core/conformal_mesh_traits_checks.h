@@ -26,7 +26,7 @@ void expect_initial_values(Mesh& mesh)
   for (auto f : faces(mesh)) EXPECT_EQ(get(traits.face_curvature_potential_map(), f), 0.);
 }
 
-/// a different value for every element; i tells one call from the next
+/// Returns a different value for every element and every i
 template <class Mesh>
 void write_numbers(const Mesh& mesh, const CGP::Conformal_mesh_traits<Mesh>& traits, double i)
 {
@@ -55,7 +55,7 @@ void expect_numbers(const Mesh& mesh, const CGP::Conformal_mesh_traits<Mesh>& tr
   for (auto f : faces(mesh)) EXPECT_EQ(get(traits.face_curvature_potential_map(), f), i++);
 }
 
-/// the maps hold what is put into them, and copies of the traits share it
+/// The maps store their values, and copies of the traits share them
 template <class Mesh>
 void expect_shared_values(Mesh& mesh)
 {

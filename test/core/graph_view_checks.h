@@ -44,7 +44,7 @@ CGP::Graph_view<Mesh> graph_view(const Mesh& mesh, const NamedParameters& np = {
   return {mesh, np, "graph_view"};
 }
 
-/// the mesh has the faces of `expected`, and the view's numbers are those of the mesh's ranges
+/// The mesh has the faces of `expected`, and the view is numbered in the order of the ranges
 template <class Mesh>
 void expect_view_of(const Mesh_view& expected, const Mesh& mesh)
 {
@@ -69,7 +69,7 @@ void expect_positions_are_written(Mesh& mesh)
   EXPECT_EQ(graph_view(mesh).view().positions(), moved);
 }
 
-/// what the exception of an unsuitable mesh says
+/// Returns the message of the exception for an unsuitable mesh
 template <class Mesh>
 std::string refusal(const Mesh& mesh)
 {

@@ -96,7 +96,7 @@ TEST(Limits, curves_that_do_not_turn_become_the_eight_among_the_elastica)
   EXPECT_NEAR(std::log2(defects[1] / defects[2]), 2, 0.02);
 }
 
-// Each step measures anew, and stretches what it measures, as in the reference.
+// As in the reference, each step recomputes the lengths, and changes them.
 Curve flown_with_current_lengths(Curve curve, double tau, int steps)
 {
   for (int i = 0; i < steps; ++i) curve = flown(curve, tau, 1, least_squares);

@@ -24,7 +24,7 @@ using CGP::Curvature_potential;
 using Transformation = CGP::Closing_spin_transformation<>;
 using On = Curvature_potential::On;
 
-// The test function of issues with handles: nothing about it knows of the surface.
+// A test function that is independent of the surface.
 double wave(const Eigen::Vector3d& x)
 {
   return std::sin(3 * x[0] + 1) * std::cos(2 * x[1]) + 0.5 * std::sin(4 * x[2]);

@@ -123,7 +123,7 @@ TEST(Conformal_willmore_flow_with_boundary, keeps_a_cap_and_loses_its_bumps_by_a
     CGP::Conformal_willmore_flow<> flow(bumpy_cap(12), options);
     EXPECT_GT(flow.energy(), 3.7);
     EXPECT_TRUE(flow.run());
-    EXPECT_NEAR(flow.energy(), pi, .1 * pi);  // that of the round cap
+    EXPECT_NEAR(flow.energy(), pi, .1 * pi);  // energy of the round cap
   }
 }
 

@@ -21,7 +21,7 @@ const std::vector<Boundary_condition>& conditions()
   return list;
 }
 
-/// what is left open around the hole of the annulus, relative to the edges, by one step each
+/// Gap around the hole of the annulus after each step, relative to the edge length
 std::vector<double> gaps(const Boundary_condition& condition, bool is_constrained,
                          const std::vector<double>& time_steps)
 {
@@ -96,7 +96,7 @@ TEST(Conformal_willmore_flow_with_holes, arrives_where_little_changes)
   for (const Boundary_condition& condition : conditions()) {
     CGP::Flow_options options;
     options.boundary = condition;
-    options.energy_tolerance = .01;  // then it creeps, by what the constraints leave open
+    options.energy_tolerance = .01;  // afterwards, constraint violations dominate
     CGP::Conformal_willmore_flow<> flow(bumpy_annulus(8), options);
     const CGP::Flow_report report = flow.run();
     EXPECT_TRUE(report.converged()) << to_string(report.stop) << " " << report.message;

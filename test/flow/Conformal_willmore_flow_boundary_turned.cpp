@@ -140,7 +140,7 @@ TEST(Conformal_willmore_flow_with_turned_boundary, follows_oscillating_binormals
 
 TEST(Conformal_willmore_flow_with_turned_boundary, takes_the_branch_that_turns_least)
 {
-  // The smallest singular value is that of another surface: with its energy, 6.329.
+  // The smallest singular value belongs to another surface: with its energy, 6.329.
   const Mesh_view mesh = hemisphere(32);
   Reference_flow flow(mesh, plain_steps(1, 6, oscillating(mesh, .5)));
   EXPECT_TRUE(flow.run());

@@ -15,7 +15,7 @@
 #include "flow_tools.h"
 #include "support/moebius.h"
 
-/// What the flow does when it cannot, must not or should not go on.
+/// Cases in which the flow stops or fails.
 namespace {
 
 using namespace cgp_test;

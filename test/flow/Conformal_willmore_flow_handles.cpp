@@ -146,7 +146,7 @@ TEST(Conformal_willmore_flow_with_handles, comes_to_the_same_torus_after_an_inve
 
 TEST(Conformal_willmore_flow_with_handles, goes_back_on_itself_rather_than_tear_a_torus)
 {
-  // Unconstrained, the energy falls while the torus shears: only its distortion tells.
+  // Without constraints, the energy decreases while the torus shears: only its distortion shows it.
   CGP::Flow_options options;
   options.exactness.reset();
   options.max_steps = 1;

@@ -11,7 +11,7 @@
 
 #include "bounded_flows.h"
 
-/// What the flow asks of its solvers, and what it does when they fail.
+/// Requirements of the flow on its solvers, and its behaviour if they fail.
 namespace {
 
 using namespace cgp_test;

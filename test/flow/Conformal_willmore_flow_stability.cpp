@@ -10,7 +10,7 @@
 
 #include "flow_tools.h"
 
-/// The bound 0 < tau < 2 of the time step, which knows nothing of the mesh.
+/// The bound 0 < tau < 2 of the time step, which is independent of the mesh.
 namespace {
 
 using namespace cgp_test;
@@ -97,7 +97,7 @@ TEST(Conformal_willmore_flow_stability, comes_from_backtracking_where_the_step_i
 
 TEST(Conformal_willmore_flow_stability, lets_noise_decay_slower_than_shapes)
 {
-  // A curvature potential passes through two averages: what is as fine as the mesh hardly arrives.
+  // A curvature potential is averaged twice, which suppresses frequencies of the mesh size.
   const Mesh_view sphere = icosphere(3), noisy = radially_perturbed(sphere, 0.002);
   CGP::Conformal_willmore_flow<> flow(noisy, plain_steps(1, 1));
   const double before = flow.energy() - CGP::willmore_energy(sphere);

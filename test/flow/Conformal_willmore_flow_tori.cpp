@@ -41,7 +41,7 @@ Mesh_view somewhere(const Mesh_view& mesh)
 
 TEST(Conformal_willmore_flow_of_tori, keeps_the_conformal_class_but_for_a_part_linear_in_the_step)
 {
-  // What the mesh itself adds is the same for all steps, and drops out of the differences.
+  // The contribution of the mesh is the same for all steps, and cancels in the differences.
   const Mesh_view mesh = twisted_torus(32);
   std::vector<std::complex<double>> moduli;
   for (const int steps : {5, 10, 20}) {
@@ -83,8 +83,9 @@ TEST(Conformal_willmore_flow_of_tori, keeps_the_spin_structure_embedded_or_not)
   }
 }
 
-// Reflections make the class that of a rectangle, so the smoothest is a round torus. The steps are
-// small where the surface changes most, for what they add to the modulus falls with their size.
+// By reflection symmetry the class is rectangular, so the smoothest surface is a round torus. The
+// steps are small where the surface changes most, because their error in the modulus depends on
+// their size.
 TEST(Conformal_willmore_flow_of_tori, comes_to_the_smoothest_of_the_class_of_a_rectangle)
 {
   for (const double b : {1.25, 1.5}) {

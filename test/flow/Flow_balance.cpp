@@ -40,7 +40,7 @@ double greatest_log_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& 
   return (a.array() / a.sum() / (b.array() / b.sum())).log().abs().maxCoeff();
 }
 
-/// balance with a Laplacian of its own
+/// Balance with its own Laplacian
 CGP::Flow_balance balance_of(const Mesh_view& mesh, const CGP::Flow_options& options)
 {
   const auto pattern = CGP::vertex_graph(mesh);

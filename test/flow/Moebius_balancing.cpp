@@ -67,7 +67,7 @@ TEST(Moebius_balancing, finds_the_inversion_exactly_in_a_few_quadratic_steps)
   for (const double below : {3e-2, 2e-4, 1e-6, 1e-9}) {
     mesh.set_positions(balancing.balanced(mesh));
     EXPECT_LT(balancing.imbalance(mesh), below);
-    // quadratic, until the areas of flat faces differ from those of the smooth sphere
+    // quadratic, up to the difference between areas of flat faces and of the smooth sphere
     EXPECT_LT(balancing.imbalance(mesh), (.2 * imbalance + h * h) * imbalance);
     imbalance = balancing.imbalance(mesh);
   }

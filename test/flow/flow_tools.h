@@ -7,7 +7,7 @@
 
 #include "support/meshes.h"
 
-/// What the tests of flows share.
+/// Common functions of the tests of flows.
 namespace cgp_test {
 
 namespace CGP = Conformal_geometry_processing;

@@ -79,7 +79,7 @@ void expect_harmonic_basis(const Mesh_view& mesh, int genus)
   expect_fields_of_the_forms(mesh, basis);
 }
 
-/// how far the span of the one is from that of the other, both orthonormal with weights w
+/// Distance of two spans, with bases that are orthonormal with weights w
 double distance_of_spans(const Eigen::VectorXd& w, const Eigen::MatrixXd& a,
                          const Eigen::MatrixXd& b)
 {

@@ -13,7 +13,7 @@
 /// Surfaces that harmonic forms of Neumann type are found on.
 namespace cgp_test {
 
-/// the mesh without some faces; no vertex may lose all of its own
+/// Removes some faces of a mesh; every vertex must keep a face
 inline Mesh_view without_faces(Mesh_view mesh, std::vector<int> faces)
 {
   std::sort(faces.begin(), faces.end(), std::greater<int>());

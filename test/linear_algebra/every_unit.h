@@ -11,7 +11,7 @@
 
 namespace cgp_test {
 
-/// a vector unit for as long as it lives; afterwards that of before
+/// Sets a vector unit during its lifetime, and restores the previous one
 class On_unit {
  public:
   using Unit = Conformal_geometry_processing::Vector_unit;

@@ -16,7 +16,7 @@
 #include "linear_algebra/hermitian_matrices.h"
 #include "support/bounded_meshes.h"
 
-/// Systems whose unknowns at some rows lie in planes of H, and what they are as dense matrices.
+/// Systems with unknowns in planes of H at some rows, and their dense counterparts.
 namespace cgp_test {
 
 using Plane = CGP::Reduced_basis<double>::Plane;

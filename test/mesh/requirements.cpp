@@ -17,7 +17,7 @@ namespace {
 
 using Requirement = void (*)(const Mesh_view&, const std::string&);
 
-/// what the requirement says, empty if it is fulfilled
+/// Returns the message of the requirement, empty if it holds
 std::string complaint(Requirement require, const Mesh_view& mesh)
 {
   try {

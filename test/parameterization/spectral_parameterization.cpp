@@ -35,8 +35,8 @@ CGP::Parameterization_result flattened(
   return CGP::spectral_parameterization(mesh, options);
 }
 
-/// \brief the least values of |C z|^2 by the spread of the boundary, by the definition: the spread
-/// is that of all maps with mean zero on the boundary, and the inside is eliminated.
+/// \brief Computes the smallest eigenvalues by definition: minimal |C z|^2 over the variance of the
+/// boundary, for all maps with mean zero on the boundary; the interior is eliminated.
 Eigen::VectorXd eigenvalues_by_definition(const Mesh_view& mesh)
 {
   const Eigen::MatrixXd C = least_squares_conformal_rows(mesh), A = C.transpose() * C;

@@ -222,7 +222,7 @@ TEST_F(Curve_command, interrupted_it_leaves_the_last_complete_step)
 {
   write("a.csv", rows(cgp_test::flower(2000)));
   for (const auto& [signal, code] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
-    // The first snapshot tells that there is a complete step; thousands would follow.
+    // The first snapshot shows that there is a complete step; thousands would follow.
     const Program_run r =
         shell("rm -f b*.csv b.json; " CGP_CONFORMAL_PROGRAM
               " curve -q a.csv --steps 99999 --time-step 1e-7 --every 1 -o b.csv --json b.json & "

@@ -207,7 +207,7 @@ TEST_F(Flow, interrupted_it_leaves_the_last_complete_step)
 {
   write("a.off", off(cgp_test::bumpy_sphere(4)));
   for (const auto& [signal, code] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
-    // The first snapshot tells that there is a complete step; thousands would follow.
+    // The first snapshot shows that there is a complete step; thousands would follow.
     const Program_run r =
         shell("rm -f b*.ply b.json; " CGP_CONFORMAL_PROGRAM
               " flow -q a.off --steps 9999 --time-step 1e-5 --every 1 -o b.ply --json b.json & "

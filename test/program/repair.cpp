@@ -241,7 +241,7 @@ TEST(Repair, of_a_repaired_file_changes_nothing_more)
       parse_surface(off_of(corners_of_a_fan, {{0, 3, 1}, {0, 3, 2}, {3, 0, 4}}), "a.off");
   repair(file);
   const Surface_file once = file;
-  repair(file);  // cuts again what it has merged
+  repair(file);  // separates again the vertices that it has merged
   EXPECT_EQ(file.points, once.points);
   EXPECT_EQ(file.polygons.corners, once.polygons.corners);
 }

@@ -69,7 +69,7 @@ class Repaired_alike : public Bounded_program {
     write("b.off", off_of(points_with_faults(m_b), faces));
   }
 
-  /// how it ends without and with --repair, and what it says
+  /// Checks exit codes and messages without and with --repair
   void expect_works_with_repair(const std::string& command)
   {
     EXPECT_EQ(run(command + " -o c.ply").code, 4);

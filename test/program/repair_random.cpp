@@ -126,7 +126,7 @@ bool is_permutation_of(std::vector<int> v, std::vector<int> w)
   return v == w;
 }
 
-/// what there is now is where it was, and what was is where the map says
+/// The maps between old and new numbers are consistent with the positions
 void expect_right_map(const Repair& done, const Surface_file& before, const Surface_file& after)
 {
   ASSERT_EQ(done.vertex_in_file.size(), after.points.size());

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-/// Meshes from lists, and what repairing makes of them.
+/// Meshes from lists, and their repair.
 namespace program_test {
 
 using Faces = std::vector<std::vector<int>>;

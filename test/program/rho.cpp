@@ -180,7 +180,7 @@ TEST_F(Rho, of_a_picture_by_a_projection_is_taken_at_the_middles_of_faces)
   for (int f = 0; f < 20; ++f) {
     const auto& [a, b, c] = input.mesh.corners(f);
     const double mean = (at_vertices[a] + at_vertices[b] + at_vertices[c]) / 3;
-    EXPECT_NEAR(at_faces[f], mean, 0.01);  // but for half a pixel at the border
+    EXPECT_NEAR(at_faces[f], mean, 0.01);  // except for half a pixel at the border
   }
 }
 
@@ -194,7 +194,7 @@ TEST_F(Rho, of_a_picture_is_refused_where_a_face_has_no_place_in_it)
                     "not a finite number at 1 face (first: face 3"));
 }
 
-/// a picture of stripes, and what becomes of it
+/// A striped picture and its filtered versions
 class Filtered_picture : public Program {
  protected:
   Filtered_picture()

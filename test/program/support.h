@@ -15,12 +15,12 @@
 #include <filesystem>
 #include <string>
 
-/// Runs the program as a user does, in a folder of its own that goes away with the test.
+/// Runs the program as a user does, in a temporary folder.
 namespace program_test {
 
 using cgp_test::content;
 
-/// how a run ended and what it printed
+/// Exit code and output of a run
 struct Program_run {
   int code;
   std::string out, err;

@@ -14,7 +14,7 @@ using namespace program_test;
 
 class Unsuitable : public Program {
  protected:
-  /// spin refuses the mesh with these words and writes nothing; info tells them and goes on
+  /// `spin` rejects the mesh with these words and writes nothing; `info` prints them and continues
   void refused(const std::string& name, const std::string& text, const std::string& words)
   {
     write(name, text);

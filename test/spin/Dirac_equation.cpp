@@ -58,7 +58,7 @@ Eigen::VectorXd dense_eigenvalues(const Mesh_view& mesh, const Curvature_potenti
       .eigenvalues();
 }
 
-/// counts what it does
+/// Counts its operations
 struct Counting_solver_traits {
   static inline int factorizations = 0;
 
@@ -180,8 +180,8 @@ TEST(Dirac_equation, does_not_tell_apart_large_means_of_rho)
   EXPECT_LT(greatest_difference(s1.lambda, s3.lambda), 1e-7);
 }
 
-// The normal has the eigenvalue -2 on the sphere: with these means X cannot tell it from the branch
-// of the identity, whose eigenvalue is nearly the opposite.
+// The normal has the eigenvalue -2 on the sphere: with these means X cannot separate it from the
+// branch of the identity, whose eigenvalue is nearly the opposite.
 TEST(Dirac_equation, is_not_confused_by_an_eigenvalue_of_opposite_sign)
 {
   const Mesh_view mesh = icosphere(2);

@@ -38,7 +38,7 @@ class Dirac_search : public testing::Test {
   const CGP::Go_further always = CGP::Always_go_further();
 };
 
-/// the eigenvalue -2 of the normal and that of the identity become nearly opposite
+/// The eigenvalues -2 of the normal and of the identity become nearly opposite
 class Dirac_search_of_a_mixture : public Dirac_search {
  protected:
   Dirac_search_of_a_mixture() : Dirac_search(2) {}
@@ -74,7 +74,7 @@ TEST_F(Dirac_search, takes_one_column_where_no_other_vector_can_be_on_the_branch
   EXPECT_EQ(search.result().vectors.cols(), 1);
 }
 
-// Nearest to zero is the eigenvalue of the normal, next that of the identity.
+// The eigenvalue of the normal is nearest to zero, followed by that of the identity.
 TEST_F(Dirac_search, takes_two_columns_where_the_smallest_leaves_room_for_a_nearer_one)
 {
   const Curvature_potential rho = scaled(smooth_potential(sphere, 0.3), 1, -1.3);

@@ -36,7 +36,7 @@ Errors errors(const Mesh_view& mesh, const Mesh_view& target,
           result.report.conformality.quasi_conformal.mean, result.distance};
 }
 
-/// within a fiftieth of what it differs from 1
+/// Up to 2 % of the difference from 1
 void expect_error(double error, double expected)
 {
   EXPECT_NEAR(error - 1, expected - 1, 0.02 * (expected - 1));

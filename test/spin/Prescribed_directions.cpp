@@ -14,7 +14,7 @@ using namespace cgp_test;
 using Q = Quaternion<double>;
 using Directions = CGP::Prescribed_directions<CGP::Default_solver_traits>;
 
-/// the directions of a condition, with what they need to live
+/// The directions of a condition, with the objects that they refer to
 struct Prescribed {
   Prescribed(const Mesh_view& m, const Boundary_condition& condition)
       : mesh(m),

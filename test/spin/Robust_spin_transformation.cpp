@@ -218,7 +218,7 @@ TEST(Robust_spin_transformation, measures_the_faces_that_are_not_thin)
   EXPECT_EQ(part.measured_faces, mesh.size_of_faces() - thin);
   EXPECT_GT(part.measured_area, 1 - 1e-3);
   EXPECT_LT(part.measured_area, 1);
-  // What the report says can be found again in the faces of the result, and their area stays.
+  // The measurements of the report agree with the faces of the result, whose area is preserved.
   const Mesh_view sound = CGP::well_shaped_faces(mesh).mesh;
   const auto Q = CGP::quasi_conformal_error(sound, result.positions);
   EXPECT_NEAR(result.report.conformality.quasi_conformal.mean, Q.mean, 1e-9);

@@ -28,7 +28,7 @@ Row measured(const CGP::Spin_result& r, const Points& exact)
           shape_error(r.positions, exact), degrees(r.report.direction_error.mean)};
 }
 
-/// disk(n) to F = z + .3 z^2, by what F makes of the direction t T + n N + b B
+/// Maps disk(n) to F = z + .3 z^2, by prescribing the image of the direction t T + n N + b B
 std::vector<Row> to_quadratic_map(const Eigen::Vector3d& tnb)
 {
   std::vector<Row> rows;

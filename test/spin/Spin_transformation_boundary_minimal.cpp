@@ -57,7 +57,7 @@ Mesh_view strip(int n)
   return grid(4 * n, 2 * n, 4, 2);
 }
 
-/// that of `catenoid_strip()`
+/// The differential of `catenoid_strip()`
 Eigen::Vector3d catenoid_differential(const Eigen::Vector3d& p, const Eigen::Vector3d& d)
 {
   const double v = p.x(), u = p.y() - 1, c = std::cosh(u), s = std::sinh(u);
@@ -147,8 +147,8 @@ TEST(Catenoid, comes_out_of_a_strip_to_second_order_by_tangents)
 
 TEST(Catenoid, comes_out_of_a_strip_to_second_order_by_binormals)
 {
-  // Other surfaces of constant H |df| have the same binormals. The smallest rotations into these
-  // are those of neither: around the strip they do not close.
+  // Other surfaces of constant H |df| have the same binormals. The smallest rotations to these
+  // belong to neither surface: they do not close around the strip.
   const std::vector<Row> rows = strip_to_catenoid({0, 0, 1});
   expect_column(column(rows, &Row::Q), {1.03929, 1.01941, 1.00964}, .02, 1);
   expect_column(column(rows, &Row::shape), {1.6e-4, 4.0e-5, 1.0e-5}, .1);
@@ -188,7 +188,7 @@ TEST(Hemisphere, becomes_flat_by_minus_its_mean_curvature)
   expect_column(column(rows, &Row::gamma), {.0292, .0151, .0076, .0038}, .03);
   expect_column(column(rows, &Row::Q), {1.06728, 1.03318, 1.01646, 1.00820}, .02, 1);
   expect_order(2, column(rows, &Row::shape));
-  // Below those of the table: H is divided by another area there.
+  // Smaller than in the table, where H is divided by another area.
   EXPECT_LT(rows[0].shape, 4.5e-4);
   EXPECT_LT(rows[0].energy, 2.9e-4);
   EXPECT_LT(rows[3].energy, 1.9e-6);

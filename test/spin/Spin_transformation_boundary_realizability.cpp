@@ -4,8 +4,8 @@
 // Tests include/Conformal_geometry_processing/spin/boundary_fault.h
 #include "spin/boundary_tools.h"
 
-/// Which tangents can be prescribed: those of plane curves with odd turning number with any rho,
-/// others in general not. The numbers come from code that shares nothing with this one.
+/// Which tangents can be prescribed: those of plane curves with odd turning number for any rho,
+/// others in general not. The reference values come from independent code.
 namespace {
 
 using namespace cgp_test;

@@ -84,7 +84,7 @@ struct Row {
   double gamma, Q, shape;
 };
 
-/// what comes of rho on disks of 8, 16, 32, 64 rings, against the surface for rho + gamma
+/// Results for rho on disks of 8, 16, 32, 64 rings, against the surface for rho + gamma
 std::vector<Row> rows(const Boundary_condition& condition, const Radial_function& rho,
                       double gamma = 0)
 {

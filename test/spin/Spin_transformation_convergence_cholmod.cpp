@@ -119,7 +119,7 @@ void expect_orders(const std::vector<Measured>& rows)
   EXPECT_NEAR(finest.willmore / finest.predicted_willmore, 1, 2e-3);
 }
 
-/// what the inversion of a torus of radii 2 and 1 does to its mean curvature
+/// The change of mean curvature by the inversion of a torus of radii 2 and 1
 Eigen::VectorXd rho_of_inversion(const Mesh_view& mesh, const Eigen::Vector3d& center)
 {
   Eigen::VectorXd rho(mesh.size_of_vertices());

@@ -64,7 +64,7 @@ class Flow {
   CGP::Spin_transformation<SolverTraits> transformation;
 };
 
-/// the message, and proof that the object has remained as it was
+/// Returns the message, and checks that the object is unchanged
 std::string refusal(const Mesh_view& mesh, const Points& positions)
 {
   const auto rho = CGP::Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh));

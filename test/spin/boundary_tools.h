@@ -15,7 +15,7 @@
 
 #include "support/minimal_surfaces.h"
 
-/// What is prescribed at the boundary of a surface, and how far the result is from what is known.
+/// Prescribed boundary conditions, and errors against known results.
 namespace cgp_test {
 
 namespace CGP = Conformal_geometry_processing;
@@ -64,8 +64,8 @@ Points at_boundary(const Mesh_view& mesh, Function f)
   return values;
 }
 
-/// \brief what an immersion of the plane makes of the direction t T + n N + b B at the boundary of
-/// a plane mesh, if it is conformal.
+/// \brief Returns the image of the direction t T + n N + b B at the boundary of a plane mesh under
+/// an immersion of the plane, if it is conformal.
 /// \param differential with differential(p, v) the derivative at p along v
 template <class Differential>
 Points image_directions(const Mesh_view& mesh, Differential differential,
@@ -132,7 +132,7 @@ inline double mean_Q(const CGP::Spin_result& r)
   return r.report.conformality.quasi_conformal.mean;
 }
 
-/// Q - 1 of the result is that of a table, to 2 %
+/// Q - 1 of the result agrees with that of a table, to 2 %
 inline void expect_Q(const CGP::Spin_result& r, double Q)
 {
   EXPECT_NEAR(mean_Q(r) - 1, Q - 1, .02 * (Q - 1));
@@ -152,7 +152,7 @@ inline void expect_order(double order, const std::vector<double>& errors)
   EXPECT_NEAR(found, order, .05 * order * order);
 }
 
-/// what a transformation, or its condition, is refused with
+/// Returns the message with which a transformation, or its condition, is rejected
 template <class Call>
 std::string refusal_of(Call call)
 {

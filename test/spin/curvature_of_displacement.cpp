@@ -68,7 +68,7 @@ struct Row {
 const Row table[] = {
     {16, 0.9621, 0.9273, 0.9358}, {32, 0.9905, 0.9809, 0.9836}, {64, 0.9979, 0.9955, 0.9961}};
 
-/// what is missing is what the table says, to 6 %, and to its digits
+/// The error agrees with the table, to 6 % and to its digits
 void expect_recovered(double found, double tabled)
 {
   EXPECT_NEAR(found, tabled, 0.06 * (1 - tabled) + 1e-4);

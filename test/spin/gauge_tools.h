@@ -8,7 +8,7 @@
 /// Eigenvectors are defined up to a quaternion on their right.
 namespace cgp_test {
 
-/// the greatest difference of the components of a and b q, for the best unit quaternion q
+/// Returns the maximal difference of the components of a and b q, for the best unit quaternion q
 inline double difference_up_to_right_quaternion(const Quaternion_vector<double>& a,
                                                 const Quaternion_vector<double>& b)
 {

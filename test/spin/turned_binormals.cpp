@@ -24,7 +24,8 @@ Eigen::Vector3d tilted(const Eigen::Vector3d& p, double angle)
 
 TEST(Turned_binormals, turn_evenly_from_a_disk_to_a_cap_and_beyond)
 {
-  // The binormals of a disk are horizontal; those of a cap of polar angle 1 point down by 1.
+  // The binormals of a disk are horizontal; at a cap of polar angle 1 they point down by the
+  // angle 1.
   const Mesh_view flat = disk(20), cap = cap_from_disk(flat, 1.);
   const std::vector<int> rim = CGP::boundary_frames(flat).vertices;
   for (const double t : {-0.5, 0., 0.3, 1., 2.}) {

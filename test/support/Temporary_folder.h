@@ -30,7 +30,7 @@ class Temporary_folder {
   std::string operator/(const std::string& name) const { return (m_path / name).string(); }
   bool has(const std::string& name) const { return std::filesystem::exists(m_path / name); }
 
-  /// how many files are in it
+  /// Number of files in it
   std::size_t size() const
   {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(m_path), {}));

@@ -39,7 +39,7 @@ inline Points points(const std::vector<std::array<double, 3>>& list)
   return p;
 }
 
-/// every point p becomes map(p), a `Vector3d`: an expression would refer to what is gone
+/// Replaces every point p by map(p), a `Vector3d`, because an expression could dangle
 template <class Map>
 Mesh_view mapped(const Mesh_view& mesh, Map map)
 {

@@ -15,10 +15,10 @@ namespace cgp_test {
 /// several meshes in one
 struct Joined_meshes {
   Mesh_view mesh;
-  std::vector<std::vector<int>> vertices, faces;  ///< of each, what they are in the one
+  std::vector<std::vector<int>> vertices, faces;  ///< of each mesh: indices in the joined one
 };
 
-/// takes vertices and faces from the meshes in turn, so that none of them is in one piece
+/// Interleaves vertices and faces of the meshes, so that none of them is contiguous
 inline Joined_meshes interleaved(const std::vector<Mesh_view>& parts)
 {
   Joined_meshes all;

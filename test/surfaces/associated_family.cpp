@@ -23,7 +23,7 @@ TEST(Associated_family, has_the_surface_itself_and_its_mirror_image_in_a_point)
   const CGP::Associated_surface same = family(0);
   EXPECT_LT((same.positions - start).norm(), 1e-12 * start.norm());
   EXPECT_LT(same.closure_residual, 1e-13);
-  // The normals of vertices are not those of the faces: an error of second order.
+  // Vertex normals differ from face normals: an error of second order.
   EXPECT_LT((family(pi).positions + start).norm(), 0.02 * start.norm());
 }
 

@@ -100,7 +100,7 @@ TEST(Homogeneous_torus, is_made_of_near_squares)
   }
 }
 
-/// what they tend to, of errors h^2 with h halved
+/// Extrapolates errors of order h^2 from h and h / 2
 double limit(double coarse, double fine)
 {
   return (4 * fine - coarse) / 3;

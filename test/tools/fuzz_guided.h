@@ -12,8 +12,8 @@
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
-// What the targets of libFuzzer share. The first byte of an input chooses what is done with the
-// others, which are a file.
+// Common functions of the targets of libFuzzer. The first byte of an input selects the operation on
+// the others, which form a file.
 
 namespace fuzz {
 

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-// Files that were damaged: deterministic for a seed, on every platform (only the raw output of the
-// generator is used, for the distributions of the standard library differ).
+// Damages files: deterministic for a seed, on every platform (uses only the raw output of the
+// generator, because the distributions of the standard library differ).
 
 namespace fuzz {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Small valid files of each format that use all that the readers know.
+// Small valid files of each format that use all features of the readers.
 
 namespace fuzz {
 

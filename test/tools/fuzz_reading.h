@@ -21,7 +21,7 @@
 
 namespace fuzz {
 
-// What the readers guarantee.
+// The guarantees of the readers.
 inline void require_sound(const conformal::Surface_file& file)
 {
   for (const auto& point : file.points)
@@ -33,7 +33,7 @@ inline void require_sound(const conformal::Surface_file& file)
             "a corner is no vertex");
 }
 
-// Every writer takes what was read, and PLY brings it back.
+// Every writer accepts the file, and PLY preserves it.
 inline void require_writable(const conformal::Surface_file& file)
 {
   std::vector<std::string> notes;
@@ -41,7 +41,7 @@ inline void require_writable(const conformal::Surface_file& file)
   conformal::encode_obj(file, notes);
   try {
     conformal::encode_glb(file, "", notes);
-  } catch (const conformal::Write_error&) {  // coordinates that are no floats
+  } catch (const conformal::Write_error&) {  // coordinates exceed the range of float
   }
   for (const auto encoding :
        {conformal::Ply_encoding::ascii, conformal::Ply_encoding::big_endian}) {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Runs the program's commands on damaged small surfaces and counts what becomes of them:
+// Runs the program's commands on damaged small surfaces and counts the outcomes:
 //   fuzz_runs [MUTANTS [SEED [SECONDS [COMMAND]]]]
 // prints a row per format: how many of MUTANTS runs (10000), made from the seed SEED (1), each
 // allowed SECONDS (20), end with which result, break a law (crash) or do not end. The commands take

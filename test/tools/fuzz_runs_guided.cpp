@@ -23,7 +23,7 @@ std::vector<std::string> seeds()
   return files;
 }
 
-// The program sets an alarm of its own, and libFuzzer's would be taken for it.
+// The program sets its own alarm, which libFuzzer would interpret as its own.
 fuzz::Deadline& deadline()
 {
   const itimerval none{};

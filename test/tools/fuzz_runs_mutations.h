@@ -43,7 +43,7 @@ class Surface_mutator : public Mutator {
     return std::string_view(text).substr(range.first, range.second - range.first);
   }
 
-  // Which takes the place of which: a point that of a point, a face that of a face.
+  // Whether a line may replace another one: a point only a point, a face only a face.
   static bool is_alike(std::string_view a, std::string_view b)
   {
     const auto is_real = [](std::string_view text) {

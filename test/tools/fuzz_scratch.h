@@ -25,7 +25,7 @@
 #include <sanitizer/common_interface_defs.h>
 #endif
 
-// Where a run finds its input and leaves its output, and what it says.
+// Input, output and messages of a run.
 
 namespace fuzz {
 
@@ -73,7 +73,7 @@ class Scratch {
     return cgp_test::content(path(name));
   }
 
-  /// From now on what goes to the terminal is kept, that of earlier runs forgotten.
+  /// Records terminal output from now on; discards that of earlier runs.
   void begin_listening() const
   {
     require(::ftruncate(m_messages, 0) == 0 && ::lseek(m_messages, 0, SEEK_SET) == 0, "no memory");
@@ -86,7 +86,7 @@ class Scratch {
     redirect(m_terminal[0], m_terminal[1]);
   }
 
-  /// what has been kept
+  /// The recorded output
   std::string messages() const
   {
     std::string text(static_cast<std::size_t>(::lseek(m_messages, 0, SEEK_END)), ' ');

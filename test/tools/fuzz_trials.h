@@ -26,7 +26,7 @@ namespace fuzz {
 
 constexpr std::size_t max_outcomes = 8;
 
-/// what was asked for on the command line: [MUTANTS [SEED [SECONDS]]]
+/// The request on the command line: [MUTANTS [SEED [SECONDS]]]
 struct Request {
   unsigned long mutants = 10000;
   std::uint64_t seed = 1;
@@ -42,14 +42,14 @@ inline Request requested(int argc, char** argv)
   return request;
 }
 
-/// What is tried: `run(number, mutant)` returns the number of the outcome, and does not return at
-/// all where a law is broken.
+/// The operation under test: `run(number, mutant)` returns the index of the outcome, and does not
+/// return if an invariant is violated.
 struct Subject {
   std::string name;       ///< of the row
   std::string extension;  ///< of the files that are kept
   std::function<std::string(unsigned long)> mutant;
   std::function<std::size_t(unsigned long, const std::string&)> run;
-  std::function<std::string(unsigned long)> what;  ///< is done with the mutant, for the user
+  std::function<std::string(unsigned long)> what;  ///< describes the operation, for the user
 };
 
 /// Says which law the program has broken, and ends the process.

@@ -20,7 +20,7 @@ struct Plane_curve {
 
 /// how files with curves are read
 struct Curve_reading {
-  std::optional<bool> are_closed;  ///< undecided: what the file says, or looks like
+  std::optional<bool> are_closed;  ///< if empty, determined by the file
   int samples = 16;                ///< points of each Bezier segment
 };
 

@@ -44,8 +44,8 @@ class Header_reader {
     throw Read_error(m_path, m_header.lines, message);
   }
 
-  // The first line tells how lines end; were both accepted everywhere, the first byte of the data
-  // might be taken for the second one of a line end.
+  // The first line determines the line end; if both were accepted everywhere, the first byte of the
+  // data might be taken for the second one of a line end.
   void find_line_end()
   {
     const std::size_t end = m_bytes.find_first_of("\r\n");

@@ -14,7 +14,7 @@ namespace conformal {
 
 enum class Ply_encoding { ascii, little_endian, big_endian };
 
-/// What the header of a PLY file announces.
+/// The contents of the header of a PLY file.
 struct Ply_header {
   Ply_encoding encoding = Ply_encoding::ascii;
   std::vector<Element> elements;  // with their sizes, but with empty properties

@@ -27,7 +27,7 @@ enum class Value_type : unsigned char {
 /// bytes of one value
 std::size_t size_of(Value_type type);
 
-/// `char`, `uchar`, ..., `double`: the names that every PLY reader knows
+/// `char`, `uchar`, ..., `double`: the names that every PLY reader supports
 std::string_view name_of(Value_type type);
 
 /// the type of either of its two PLY names (`uchar` or `uint8`), or nothing
@@ -112,7 +112,7 @@ void remove_property(Element& element, std::string_view name);
 /// \pre `property.rows() == element.size`
 void set_property(Element& element, Property property);
 
-/// the same for one float or double per row
+/// Likewise, for one float or double per row
 void set_property(Element& element, const std::string& name, const std::vector<float>& values);
 void set_property(Element& element, const std::string& name, const std::vector<double>& values);
 

@@ -30,7 +30,7 @@ struct Polygons {
 /// Values that belong to the corners of the faces, so that they may jump across an edge (a seam):
 /// a table, and for every corner of `Polygons::corners` a row of the table, or -1 for none.
 struct Corner_values {
-  std::size_t dimension = 2;  // how many of the three numbers of a row count
+  std::size_t dimension = 2;  // number of valid entries per row
   std::vector<std::array<double, 3>> values;
   std::vector<int> index;  // as many as corners, or none at all
 
@@ -43,8 +43,8 @@ struct Group_line {
   std::string text;
 };
 
-/// What a mesh file says: nothing repaired, merged, reordered or left out. (STL names no vertices:
-/// there, corners of exactly equal coordinates are one vertex, numbered by first appearance.)
+/// The contents of a mesh file, without repair, merging, reordering or omissions. (STL has no
+/// vertices: corners of exactly equal coordinates are one vertex, numbered by first appearance.)
 ///
 /// The readers guarantee: coordinates are finite, indices are in range, a face has at least three
 /// corners, all different (unless `Bad_faces::kept` was asked for). They promise nothing about
@@ -72,7 +72,7 @@ struct Surface_file {
   std::vector<std::string> object_info;  // PLY `obj_info`
   std::vector<Group_line> group_lines;
 
-  std::vector<std::string> notes;  // for the user: what the reader had to leave out, and why
+  std::vector<std::string> notes;  // for the user: omissions of the reader, and reasons
 };
 
 /// Whether four properties or three hold colours, in the order red, green, blue, alpha; empty if
@@ -90,9 +90,9 @@ void remove_normals(Surface_file& file);
 /// those who remove them.
 enum class Bad_faces { refused, kept };
 
-/// What is wrong with a face, or nothing (an empty string): an index out of [0, n) or, unless they
-/// are kept, fewer than three corners or a corner twice.
-/// \param base what the format adds to indices when it writes them (OBJ: 1)
+/// Describes a fault of a face, or returns an empty string: an index out of [0, n) or, unless they
+/// are kept, fewer than three corners or a repeated corner.
+/// \param base the offset of indices in the format (OBJ: 1)
 std::string fault_of_face(const std::int64_t* begin, const std::int64_t* end, std::size_t n,
                           int base, Bad_faces bad_faces);
 

@@ -11,11 +11,11 @@ namespace conformal {
 
 /// A file that appears under its name only when it is complete.
 ///
-/// What is written goes to `.conformal-PID-N.tmp` in the folder of the target; `commit()` brings
-/// it to the disk and renames it, so that the target is the old file or the new one and never a
-/// part. Without `commit()` the destructor removes it. A device or pipe is written directly; a
-/// symbolic link stays, and what it points to is replaced. The new file has the old one's mode.
-/// Every failure is a `Write_error` with the system's reason.
+/// Writes to `.conformal-PID-N.tmp` in the folder of the target; `commit()` flushes it to disk and
+/// renames it, so that the target is either the old file or the new one, never a part. Without
+/// `commit()` the destructor removes it. A device or pipe is written directly; a symbolic link is
+/// preserved, and its target is replaced. The new file has the old one's mode. Every failure is a
+/// `Write_error` with the system's reason.
 class Temporary_file {
  public:
   explicit Temporary_file(const std::string& target);

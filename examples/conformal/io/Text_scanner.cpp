@@ -26,7 +26,7 @@ void Text_scanner::fail_at(std::size_t line, const std::string& message) const
   throw Read_error(m_path, line, message);
 }
 
-// 0 if there is no line end at i
+// Returns 0 if there is no line end at i
 std::size_t Text_scanner::length_of_line_end(std::size_t i) const
 {
   if (i >= m_text.size() || !is_line_end(m_text[i])) return 0;

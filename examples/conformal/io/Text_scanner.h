@@ -31,8 +31,9 @@ class Text_scanner {
   bool at_end();
   bool at_end_of_line();
 
-  /// On to the next word or, where comments are on, to the next comment on a line of its own: then
-  /// `comment` is the comment with its `#`, and it is passed. False at the end of the file.
+  /// Skips to the next word or, if comments are enabled, to the next comment on its own line: then
+  /// `comment` is the comment with its `#`, and it is skipped. Returns false at the end of the
+  /// file.
   bool skip_to_word(std::string_view& comment);
 
   /// the rest of this line without the blanks around it; comments and continuations are not special

@@ -8,8 +8,8 @@
 
 namespace conformal {
 
-/// The bytes of a PNG picture of a checkerboard: `squares` x `squares` squares of `size` x `size`
-/// pixels, in white and a grey blue. It shows what a parameterization does to shapes.
+/// Returns a PNG image of a checkerboard: `squares` x `squares` squares of `size` x `size` pixels,
+/// in white and a grey blue, which shows the distortion of a parameterization.
 std::string checkerboard_png(std::size_t squares, std::size_t size);
 
 }  // namespace conformal

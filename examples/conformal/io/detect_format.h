@@ -21,12 +21,12 @@ const char* name_of(File_format format);
 /// 0 if it does not begin with one.
 std::size_t length_of_off_keyword(std::string_view text);
 
-/// The format of a file, by its content where that is clear and by its extension otherwise.
-/// \throws Read_error naming what the file is instead (gzip, UTF-16, HTML, ...)
+/// Detects the format of a file by its content if that is unambiguous, otherwise by its extension.
+/// \throws Read_error naming the actual format (gzip, UTF-16, HTML, ...)
 File_format detect_format(std::string_view bytes, const std::string& path);
 
-/// Throws as `detect_format` does for what is no mesh file at all; else the bytes without an UTF-8
-/// byte order mark.
+/// Throws as `detect_format` for files that are not mesh files; otherwise returns the bytes without
+/// a UTF-8 byte order mark.
 std::string_view checked_bytes(std::string_view bytes, const std::string& path);
 
 }  // namespace conformal

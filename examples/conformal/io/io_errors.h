@@ -9,7 +9,7 @@
 
 namespace conformal {
 
-/// A file that cannot be read or understood: `path:line: what is there, what was wanted`.
+/// A file cannot be read or parsed: `path:line: contents, expectation`.
 class Read_error : public std::runtime_error {
  public:
   /// \param line counted from 1; 0 where the file has no lines or the fault is in no line

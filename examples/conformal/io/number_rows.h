@@ -10,7 +10,7 @@
 
 namespace conformal {
 
-/// what is on a line of a text
+/// The contents of a line of text
 struct Number_row {
   std::size_t line;  ///< counted from 1
   std::vector<double> numbers;

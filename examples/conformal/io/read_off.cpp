@@ -29,7 +29,7 @@ struct Extra_numbers {
     return true;
   }
 
-  // 0..255 can go into a byte; other integers are kept as they are
+  // 0..255 fit into a byte; other integers are preserved
   Value_type color_type() const
   {
     if (std::find(is_integer.begin(), is_integer.end(), false) != is_integer.end())

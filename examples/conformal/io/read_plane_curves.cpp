@@ -48,8 +48,8 @@ bool looks_closed(const Plane_curve& curve, Curve_format format)
 // whose points coincide differ by such. Both are parts of the longest edge.
 constexpr double negligible_last_edge = 1e-6, negligible_edge = 1e-12;
 
-// Leaves out points that repeat the one before, around the curve if it is closed; returns how many,
-// without the last one of a closed curve, whose repetition says that it is closed.
+// Removes points that repeat the previous one, cyclically for a closed curve; returns their number,
+// without the last point of a closed curve, whose repetition marks it as closed.
 std::size_t leave_out_repetitions(Plane_curve& curve)
 {
   std::vector<Eigen::Vector2d> kept;

@@ -49,7 +49,7 @@ class Ply_reader {
     fail(element.name + ' ' + std::to_string(row) + ": " + message);
   }
 
-  // Says what is missing before the values are read, whatever is wrong with them.
+  // Reports missing elements before the values are read, even if these are invalid.
   void check_elements(const Ply_header& header) const
   {
     bool has_faces = false, has_vertices = false;

@@ -11,9 +11,9 @@
 namespace conformal {
 
 /// Reads an STL file, ASCII or binary. Corners of exactly equal coordinates are one vertex (0 and
-/// -0 are equal), numbered by first appearance; facet normals are not kept, since the points define
-/// them; the 16 bits after a binary facet are kept as the face property `attribute` if any is set;
-/// names of solids are comments. O(bytes). \throws Read_error
+/// -0 are equal), numbered by first appearance; facet normals are not stored, since the points
+/// define them; the 16 bits after a binary facet are stored as the face property `attribute` if one
+/// of them is set; names of solids are comments. O(bytes). \throws Read_error
 Surface_file read_stl(const std::string& path);
 
 /// the same from memory; `path` is for messages

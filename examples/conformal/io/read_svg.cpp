@@ -16,11 +16,11 @@ namespace {
 
 using namespace std::string_view_literals;
 
-// What is inside is not drawn, or only elsewhere.
+// Elements whose contents are not drawn directly.
 constexpr std::array definitions = {"defs"sv,    "clipPath"sv, "mask"sv,
                                     "pattern"sv, "marker"sv,   "symbol"sv};
 
-// What would be drawn, and is no curve that we know.
+// Elements that are drawn, but are not supported curves.
 constexpr std::array other_shapes = {"rect"sv, "circle"sv, "ellipse"sv, "line"sv,
                                      "text"sv, "image"sv,  "use"sv};
 

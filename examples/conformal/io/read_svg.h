@@ -12,8 +12,8 @@
 namespace conformal {
 
 /// Reads the curves of an SVG file, y up: `path` (see `parse_svg_path()`), `polygon` and
-/// `polyline`, but for those inside definitions (`defs`, `clipPath`, `mask`, ...). Transformations
-/// are applied, other shapes are left out with a note. \throws Read_error
+/// `polyline`, except those inside definitions (`defs`, `clipPath`, `mask`, ...). Transformations
+/// are applied; other shapes are omitted with a note. \throws Read_error
 std::vector<Plane_curve> parse_svg(std::string_view bytes, const std::string& path,
                                    const Curve_reading& reading, std::vector<std::string>& notes);
 

@@ -20,7 +20,7 @@ double angle_of(const Eigen::Vector2d& v)
 }  // namespace
 
 // In the coordinates where the ellipse is the unit circle, the ends are p and q, and the center is
-// on the perpendicular bisector of pq, on the side that the flags tell.
+// on the perpendicular bisector of pq, on the side given by the flags.
 std::vector<Eigen::Vector2d> sample(const Svg_arc& arc, int samples)
 {
   if (arc.radii.cwiseAbs().minCoeff() == 0 || arc.from == arc.to) return {arc.to};

@@ -123,7 +123,7 @@ class Path {
     }
   }
 
-  // After Z the path goes on from where its last part began.
+  // After Z the path continues from the start of its last part.
   void begin_again()
   {
     if (!m_has_start) m_fault("a path does not begin with M");

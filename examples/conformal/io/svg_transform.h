@@ -11,8 +11,8 @@
 
 namespace conformal {
 
-/// The map of the plane that `transform="..."` stands for, in SVG's coordinates: `matrix`,
-/// `translate`, `scale`, `rotate`, `skewX` and `skewY`, the last one first. No text is no map.
+/// Parses the map of the plane `transform="..."`, in SVG's coordinates: `matrix`, `translate`,
+/// `scale`, `rotate`, `skewX` and `skewY`, the last one first. An empty text is the identity.
 Eigen::Affine2d parse_svg_transform(std::string_view text, const Svg_fault& fault);
 
 }  // namespace conformal

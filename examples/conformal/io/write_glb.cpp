@@ -30,7 +30,7 @@ std::string numbers_text(const std::array<Number, N>& numbers)
   return text + ']';
 }
 
-// The binary chunk and, for the JSON chunk, what is where in it.
+// The binary chunk and, for the JSON chunk, the positions of its contents.
 class Glb_buffer {
  public:
   // a view of the bytes appended since `begin`; returns its number

@@ -39,7 +39,7 @@ void append_rows(std::string& text, const char* keyword, const Corner_values& va
   }
 }
 
-// the normals of the corners, or those of the vertices as such
+// The normals of the corners, from those of the vertices if necessary
 Corner_values normals_of(const Surface_file& file)
 {
   Corner_values normals = file.normals;

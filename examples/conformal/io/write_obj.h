@@ -12,10 +12,10 @@ namespace conformal {
 
 /// The text of an OBJ file: all `v` (with colours of 0..1), `vt`, `vn`, then `f` between the lines
 /// of groups and materials; all numbers are the shortest ones that read back the same.
-/// \param notes receives what the format has no place for
+/// \param notes receives data that the format does not support
 std::string encode_obj(const Surface_file& file, std::vector<std::string>& notes);
 
-/// Writes an OBJ file, and returns what the format has no place for. \throws Write_error
+/// Writes an OBJ file, and returns data that the format does not support. \throws Write_error
 std::vector<std::string> write_obj(const std::string& path, const Surface_file& file);
 
 }  // namespace conformal

@@ -32,7 +32,7 @@ std::vector<const Property*> normal_properties(const Element& vertices)
   return normals;
 }
 
-// `texture_u texture_v` are written from their own type, so that they come out as they came in.
+// `texture_u texture_v` are written in their own type, so that they are preserved.
 std::vector<const Property*> texture_properties(const Element& vertices)
 {
   const Property* u = find_property(vertices, "texture_u");

@@ -10,12 +10,13 @@
 
 namespace conformal {
 
-/// The text of an OFF file, with the prefixes ST, C and N for what the vertices have; all numbers
-/// are the shortest ones that read back the same.
-/// \param notes receives what the format has no place for (texture coordinates with seams, ...)
+/// Returns the text of an OFF file, with the prefixes ST, C and N for the vertex properties; all
+/// numbers are the shortest ones that read back the same.
+/// \param notes receives data that the format does not support (texture coordinates with seams,
+/// ...)
 std::string encode_off(const Surface_file& file, std::vector<std::string>& notes);
 
-/// Writes an OFF file, and returns what the format has no place for. \throws Write_error
+/// Writes an OFF file, and returns data that the format does not support. \throws Write_error
 std::vector<std::string> write_off(const std::string& path, const Surface_file& file);
 
 }  // namespace conformal

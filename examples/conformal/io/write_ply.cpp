@@ -40,7 +40,7 @@ bool is_in_unit_interval(const Property& property)
   return true;
 }
 
-// Colours in bytes, normals and texture coordinates in float: what viewers of PLY files know.
+// Colours in bytes, normals and texture coordinates in float, as expected by viewers of PLY files.
 void use_common_types(Element& element)
 {
   const auto colors = color_properties(element);

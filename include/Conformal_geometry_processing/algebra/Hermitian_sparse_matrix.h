@@ -13,23 +13,23 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
-/// \brief a Hermitian sparse matrix, A_ji = conjugate(A_ij), with values on a fixed pattern.
+/// \brief A Hermitian sparse matrix, A_ji = conjugate(A_ij), with values on a fixed pattern.
 ///
-/// Only the lower triangle is stored; assembly writes straight into `value(k)` of an entry whose
-/// position is known beforehand. Acts on vectors from the left, so it is right-linear over the
-/// scalars: A (x q) = (A x) q.
+/// Only the lower triangle is stored; assembly writes directly to `value(k)` at a known position k.
+/// Acts on vectors from the left, and is therefore right-linear over the scalars:
+/// A (x q) = (A x) q.
 ///
-/// \tparam Scalar_ a floating point type, `std::complex` or `Quaternion` of one
+/// \tparam Scalar_ a floating-point type, or `std::complex` or `Quaternion` of one
 template <class Scalar_>
 class Hermitian_sparse_matrix {
  public:
   using Scalar = Scalar_;
   using FT = typename Scalar_traits<Scalar>::FT;
 
-  /// the empty matrix
+  /// The empty matrix
   Hermitian_sparse_matrix() : m_pattern(std::make_shared<Sparse_pattern>()) {}
 
-  /// the zero matrix on a pattern, which is shared and not copied
+  /// The zero matrix on a pattern, which is shared, not copied
   explicit Hermitian_sparse_matrix(std::shared_ptr<const Sparse_pattern> pattern)
       : m_pattern(std::move(pattern)), m_values(m_pattern->size_of_entries())
   {
@@ -40,19 +40,19 @@ class Hermitian_sparse_matrix {
   const Sparse_pattern& pattern() const { return *m_pattern; }
   const std::shared_ptr<const Sparse_pattern>& shared_pattern() const { return m_pattern; }
 
-  /// the value at position k of the pattern
+  /// The value at position k of the pattern
   Scalar& value(int k) { return m_values[k]; }
   const Scalar& value(int k) const { return m_values[k]; }
 
   void set_zero() { m_values.setConstant(Scalar{}); }
 
-  /// the (real) diagonal entry of column j
+  /// The (real) diagonal entry of column j
   FT diagonal(int j) const
   {
     return Scalar_traits<Scalar>::real(m_values[m_pattern->offsets[static_cast<std::size_t>(j)]]);
   }
 
-  /// entry (i, j) of the full matrix, zero outside the pattern; O(log degree)
+  /// Entry (i, j) of the full matrix, zero outside the pattern; O(log degree)
   Scalar coefficient(int i, int j) const
   {
     const int k = i >= j ? m_pattern->find(i, j) : m_pattern->find(j, i);
@@ -60,7 +60,7 @@ class Hermitian_sparse_matrix {
     return i >= j ? m_values[k] : conjugate(m_values[k]);
   }
 
-  /// y = A x
+  /// Returns y = A x
   template <class X>
   Vector<Scalar> operator*(const Eigen::MatrixBase<X>& x) const
   {
@@ -69,8 +69,8 @@ class Hermitian_sparse_matrix {
     return y;
   }
 
-  /// y = A x, in the memory of y
-  /// \tparam X, Y vectors or columns of as many entries as A has rows
+  /// Computes y = A x, in the memory of y
+  /// \tparam X, Y vectors or columns with as many entries as A has rows
   template <class X, class Y>
   void multiply(const X& x, Y&& y) const
   {
@@ -89,7 +89,7 @@ class Hermitian_sparse_matrix {
     }
   }
 
-  /// calls visit(i, j, A_ij) for every stored entry, i >= j, in the order of the pattern
+  /// Calls visit(i, j, A_ij) for every stored entry, i >= j, in the order of the pattern
   template <class Visitor>
   void for_each_entry(Visitor visit) const
   {

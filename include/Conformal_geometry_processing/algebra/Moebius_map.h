@@ -15,32 +15,33 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
-/// \brief a Moebius transformation of R^3 that keeps orientation: f -> (a f + b) (c f + d)^-1 with
+/// \brief An orientation-preserving Moebius transformation of R^3: f -> (a f + b) (c f + d)^-1 with
 /// quaternions a, b, c, d and points f as imaginary quaternions [CGP 4.5.3].
 ///
-/// All orientation preserving conformal maps of R^3 with infinity are of this form. The image of
-/// an imaginary f is imaginary exactly if M = (a b; c d) has M^H (0 1; 1 0) M = s (0 1; 1 0) with a
-/// real number s, which is positive if orientation is kept; here s = 1. Then the map is the spin
-/// transformation with lambda = (c f + d)^-1, df~ = conjugate(lambda) df lambda, and even
-/// f~_j - f~_i = conjugate(lambda_i) (f_j - f_i) lambda_j for any two points, however far.
+/// All orientation-preserving conformal maps of R^3 with infinity are of this form. Images of
+/// imaginary f are imaginary if and only if M = (a b; c d) satisfies
+/// M^H (0 1; 1 0) M = s (0 1; 1 0) with a real number s, which is positive if orientation is
+/// preserved; here s = 1. Then the map is the spin transformation with lambda = (c f + d)^-1,
+/// df~ = conjugate(lambda) df lambda, and even
+/// f~_j - f~_i = conjugate(lambda_i) (f_j - f_i) lambda_j for any two points at any distance.
 ///
-/// In a composition that moves points far away and back, digits are lost as in any product of
-/// matrices: move the points instead.
+/// Compositions that move points far away and back lose digits, like all matrix products; in this
+/// case, transform the points step by step.
 class Moebius_map {
  public:
   using Quaternion = Conformal_geometry_processing::Quaternion<double>;
 
-  /// the identity
+  /// The identity
   Moebius_map() = default;
 
-  /// \brief from its matrix, up to a positive factor
-  /// \throw Precondition_error if the matrix does not map R^3 to itself, keeping orientation
+  /// \brief Constructs a map from its matrix, up to a positive factor
+  /// \throw Precondition_error if the matrix does not map R^3 to itself and preserve orientation
   Moebius_map(const Quaternion& a, const Quaternion& b, const Quaternion& c, const Quaternion& d);
 
   /// f -> f + t
   static Moebius_map translation(const Eigen::Vector3d& t);
 
-  /// f -> conjugate(q) f q: turns as `spin()` does, and scales by |q|^2
+  /// f -> conjugate(q) f q: rotates as `spin()` does, and scales by |q|^2
   /// \pre q is not zero
   static Moebius_map rotation(const Quaternion& q);
 
@@ -48,15 +49,16 @@ class Moebius_map {
   /// \pre factor > 0
   static Moebius_map scaling(double factor) { return rotation({std::sqrt(factor), 0, 0, 0}); }
 
-  /// f -> f^-1 = -f / |f|^2: the inversion in the unit sphere, after the reflection in the origin,
-  /// which makes it keep orientation. The inside of the unit sphere comes out.
+  /// f -> f^-1 = -f / |f|^2: the inversion in the unit sphere composed with the reflection in the
+  /// origin, which makes it orientation-preserving. Exchanges inside and outside of the unit
+  /// sphere.
   static Moebius_map inversion() { return {{}, one, one, {}, Unchecked()}; }
 
-  /// \brief f -> (f^-1 - c)^-1, which fixes the origin and sends c^-1 = -c / |c|^2 to infinity; has
-  /// lambda = (1 - c f)^-1 [CGP 4.5.3]. Near the identity for small c: f + f c f + ...
+  /// \brief f -> (f^-1 - c)^-1, which fixes the origin and maps c^-1 = -c / |c|^2 to infinity, with
+  /// lambda = (1 - c f)^-1 [CGP 4.5.3]. Close to the identity for small c: f + f c f + ...
   static Moebius_map sphere_inversion(const Eigen::Vector3d& c);
 
-  /// A * B is A after B
+  /// The composition A * B applies B first
   friend Moebius_map operator*(const Moebius_map& A, const Moebius_map& B)
   {
     return {A.m_a * B.m_a + A.m_b * B.m_c, A.m_a * B.m_b + A.m_b * B.m_d,
@@ -65,22 +67,22 @@ class Moebius_map {
 
   Moebius_map inverse() const;
 
-  /// the image of a point
+  /// Returns the image of a point
   /// \throw Precondition_error if it is infinite, or the point is not finite
   Eigen::Vector3d operator()(const Eigen::Vector3d& point) const;
 
-  /// lambda at a point
-  /// \throw Precondition_error if the point goes to infinity or is not finite
+  /// Returns lambda at a point
+  /// \throw Precondition_error if the point is mapped to infinity or is not finite
   Quaternion spin(const Eigen::Vector3d& point) const;
 
-  /// \brief the images of several points, 3 x n
+  /// \brief Returns the images of several points, 3 x n
   /// \param function named in the exception
-  /// \throw Precondition_error if one is infinite, up to rounding, or a point is not finite; the
-  /// message names the first
+  /// \throw Precondition_error if an image is infinite, up to rounding, or a point is not finite;
+  /// the message names the first one
   Eigen::Matrix3Xd transform(Eigen::Matrix3Xd points,
                              const std::string& function = "Moebius_map::transform") const;
 
-  /// \brief lambda at several points, n quaternions
+  /// \brief Returns lambda at several points, n quaternions
   /// \throw Precondition_error as `transform()`
   Quaternion_vector<double> spins(const Eigen::Matrix3Xd& points,
                                   const std::string& function = "Moebius_map::spins") const;

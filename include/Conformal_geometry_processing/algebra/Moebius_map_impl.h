@@ -95,7 +95,7 @@ CGP_INLINE Eigen::Vector3d Moebius_map::image(const Eigen::Vector3d& point,
   return imaginary_part((m_a * imaginary(point) + m_b) * lambda);
 }
 
-// Whether c f + d is zero but for a few digits of its terms: a number that is not finite is, too.
+// Returns whether c f + d is zero up to cancellation, or not finite.
 CGP_INLINE bool Moebius_map::is_zero(const Quaternion& q, const Eigen::Vector3d& point) const
 {
   const double terms = norm(m_c) * point.norm() + norm(m_d);

@@ -11,12 +11,13 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
-/// \brief the quaternion w + x i + y j + z k with ij = k, jk = i, ki = j [CGP 2.5].
+/// \brief The quaternion w + x i + y j + z k with ij = k, jk = i, ki = j [CGP 2.5].
 ///
-/// Vectors of R^3 are the imaginary quaternions (w = 0); for those pq = p x q - <p, q>.
-/// An aggregate of four numbers without padding: an array of quaternions is an array of numbers.
+/// Vectors of R^3 are identified with imaginary quaternions (w = 0), for which
+/// pq = p x q - <p, q>. An aggregate of four numbers without padding, so that an array of
+/// quaternions is also an array of numbers.
 ///
-/// \tparam FT_ a floating point type
+/// \tparam FT_ a floating-point type
 template <class FT_>
 struct Quaternion {
   using FT = FT_;
@@ -48,7 +49,7 @@ struct Quaternion {
     return {q.w / s, q.x / s, q.y / s, q.z / s};
   }
 
-  /// the Hamilton product
+  /// The Hamilton product
   friend constexpr Quaternion operator*(const Quaternion& p, const Quaternion& q)
   {
     return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z,
@@ -65,7 +66,7 @@ struct Quaternion {
 };
 
 /// \relates Quaternion
-/// w - x i - y j - z k, so that conjugate(p q) = conjugate(q) conjugate(p)
+/// w - x i - y j - z k; conjugate(p q) = conjugate(q) conjugate(p)
 template <class FT>
 constexpr Quaternion<FT> conjugate(const Quaternion<FT>& q)
 {
@@ -107,7 +108,7 @@ constexpr Quaternion<FT> inverse(const Quaternion<FT>& q)
 }
 
 /// \relates Quaternion
-/// the vector (x, y, z)
+/// The vector (x, y, z)
 template <class FT>
 Eigen::Matrix<FT, 3, 1> imaginary_part(const Quaternion<FT>& q)
 {
@@ -115,7 +116,7 @@ Eigen::Matrix<FT, 3, 1> imaginary_part(const Quaternion<FT>& q)
 }
 
 /// \relates Quaternion
-/// the imaginary quaternion of a vector of R^3
+/// Converts a vector of R^3 to an imaginary quaternion
 template <class Vector3>
 Quaternion<typename Vector3::Scalar> imaginary(const Eigen::MatrixBase<Vector3>& v)
 {
@@ -123,7 +124,7 @@ Quaternion<typename Vector3::Scalar> imaginary(const Eigen::MatrixBase<Vector3>&
 }
 
 /// \relates Quaternion
-/// conjugate(q) v q for a vector v: rotates by +theta about u (right hand rule) where
+/// Returns conjugate(q) v q for a vector v: rotates by +theta about u (right-hand rule), where
 /// q = |q| (cos(theta/2) - sin(theta/2) u), and scales by |q|^2 [CGP 2.5]
 template <class FT, class Vector3>
 Eigen::Matrix<FT, 3, 1> spin(const Quaternion<FT>& q, const Eigen::MatrixBase<Vector3>& v)

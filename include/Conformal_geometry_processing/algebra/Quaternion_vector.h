@@ -10,7 +10,7 @@
 
 #include <type_traits>
 
-/// Lets Eigen's containers hold quaternions, and multiply them by numbers of their field.
+/// Allows quaternions in Eigen's matrices, and their multiplication by real numbers.
 namespace Eigen {
 
 template <class FT>
@@ -19,7 +19,7 @@ struct NumTraits<Conformal_geometry_processing::Quaternion<FT>>
   using Real = FT;
   using NonInteger = Conformal_geometry_processing::Quaternion<FT>;
   using Nested = Conformal_geometry_processing::Quaternion<FT>;
-  // IsComplex stays 0: Eigen's complex means commutative.
+  // IsComplex is 0, because Eigen assumes that complex numbers commute.
   enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1 };
   enum { ReadCost = 4, AddCost = 4, MulCost = 28 };
 };
@@ -37,20 +37,20 @@ struct ScalarBinaryOpTraits<FT, Conformal_geometry_processing::Quaternion<FT>, B
 
 namespace Conformal_geometry_processing {
 
-/// a column of scalars: numbers, complex numbers or quaternions
+/// A column vector of scalars: numbers, complex numbers or quaternions
 template <class Scalar>
 using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-/// several columns of scalars, side by side
+/// Several columns of scalars
 template <class Scalar>
 using Block = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// one quaternion per vertex, or per face; all zero after construction
+/// One quaternion per vertex, or per face; zero-initialized
 template <class FT>
 using Quaternion_vector = Vector<Quaternion<FT>>;
 
 /// \ingroup PkgAlgebra
-/// the components of quaternions as a real 4 x n matrix over the same memory: column i is (w,x,y,z)
+/// The components of quaternions as a real 4 x n matrix in the same memory: column i is (w,x,y,z)
 template <class FT>
 Eigen::Map<const Eigen::Matrix<FT, 4, Eigen::Dynamic>> components(const Quaternion_vector<FT>& v)
 {
@@ -58,7 +58,7 @@ Eigen::Map<const Eigen::Matrix<FT, 4, Eigen::Dynamic>> components(const Quaterni
 }
 
 /// \ingroup PkgAlgebra
-/// the same, to be written to
+/// Likewise, writable
 template <class FT>
 Eigen::Map<Eigen::Matrix<FT, 4, Eigen::Dynamic>> components(Quaternion_vector<FT>& v)
 {
@@ -67,8 +67,8 @@ Eigen::Map<Eigen::Matrix<FT, 4, Eigen::Dynamic>> components(Quaternion_vector<FT
 
 namespace internal {
 
-// sum_i conjugate(a_i) b_i, by way of the sum of the 4 x 4 matrices a_i b_i^T: row by row, that
-// keeps the vector registers busy, where a sum of products would shuffle components.
+// sum_i conjugate(a_i) b_i, from the sum of the 4 x 4 matrices a_i b_i^T, whose rows fit the vector
+// registers; a sum of products would permute components.
 template <class FT>
 class Inner_product {
  public:
@@ -95,7 +95,7 @@ class Inner_product {
 }  // namespace internal
 
 /// \ingroup PkgAlgebra
-/// sum_i m_i conjugate(a_i) b_i, the quaternionic inner product with the masses m.
+/// Returns sum_i m_i conjugate(a_i) b_i, the quaternionic inner product with the masses m.
 ///
 /// Right-linear in b: <a, b q> = <a, b> q, and <b, a> = conjugate(<a, b>).
 template <class A, class B, class FT>
@@ -108,7 +108,7 @@ Quaternion<FT> inner_product(const Eigen::MatrixBase<A>& a, const Vector<FT>& m,
 }
 
 /// \ingroup PkgAlgebra
-/// sum_i conjugate(a_i) b_i, of numbers, complex numbers or quaternions
+/// Returns sum_i conjugate(a_i) b_i, for numbers, complex numbers or quaternions
 template <class A, class B>
 typename A::Scalar inner_product(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b)
 {

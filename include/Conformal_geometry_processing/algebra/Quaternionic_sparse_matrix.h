@@ -12,8 +12,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
-/// \brief a |F| x |V| quaternionic matrix with three entries per row: an operator that takes
-/// values at vertices to values on triangles [CGP 5.1].
+/// \brief A |F| x |V| quaternionic matrix with three entries per row: an operator that maps values
+/// at vertices to values on triangles [CGP 5.1].
 ///
 /// Its pattern is the list of corners of the triangles, fixed at construction; assembly writes to
 /// `value(f, c)`, the entry in row f and in the column of corner c. Right-linear: A (x q) = (A x)
@@ -24,9 +24,9 @@ class Quaternionic_sparse_matrix {
   using FT = FT_;
   using Corners = std::vector<std::array<int, 3>>;
 
-  /// the zero matrix
+  /// The zero matrix
   /// \param corners the three columns of each row; must outlive the matrix
-  /// \param columns the number of columns, above every entry of `corners`
+  /// \param columns the number of columns, greater than every entry of `corners`
   Quaternionic_sparse_matrix(const Corners& corners, int columns)
       : m_corners(&corners), m_columns(columns), m_values(3 * corners.size())
   {}
@@ -34,7 +34,7 @@ class Quaternionic_sparse_matrix {
   int rows() const { return static_cast<int>(m_corners->size()); }
   int cols() const { return m_columns; }
 
-  /// the column of entry c of row f
+  /// The column of entry c of row f
   int column(int f, int c) const
   {
     return (*m_corners)[static_cast<std::size_t>(f)][static_cast<std::size_t>(c)];
@@ -43,7 +43,7 @@ class Quaternionic_sparse_matrix {
   Quaternion<FT>& value(int f, int c) { return m_values[position(f, c)]; }
   const Quaternion<FT>& value(int f, int c) const { return m_values[position(f, c)]; }
 
-  /// A x: |V| quaternions to |F|
+  /// A x: maps |V| to |F| quaternions
   Quaternion_vector<FT> operator*(const Quaternion_vector<FT>& x) const
   {
     Quaternion_vector<FT> y(rows());
@@ -52,7 +52,7 @@ class Quaternionic_sparse_matrix {
     return y;
   }
 
-  /// A^H y, with the conjugate transpose: |F| quaternions to |V|
+  /// A^H y, with the conjugate transpose: maps |F| to |V| quaternions
   Quaternion_vector<FT> adjoint_times(const Quaternion_vector<FT>& y) const
   {
     Quaternion_vector<FT> x(cols());
@@ -61,7 +61,7 @@ class Quaternionic_sparse_matrix {
     return x;
   }
 
-  /// the matrix with the same corners and the differences of the values
+  /// The difference of two matrices with the same corners
   friend Quaternionic_sparse_matrix operator-(Quaternionic_sparse_matrix a,
                                               const Quaternionic_sparse_matrix& b)
   {

@@ -18,14 +18,14 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
-/// \brief the space of quaternionic vectors whose reduced rows lie in given planes of H:
+/// \brief The space of quaternionic vectors whose reduced rows lie in given planes of H:
 /// x_i = u_i a + v_i b with real a and b and orthonormal u_i, v_i. The matrix B of [CGP 5.7].
 ///
-/// The space is real-linear and *not* quaternionic: x q does not belong to it. The plane
+/// The space is real-linear and *not* quaternionic: x q is not in it. The plane
 /// { x : U x = x V } of a prescribed direction is u span(1, V) = span(1, U) u, so it is closed
-/// under multiplication from the right by V and by no other unit: only if V is the same at all
-/// reduced rows up to its sign could the system be made complex, which prescribed tangents of a
-/// closed curve never allow. Hence reduced systems are real.
+/// under right multiplication by V and by no other unit: the system could be made complex only if V
+/// were the same at all reduced rows up to sign, which is impossible for prescribed tangents of a
+/// closed curve. Reduced systems are therefore real.
 template <class FT_>
 class Reduced_basis {
  public:
@@ -36,8 +36,8 @@ class Reduced_basis {
 
   /// \param size the number of all rows \param reduced the reduced ones, in any order
   /// \param planes an orthonormal basis for each of them
-  /// \throw Precondition_error where `Reduced_rows` does, where numbers differ, and where u and v
-  /// are not orthonormal to 1e-12 in double precision
+  /// \throw Precondition_error as `Reduced_rows`; if the numbers of reduced rows and planes differ;
+  /// or if u and v are not orthonormal to 1e-12 in double precision
   Reduced_basis(int size, const std::vector<int>& reduced, const std::vector<Plane>& planes)
       : m_rows(size, reduced), m_planes(static_cast<std::size_t>(size))
   {
@@ -54,14 +54,14 @@ class Reduced_basis {
 
   const Reduced_rows& rows() const { return m_rows; }
 
-  /// the number c of the basis of row i: u or v, or one of 1, i, j, k where the row is not reduced
+  /// Basis vector c of row i: u or v, or one of 1, i, j, k if the row is not reduced
   Quaternion<FT> vector(int i, int c) const
   {
     if (m_rows.is_reduced(i)) return plane(i)[static_cast<std::size_t>(c)];
     return {FT(c == 0), FT(c == 1), FT(c == 2), FT(c == 3)};
   }
 
-  /// \brief x = B c, from real coordinates to quaternions, for all columns.
+  /// \brief Returns x = B c: converts real coordinates to quaternions, for all columns.
   Block<Quaternion<FT>> embed(const Block<FT>& c) const
   {
     Block<Quaternion<FT>> x(m_rows.size(), c.cols());
@@ -74,7 +74,7 @@ class Reduced_basis {
     return x;
   }
 
-  /// \brief c = B^T x, the adjoint: coordinates of the nearest vector of the space.
+  /// \brief Returns c = B^T x, the adjoint: the coordinates of the projection to the space.
   Block<FT> coordinates(const Block<Quaternion<FT>>& x) const
   {
     Block<FT> c(m_rows.dimension(), x.cols());
@@ -90,7 +90,7 @@ class Reduced_basis {
     return c;
   }
 
-  /// \brief B B^T x, the nearest vectors of the space.
+  /// \brief Returns B B^T x, the orthogonal projection to the space.
   Block<Quaternion<FT>> project(Block<Quaternion<FT>> x) const
   {
     for (Eigen::Index k = 0; k < x.cols(); ++k)
@@ -113,7 +113,7 @@ class Reduced_basis {
   }
 
   Reduced_rows m_rows;
-  std::vector<Plane> m_planes;  // of all rows, so that finding one costs nothing
+  std::vector<Plane> m_planes;  // of all rows, for direct access
 };
 
 }  // namespace Conformal_geometry_processing

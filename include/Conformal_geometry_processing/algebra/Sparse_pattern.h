@@ -8,23 +8,23 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
-/// \brief where a Hermitian sparse matrix may be nonzero: its lower triangle, column by column.
+/// \brief The pattern of a Hermitian sparse matrix: its lower triangle, column by column.
 ///
 /// Column j holds the rows `indices[offsets[j]] ... indices[offsets[j+1] - 1]`, ascending; the
-/// first of them is j itself (the diagonal is always there). On a mesh column j is the vertex j
-/// with its neighbours of larger number, so the pattern has |V| + |E| entries. One pattern serves
-/// the real, complex and quaternionic matrices of a mesh, and never changes.
+/// first one is always the diagonal, j. For a mesh, column j contains vertex j and its neighbours
+/// of larger number, so the pattern has |V| + |E| entries. The real, complex and quaternionic
+/// matrices of a mesh share one pattern, which never changes.
 struct Sparse_pattern {
   std::vector<int> offsets;  ///< size() + 1 positions in `indices`
   std::vector<int> indices;  ///< row numbers
 
-  /// number of rows, which is the number of columns
+  /// Number of rows, which equals the number of columns
   int size() const { return offsets.empty() ? 0 : static_cast<int>(offsets.size()) - 1; }
 
-  /// number of stored entries of the lower triangle
+  /// Number of stored entries of the lower triangle
   int size_of_entries() const { return static_cast<int>(indices.size()); }
 
-  /// the position of entry (i, j) among the stored ones, -1 if there is none; O(log degree)
+  /// Position of entry (i, j) among the stored ones, -1 if it is not stored; O(log degree)
   /// \pre i >= j
   int find(int i, int j) const;
 

@@ -12,7 +12,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
-/// \brief left multiplication by q as a real 4 x 4 matrix on (w, x, y, z) [CGP 5.1].
+/// \brief Left multiplication by q as a real 4 x 4 matrix on (w, x, y, z) [CGP 5.1].
 ///
 /// Its transpose is the block of conjugate(q); products of blocks are blocks of products.
 template <class FT>
@@ -27,10 +27,10 @@ Eigen::Matrix<FT, 4, 4> real_block(const Quaternion<FT>& q)
 }
 
 /// \ingroup PkgAlgebra
-/// \brief the two complex coordinates (w + x i, y - z i) of a quaternion.
+/// \brief The two complex coordinates (w + x i, y - z i) of a quaternion.
 ///
-/// q = alpha + j beta with alpha = w + x i, beta = y - z i: complex numbers act from the right,
-/// so that left multiplication by a quaternion is complex-linear.
+/// q = alpha + j beta with alpha = w + x i, beta = y - z i: complex numbers act from the right, so
+/// that left multiplication by a quaternion is complex-linear.
 template <class FT>
 Eigen::Matrix<std::complex<FT>, 2, 1> complex_coordinates(const Quaternion<FT>& q)
 {
@@ -39,7 +39,7 @@ Eigen::Matrix<std::complex<FT>, 2, 1> complex_coordinates(const Quaternion<FT>& 
 }
 
 /// \ingroup PkgAlgebra
-/// the quaternion of two complex coordinates, the inverse of `complex_coordinates()`
+/// The quaternion with two complex coordinates; inverse of `complex_coordinates()`
 template <class FT>
 Quaternion<FT> quaternion(const std::complex<FT>& alpha, const std::complex<FT>& beta)
 {
@@ -47,10 +47,10 @@ Quaternion<FT> quaternion(const std::complex<FT>& alpha, const std::complex<FT>&
 }
 
 /// \ingroup PkgAlgebra
-/// \brief left multiplication by q as a complex 2 x 2 matrix on `complex_coordinates()`.
+/// \brief Left multiplication by q as a complex 2 x 2 matrix on `complex_coordinates()`.
 ///
 /// Its conjugate transpose is the block of conjugate(q), hence a Hermitian quaternionic matrix of
-/// size n becomes a Hermitian complex matrix of size 2n, with each eigenvalue twice.
+/// size n corresponds to a Hermitian complex matrix of size 2n, which has each eigenvalue twice.
 template <class FT>
 Eigen::Matrix<std::complex<FT>, 2, 2> complex_block(const Quaternion<FT>& q)
 {
@@ -61,7 +61,7 @@ Eigen::Matrix<std::complex<FT>, 2, 2> complex_block(const Quaternion<FT>& q)
 }
 
 /// \ingroup PkgAlgebra
-/// a vector of n quaternions as 2n complex numbers
+/// Converts a vector of n quaternions to 2n complex numbers
 template <class FT>
 Vector<std::complex<FT>> to_complex(const Quaternion_vector<FT>& v)
 {
@@ -72,7 +72,7 @@ Vector<std::complex<FT>> to_complex(const Quaternion_vector<FT>& v)
 }
 
 /// \ingroup PkgAlgebra
-/// 2n complex numbers as a vector of n quaternions
+/// Converts 2n complex numbers to a vector of n quaternions
 template <class FT>
 Quaternion_vector<FT> from_complex(const Vector<std::complex<FT>>& c)
 {

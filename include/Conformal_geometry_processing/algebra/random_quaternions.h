@@ -10,10 +10,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
-/// \brief noise: quaternions whose components are independent and uniform in [-1/2, 1/2), the same
+/// \brief Random quaternions, whose components are independent and uniform in [-1/2, 1/2); the same
 /// on every platform for the same seed.
 ///
-/// A vector of noise has a part of every eigenvector, symmetric or not.
+/// A random vector has a component along every eigenvector, symmetric or not.
 Block<Quaternion<double>> random_quaternions(Eigen::Index rows, Eigen::Index columns,
                                              unsigned seed);
 

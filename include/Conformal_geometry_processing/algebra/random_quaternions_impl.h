@@ -16,7 +16,7 @@ CGP_INLINE Block<Quaternion<double>> random_quaternions(Eigen::Index rows, Eigen
                                                         unsigned seed)
 {
   std::mt19937 generator(seed);
-  // The distributions of the standard library differ between implementations; these bits do not.
+  // Standard distributions differ between implementations, unlike the bits of the generator.
   const auto noise = [&] { return static_cast<double>(generator()) / 4294967296. - 0.5; };
   Block<Quaternion<double>> x(rows, columns);
   for (Eigen::Index c = 0; c < columns; ++c)

@@ -13,11 +13,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
-/// \brief a unit quaternion q with conjugate(q) U q = V: turns U into V by the smaller angle.
+/// \brief Returns a unit quaternion q with conjugate(q) U q = V, which rotates U to V by the
+/// smaller angle.
 ///
-/// q = (1 - UV) / |1 - UV| = (1 + <U,V>, -U x V) / |...|, without angles [CGP 5.7]. Unlike the
-/// text of [CGP 5.7], which sets theta = 0 there, for V = -U any unit vector orthogonal to U
-/// serves (theta = pi); the one returned depends on U alone.
+/// q = (1 - UV) / |1 - UV| = (1 + <U,V>, -U x V) / |...|, without angles [CGP 5.7]. For V = -U any
+/// unit vector orthogonal to U is a solution (theta = pi), unlike in the text of [CGP 5.7], which
+/// sets theta = 0; the returned one depends on U only.
 ///
 /// \pre U and V are unit vectors
 template <class FT>
@@ -31,14 +32,14 @@ Quaternion<FT> rotor(const Eigen::Matrix<FT, 3, 1>& U, const Eigen::Matrix<FT, 3
 }
 
 /// \ingroup PkgAlgebra
-/// \brief the quaternion q with conjugate(q) v q = scale R v, |q|^2 = scale, for a rotation R; of
-/// its two signs, one with a positive real part if that is not small. \pre R is a rotation, scale
-/// is positive
+/// \brief Returns the quaternion q with conjugate(q) v q = scale R v, |q|^2 = scale, for a rotation
+/// R. Its sign makes the real part positive, unless that is small.
+/// \pre R is a rotation, scale is positive
 template <class FT>
 Quaternion<FT> spin_of(const Eigen::Matrix<FT, 3, 3>& R, FT scale)
 {
   using std::sqrt;
-  // Eigen has q v conjugate(q).
+  // Eigen uses the convention q v conjugate(q).
   const Eigen::Quaternion<FT> r(R);
   return Quaternion<FT>{r.w(), -r.x(), -r.y(), -r.z()} * sqrt(scale);
 }

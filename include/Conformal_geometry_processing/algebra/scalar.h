@@ -10,14 +10,14 @@
 
 namespace Conformal_geometry_processing {
 
-/// a real number is its own conjugate, so that one template serves all scalars
+/// The conjugate of a real number, for templates over scalars
 template <class FT, class = std::enable_if_t<std::is_floating_point_v<FT>>>
 constexpr FT conjugate(FT s)
 {
   return s;
 }
 
-/// the complex conjugate
+/// The complex conjugate
 template <class FT>
 std::complex<FT> conjugate(const std::complex<FT>& s)
 {
@@ -25,7 +25,7 @@ std::complex<FT> conjugate(const std::complex<FT>& s)
 }
 
 /// \ingroup PkgAlgebra
-/// what a template needs to know of its scalar: the numbers below it, and its real part
+/// Properties of a scalar type: the type of its real components, and the real part
 template <class Scalar>
 struct Scalar_traits {
   using FT = Scalar;

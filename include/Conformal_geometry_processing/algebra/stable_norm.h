@@ -8,12 +8,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgAlgebra
-/// the length of a vector whose squares may overflow, or vanish. (Eigen's `stableNorm()` is for
-/// vectors of any size, and takes longer to compile than most of what calls this.)
+/// Returns the length of a vector without overflow or underflow. (Eigen's `stableNorm()` is for
+/// vectors of any size, and takes longer to compile than most callers of this function.)
 double stable_norm(const Eigen::Vector3d& v);
 
 /// \ingroup PkgAlgebra
-/// the unit vector of this direction, of however long a vector; zero for zero
+/// Returns the unit vector in the direction of a vector of any length; zero for zero
 Eigen::Vector3d stable_normalized(const Eigen::Vector3d& v);
 
 }  // namespace Conformal_geometry_processing

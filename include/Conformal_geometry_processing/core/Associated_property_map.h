@@ -17,8 +17,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief numbers the vertices or faces that a mesh has at a time, for meshes whose elements carry
-/// no number of their own. One look-up in a hash table per question.
+/// \brief Numbers the current vertices or faces of a mesh, for meshes whose elements have no
+/// indices. One hash table look-up per access.
 ///
 /// \tparam Descriptor can be compared and hashed by `boost::hash`
 template <class Descriptor>
@@ -32,7 +32,7 @@ class Element_numbering {
 
   std::size_t size() const { return m_numbers.size(); }
 
-  /// \throw Precondition_error if the element was added to the mesh since
+  /// \throw Precondition_error if the element was added to the mesh later
   std::size_t operator()(const Descriptor& element) const
   {
     const auto found = m_numbers.find(element);
@@ -48,11 +48,11 @@ class Element_numbering {
 };
 
 /// \ingroup PkgMesh
-/// \brief a property map that owns its values, beside the mesh; copies share them.
+/// \brief A property map that owns its values, outside the mesh; copies share them.
 ///
-/// A model of `LvaluePropertyMap`. Several maps may share one numbering. Elements are told apart as
-/// `Descriptor` does: where it is an address, an element that takes the place of an erased one
-/// takes over its value.
+/// A model of `LvaluePropertyMap`. Several maps may share one numbering. Elements are identified by
+/// their `Descriptor`: if it is an address, an element that replaces an erased one inherits its
+/// value.
 template <class Descriptor, class Value>
 class Associated_property_map {
  public:

@@ -14,13 +14,13 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief supplies the property maps of the curvature potential rho, the spin lambda and the
-/// normals of a mesh, so that a pipeline needs no map of its own.
+/// \brief Provides property maps for the curvature potential rho, the spin lambda and the normals
+/// of a mesh, so that a pipeline needs no map of its own.
 ///
-/// This is the way for any mesh: dynamic property maps that live as long as a map on them does.
-/// Specialised where a mesh type offers more, in a header of its own: `Surface_mesh` keeps the
-/// maps in the mesh, `Polyhedron_3` gets containers beside it. Specialise it for your own mesh
-/// type as a model of `ConformalMeshTraits`. The constructor costs O(|V| + |F|).
+/// The default for any mesh uses dynamic property maps, whose values are shared by all copies.
+/// Headers for some mesh types specialize it: `Surface_mesh` keeps the maps in the mesh,
+/// `Polyhedron_3` gets containers outside the mesh. Specialize it for your own mesh type as a model
+/// of `ConformalMeshTraits`. The constructor costs O(|V| + |F|).
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` whose vertices have points
 /// \cgalModels{ConformalMeshTraits}
@@ -42,7 +42,7 @@ class Conformal_mesh_traits {
   using Vertex_spin_map = Map<CGAL::dynamic_vertex_property_t<Spin>>;
   using Vertex_normal_map = Map<CGAL::dynamic_vertex_property_t<Vector>>;
 
-  /// makes the maps: rho = 0, lambda = 1, normals 0
+  /// Creates the maps: rho = 0, lambda = 1, normals 0
   /// \param mesh is not changed and must outlive the maps
   explicit Conformal_mesh_traits(const TriangleMesh& mesh)
       : m_vertex_rho(get(CGAL::dynamic_vertex_property_t<double>(), mesh)),
@@ -58,7 +58,7 @@ class Conformal_mesh_traits {
     for (const auto f : faces(mesh)) put(m_face_rho, f, 0.);
   }
 
-  /// the maps; copies of one share their values
+  /// The maps; copies share their values
   Vertex_curvature_potential_map vertex_curvature_potential_map() const { return m_vertex_rho; }
   Face_curvature_potential_map face_curvature_potential_map() const { return m_face_rho; }
   Vertex_spin_map vertex_spin_map() const { return m_spin; }

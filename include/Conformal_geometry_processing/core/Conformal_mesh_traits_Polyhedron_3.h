@@ -14,11 +14,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief containers of rho, lambda and the normals beside a `Polyhedron_3`, with items of any
-/// kind: `id()` is neither needed nor touched.
+/// \brief Containers for rho, lambda and the normals outside a `Polyhedron_3`, with items of any
+/// kind: `id()` is neither required nor modified.
 ///
-/// The maps know the vertices and faces that the mesh had when the traits were made, and live as
-/// long as one of their copies does. The maps on vertices share one numbering.
+/// The maps contain the vertices and faces that the mesh had at construction of the traits, and
+/// stay valid as long as one of their copies exists. The maps on vertices share one numbering.
 /// A program that includes this header uses `CGAL::Polyhedron_3`, which is under the GPL.
 ///
 /// \cgalModels{ConformalMeshTraits}
@@ -41,14 +41,14 @@ class Conformal_mesh_traits<CGAL::Polyhedron_3<Kernel, Items, HDS, Allocator>> {
   using Vertex_spin_map = Associated_property_map<Vertex, Spin>;
   using Vertex_normal_map = Associated_property_map<Vertex, Vector>;
 
-  /// makes the containers: rho = 0, lambda = 1, normals 0
+  /// Creates the containers: rho = 0, lambda = 1, normals 0
   /// \param mesh is not changed and must outlive the maps; O(|V| + |F|)
   explicit Conformal_mesh_traits(const Triangle_mesh& mesh)
       : Conformal_mesh_traits(mesh,
                               std::make_shared<const Element_numbering<Vertex>>(vertices(mesh)))
   {}
 
-  /// the maps; copies of one share their values
+  /// The maps; copies share their values
   Vertex_curvature_potential_map vertex_curvature_potential_map() const { return m_vertex_rho; }
   Face_curvature_potential_map face_curvature_potential_map() const { return m_face_rho; }
   Vertex_spin_map vertex_spin_map() const { return m_spin; }

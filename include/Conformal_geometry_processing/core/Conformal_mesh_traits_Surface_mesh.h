@@ -15,11 +15,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief keeps rho, lambda and the normals in the mesh, as its properties `v:rho`, `f:rho`,
+/// \brief Keeps rho, lambda and the normals in the mesh, as its properties `v:rho`, `f:rho`,
 /// `v:lambda` and `v:normal`.
 ///
-/// Properties that are already there are taken as they are, so the values survive from one stage
-/// of a pipeline to the next, and follow the mesh when it is copied, edited or cleaned up.
+/// Existing properties are used with their values, so values persist from one stage of a pipeline
+/// to the next, and follow the mesh when it is copied, edited or garbage-collected.
 /// A program that includes this header uses `CGAL::Surface_mesh`, which is under the GPL.
 ///
 /// \cgalModels{ConformalMeshTraits}
@@ -42,9 +42,9 @@ class Conformal_mesh_traits<CGAL::Surface_mesh<Point>> {
   using Vertex_spin_map = typename Triangle_mesh::template Property_map<Vertex, Spin>;
   using Vertex_normal_map = typename Triangle_mesh::template Property_map<Vertex, Vector>;
 
-  /// finds the properties or adds them: rho = 0, lambda = 1, normals 0
+  /// Finds or adds the properties: rho = 0, lambda = 1, normals 0
   /// \param mesh must outlive the maps
-  /// \throw Precondition_error if one of the four names is taken by a property of another type
+  /// \throw Precondition_error if one of the four names belongs to a property of another type
   explicit Conformal_mesh_traits(Triangle_mesh& mesh)
       : m_vertex_rho(property<Vertex>(mesh, "v:rho", 0.)),
         m_face_rho(property<Face>(mesh, "f:rho", 0.)),
@@ -52,15 +52,15 @@ class Conformal_mesh_traits<CGAL::Surface_mesh<Point>> {
         m_normal(property<Vertex>(mesh, "v:normal", Vector(0, 0, 0)))
   {}
 
-  /// the maps, which refer to the properties of the mesh
+  /// The maps, which refer to the properties of the mesh
   Vertex_curvature_potential_map vertex_curvature_potential_map() const { return m_vertex_rho; }
   Face_curvature_potential_map face_curvature_potential_map() const { return m_face_rho; }
   Vertex_spin_map vertex_spin_map() const { return m_spin; }
   Vertex_normal_map vertex_normal_map() const { return m_normal; }
 
  private:
-  // Surface_mesh would put a second property of the same name beside one of another type, such as
-  // the float that a file reader made, and the user's values would be ignored in silence.
+  // Surface_mesh would add a second property of the same name if one of another type exists, such
+  // as float from a file reader, and the values of the user would be ignored silently.
   template <class Key, class Value>
   static auto property(Triangle_mesh& mesh, const std::string& name, const Value& initial)
   {

@@ -23,10 +23,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief the `Mesh_view` of a mesh, and which descriptor each of its numbers stands for.
+/// \brief The `Mesh_view` of a mesh, with the descriptors of its vertices and faces.
 ///
-/// Numbers the *live* vertices and faces itself, in the order of `vertices(mesh)` and
-/// `faces(mesh)`: `num_vertices()` and the index maps count removed elements too. Touches the mesh
+/// Numbers the *live* vertices and faces in the order of `vertices(mesh)` and `faces(mesh)`,
+/// because `num_vertices()` and the index maps include removed elements. Accesses the mesh only
 /// once, because the dynamic property maps of some meshes are hash maps. O(|V| + |F|).
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
@@ -38,18 +38,18 @@ class Graph_view {
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
 
-  /// reads the points and the traits that a pack of named parameters tells, or else the mesh's own
+  /// Reads the points and the traits given by named parameters, or else those of the mesh
   template <class NamedParameters>
   Graph_view(const TriangleMesh& mesh, const NamedParameters& np, const std::string& function)
       : Graph_view(mesh, internal::vertex_points(mesh, np),
                    internal::geometry_traits<TriangleMesh>(np), function)
   {}
 
-  /// \param mesh is read only, and not kept
+  /// \param mesh is only read, and not stored
   /// \param points a readable map from vertices to points
-  /// \param traits a model of `ConformalGeometryTraits_3`, which tells the coordinates of a point
-  /// \param function named in the exception
-  /// \throw Precondition_error if a face is not a triangle
+  /// \param traits a model of `ConformalGeometryTraits_3`, which accesses the coordinates of a
+  /// point \param function named in the exception \throw Precondition_error if a face is not a
+  /// triangle
   template <class VertexPointMap, class GeomTraits>
   Graph_view(const TriangleMesh& mesh, VertexPointMap points, const GeomTraits& traits,
              const std::string& function)
@@ -75,7 +75,7 @@ class Graph_view {
     m_view = Mesh_view(coordinates(points, traits), std::move(corners));
   }
 
-  /// the view of one component of the mesh, as if there were no other
+  /// The view of one component of the mesh, as if it were the whole mesh
   Graph_view(const Graph_view& whole, Mesh_component component) : m_view(std::move(component.mesh))
   {
     for (const int v : component.vertices) m_vertices.push_back(whole.vertex(v));
@@ -84,11 +84,11 @@ class Graph_view {
 
   const Mesh_view& view() const { return m_view; }
 
-  /// the vertex with number v, and the face with number f
+  /// The vertex with index v, and the face with index f
   vertex_descriptor vertex(int v) const { return m_vertices[static_cast<std::size_t>(v)]; }
   face_descriptor face(int f) const { return m_faces[static_cast<std::size_t>(f)]; }
 
-  /// writes a point for each vertex into a map
+  /// Writes a point for each vertex to a map
   /// \param positions 3 x |V|
   template <class VertexPointMap, class GeomTraits>
   void write_positions(const Points& positions, VertexPointMap points,

@@ -20,13 +20,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgForms
-/// \brief the harmonic 1-forms of a mesh and their tangent fields, as property maps of its
+/// \brief The harmonic 1-forms of a mesh and their tangent fields, as property maps of its
 /// halfedges and faces: the result of `harmonic_basis()`.
 ///
-/// A value type; copies and maps share the numbers and keep them alive, and refer to the mesh no
-/// more: it may change or go. A map then still answers for the elements that the mesh had; one that
-/// it has not known is refused with a `Precondition_error`. Each question costs a look-up in a hash
-/// table.
+/// A value type; copies and maps share the numbers and keep them alive. They do not refer to the
+/// mesh, which may be changed or destroyed. Maps remain valid for the elements that the mesh had,
+/// and throw `Precondition_error` for unknown ones. Each access costs a hash table look-up.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam Vector_ constructed from three numbers
@@ -40,7 +39,7 @@ class Harmonic_forms {
   using face_descriptor = typename Graph_traits::face_descriptor;
   using Vector = Vector_;
 
-  /// \brief a 1-form: its integral along each halfedge; opposite halfedges have opposite values.
+  /// \brief A 1-form: its integral along each halfedge; opposite halfedges have opposite values.
   ///
   /// A model of `ReadablePropertyMap`.
   class One_form_map {
@@ -66,7 +65,7 @@ class Harmonic_forms {
     int m_column;
   };
 
-  /// \brief the vector in the plane of each face that has the values of the form along its edges.
+  /// \brief The vector in the plane of each face that represents the form along its edges.
   ///
   /// A model of `ReadablePropertyMap`.
   class Tangent_field_map {
@@ -93,7 +92,7 @@ class Harmonic_forms {
     std::size_t m_column;
   };
 
-  /// \param mesh is read only, and not kept \param graph its view
+  /// \param mesh is only read, and not stored \param graph its view
   /// \param basis of that view, or of one that is larger by `scale`
   Harmonic_forms(const TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph,
                  Harmonic_basis basis, double scale = 1)
@@ -104,12 +103,12 @@ class Harmonic_forms {
   int size() const { return static_cast<int>(m_data->fields.size()); }
   int genus() const { return m_data->genus; }
 
-  /// form i, 0 <= i < `size()`; dimensionless. The sum of w_e omega_i(e) omega_j(e) over the edges,
+  /// Form i, 0 <= i < `size()`; dimensionless. The sum of w_e omega_i(e) omega_j(e) over the edges,
   /// with cotan weights, is 1 for i = j and 0 otherwise.
   One_form_map one_form(int i) const { return {m_data, i}; }
 
-  /// its field, in 1/length of the mesh. The sum of A_f <v_i, v_j> over the faces is that of the
-  /// forms.
+  /// The tangent field of form i, in 1/length of the mesh. The sum of A_f <v_i, v_j> over the faces
+  /// equals the inner product of the forms.
   Tangent_field_map tangent_field(int i) const { return {m_data, i}; }
 
  private:
@@ -125,8 +124,8 @@ class Harmonic_forms {
       for (Points& v : fields) v *= scale;
     }
 
-    /// in the order of the view, whose halfedge 3 f + c is opposite corner c; those of the border
-    /// come last
+    /// In the order of the view, whose halfedge 3 f + c is opposite corner c; border halfedges are
+    /// last
     static std::vector<halfedge_descriptor> halfedges_of(const TriangleMesh& mesh,
                                                          const Graph_view<TriangleMesh>& graph)
     {
@@ -142,7 +141,7 @@ class Harmonic_forms {
       return list;
     }
 
-    /// in the same order
+    /// In the order of `halfedges_of()`
     static Eigen::MatrixXd values_along(const Mesh_view& view, const Harmonic_basis& basis)
     {
       std::vector<int> border;

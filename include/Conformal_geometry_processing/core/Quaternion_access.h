@@ -12,7 +12,7 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-// std::void_t does not tell partial specializations apart in clang before 15 (CWG 1980).
+// std::void_t does not distinguish partial specializations in clang before 15 (CWG 1980).
 template <class...>
 struct Make_void {
   using type = void;
@@ -91,10 +91,10 @@ struct Default_quaternion_access<Q, Has_subscripts<Q>> {
 }  // namespace internal
 
 /// \ingroup PkgAlgebra
-/// \brief reads and writes the quaternions of a user: `from(const Q&)` gives a
-/// `Quaternion<double>`, `to(const Quaternion<double>&)` a `Q`.
+/// \brief Converts quaternion types of the user: `from(const Q&)` returns a `Quaternion<double>`,
+/// `to(const Quaternion<double>&)` a `Q`.
 ///
-/// Knows `Quaternion`, `Eigen::Quaternion`, `boost::math::quaternion`, and anything with
+/// Supports `Quaternion`, `Eigen::Quaternion`, `boost::math::quaternion`, and all types with
 /// `[0] ... [3]` = w, x, y, z such as `std::array<double, 4>`. Specialize it for other types.
 template <class Q>
 struct Quaternion_access : internal::Default_quaternion_access<Q> {};

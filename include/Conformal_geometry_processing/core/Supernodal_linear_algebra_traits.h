@@ -16,12 +16,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgEntryPoints
-/// \brief the sparse Cholesky factorization of this library for CGAL's own packages: a model of
-/// `SparseLinearAlgebraTraits_d`, as CGAL's parameterizers and deformations take one.
+/// \brief The sparse Cholesky factorization of this library for CGAL's own packages: a model of
+/// `SparseLinearAlgebraTraits_d`, as used by CGAL's parameterization and deformation packages.
 ///
-/// For matrices that are symmetric and positive definite but for rows of the identity, by which
-/// CGAL fixes unknowns: these are taken out, and what they contribute to other rows goes to the
-/// right-hand side. As with CGAL's own, every call factorizes anew.
+/// For symmetric positive definite matrices in which CGAL fixes unknowns by rows of the identity:
+/// these are eliminated, and their contributions to other rows are moved to the right-hand side. As
+/// in CGAL's own traits, every call factorizes the matrix.
 /// \cgalModels{SparseLinearAlgebraTraits_d}
 class Supernodal_linear_algebra_traits {
   using Sparse = CGAL::Eigen_sparse_matrix<double>::EigenType;
@@ -31,9 +31,9 @@ class Supernodal_linear_algebra_traits {
   using Vector = CGAL::Eigen_vector<double>;
   using Matrix = CGAL::Eigen_sparse_matrix<double>;
 
-  /// \brief solves A x = b.
-  /// \param denominator becomes 1
-  /// \returns false, with x as it was, if A is not positive definite or memory is short
+  /// \brief Solves A x = b.
+  /// \param denominator is set to 1
+  /// \returns false, with x unchanged, if A is not positive definite or memory is insufficient
   bool linear_solver(const Matrix& A, const Vector& b, Vector& x, NT& denominator)
   {
     denominator = 1;
@@ -65,7 +65,7 @@ class Supernodal_linear_algebra_traits {
   }
 
  private:
-  // A row with nothing but a one on the diagonal fixes its unknown.
+  // A row of the identity matrix fixes its unknown.
   void number_free_rows(const Sparse& rows)
   {
     m_free.clear();
@@ -87,7 +87,7 @@ class Supernodal_linear_algebra_traits {
       pattern->offsets.push_back(pattern->size_of_entries());
       const int column = static_cast<int>(k);
       pattern->indices.push_back(column);
-      // The pattern is symmetric, so row k tells what is in column k. Rows are in order.
+      // The pattern is symmetric, so row k contains the indices of column k, in order.
       for (Sparse::InnerIterator a(rows, m_free[k]); a; ++a)
         if (const int i = m_number[static_cast<std::size_t>(a.index())]; i > column)
           pattern->indices.push_back(i);

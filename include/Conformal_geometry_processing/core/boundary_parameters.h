@@ -23,7 +23,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief a direction in the frame (T, N, B) of a boundary vertex: the value of the named parameter
+/// \brief A direction in the frame (T, N, B) of a boundary vertex: the value of the named parameter
 /// `boundary_direction`.
 struct Boundary_direction {
   double tangent = 0, normal = 0, binormal = 0;
@@ -31,7 +31,7 @@ struct Boundary_direction {
 
 namespace internal {
 
-/// The vectors that a map gives at some vertices; 3 x count.
+/// Reads the vectors of a map at some vertices; 3 x count.
 template <class TriangleMesh, class Map>
 Points read_vectors(const Graph_view<TriangleMesh>& graph, const std::vector<int>& vertices,
                     Map map)
@@ -45,7 +45,7 @@ Points read_vectors(const Graph_view<TriangleMesh>& graph, const std::vector<int
   return p;
 }
 
-/// The coordinates that the traits see in the points of a map at some vertices; 3 x count.
+/// Reads the points of a map at some vertices, with coordinates from the traits; 3 x count.
 template <class TriangleMesh, class Map, class GeomTraits>
 Points read_points(const Graph_view<TriangleMesh>& graph, const std::vector<int>& vertices, Map map,
                    const GeomTraits& traits)
@@ -62,7 +62,7 @@ Points read_points(const Graph_view<TriangleMesh>& graph, const std::vector<int>
   return points;
 }
 
-/// The normals at the boundary of the surface with other points.
+/// Returns the boundary normals of the surface with other positions.
 inline Points normals_at(const Mesh_view& mesh, const Points& positions,
                          const std::vector<int>& vertices)
 {
@@ -92,10 +92,10 @@ void require_constrained_boundary(const Graph_view<TriangleMesh>& graph,
   }
 }
 
-/// What the named parameters ask for at the boundary: `vertex_target_point_map` for positions,
-/// `boundary_direction` and `boundary_direction_map` for directions (the tangents, if only the
-/// second is there), and else a free boundary.
-/// \throw Precondition_error if `vertex_is_constrained_map` leaves out a part of the boundary
+/// Returns the boundary condition given by named parameters: `vertex_target_point_map` for
+/// positions, `boundary_direction` and `boundary_direction_map` for directions (the tangents, if
+/// only the second is given), otherwise a free boundary.
+/// \throw Precondition_error if `vertex_is_constrained_map` contains only a part of the boundary
 template <class TriangleMesh, class NamedParameters>
 Boundary_condition boundary_condition(const Graph_view<TriangleMesh>& graph,
                                       const NamedParameters& np, const std::string& function)

@@ -10,7 +10,7 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// the options that named parameters tell of how the Dirac equation is solved
+/// Returns the options of the Dirac solver given by named parameters
 template <class NamedParameters>
 Dirac_options dirac_options(const NamedParameters& np)
 {

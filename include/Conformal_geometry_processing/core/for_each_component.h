@@ -17,9 +17,9 @@ namespace Conformal_geometry_processing {
 namespace internal {
 
 /// \brief Calls `work(graph)` with a view of each component in turn, and `take(vertices, result)`
-/// with the numbers of its vertices in the whole mesh and what it returns, which has a `report`.
+/// with the indices of its vertices in the whole mesh and the result, which has a `report`.
 ///
-/// All components are split off at first, and what belongs to one is free when the next one begins.
+/// All components are created first; the memory of each one is released before the next one begins.
 /// \throw Precondition_error, Solver_error see `Component_failures`
 template <class TriangleMesh, class Work, class Take>
 auto for_each_component(const Graph_view<TriangleMesh>& whole, const std::string& function,

@@ -38,12 +38,12 @@ struct Is_conformal_geometry_traits<
                        typename T::FT(0.), typename T::FT(0.), typename T::FT(0.))))>>
     : std::true_type {};
 
-/// whether a type is a model of `ConformalGeometryTraits_3`
+/// Whether a type is a model of `ConformalGeometryTraits_3`
 template <class GeomTraits>
 inline constexpr bool is_conformal_geometry_traits =
     Is_conformal_geometry_traits<GeomTraits>::value;
 
-/// the points of the vertices, to be read
+/// Returns a readable map of the points of the vertices
 template <class TriangleMesh, class NamedParameters>
 auto vertex_points(const TriangleMesh& mesh, const NamedParameters& np)
 {
@@ -53,14 +53,15 @@ auto vertex_points(const TriangleMesh& mesh, const NamedParameters& np)
     return CGAL::get_const_property_map(CGAL::vertex_point, mesh);
 }
 
-/// the type of these points. Looks at the mesh only if the pack does not tell: it may have none
+/// The type of these points. Uses the point map of the mesh only if the pack has none, because the
+/// mesh may have none
 template <class TriangleMesh, class NamedParameters>
 using Point_of = typename boost::property_traits<decltype(vertex_points(
     std::declval<const TriangleMesh&>(), std::declval<const NamedParameters&>()))>::value_type;
 
-/// the `geom_traits` of a pack, or else the kernel of the points. The latter is looked for only
-/// where it is needed: `CGAL::GetGeomTraits` breaks on points without a kernel even if the pack
-/// brings their traits.
+/// Returns the `geom_traits` of a pack, or else the kernel of the points. The latter is determined
+/// only if necessary: `CGAL::GetGeomTraits` does not compile for points without a kernel even if
+/// the pack contains traits.
 template <class TriangleMesh, class NamedParameters>
 auto geometry_traits(const NamedParameters& np)
 {
@@ -74,7 +75,7 @@ auto geometry_traits(const NamedParameters& np)
   }
 }
 
-/// where the transformed points go: `output_vertex_point_map`, by default in place
+/// Returns the map for transformed points: `output_vertex_point_map`, by default in place
 template <class TriangleMesh, class NamedParameters>
 auto output_vertex_points(TriangleMesh& mesh, const NamedParameters& np)
 {
@@ -96,7 +97,7 @@ struct Vector_of_point<Point, std::void_t<typename CGAL::Kernel_traits<Point>::K
   using type = typename CGAL::Kernel_traits<Point>::Kernel::Vector_3;
 };
 
-/// the vectors of the kernel that a point belongs to, Eigen's if there is none
+/// The vector type of the kernel of a point type, Eigen's if there is none
 template <class Point>
 using Vector_of = typename Vector_of_point<Point>::type;
 

@@ -11,18 +11,18 @@
 #include <utility>
 
 /// \file named_parameters.h
-/// \brief the optional arguments of the entry points, one vocabulary for the whole library.
+/// \brief The optional arguments of the entry points, with the same names in the whole library.
 ///
-/// They chain with the parameters of \cgal that the library understands:
-/// `CGP::parameters::time_step(.1).number_of_iterations(20)`; a pack made by \cgal joins one of
-/// ours as `CGAL::parameters::vertex_point_map(p) | CGP::parameters::time_step(.1)`, where a
-/// parameter given twice has the value on the right. A parameter that a function does not know is
-/// an error at compile time. Values are copied; pass `std::ref(x)` for what has a state, such as a
-/// visitor or a solver.
+/// They can be chained with the parameters of \cgal that the library supports:
+/// `CGP::parameters::time_step(.1).number_of_iterations(20)`; a pack created by \cgal is combined
+/// with one of this library as `CGAL::parameters::vertex_point_map(p) |
+/// CGP::parameters::time_step(.1)`, where the value on the right takes precedence. A parameter that
+/// a function does not support is an error at compile time. Values are copied; pass `std::ref(x)`
+/// for objects with state, such as a visitor or a solver.
 ///
 /// To add a parameter, add one line to one of the two lists below.
 
-// Ours: their tags are our own types, so that they never meet one that CGAL adds later.
+// Parameters of this library: their tags are separate types, to avoid collisions with CGAL.
 #define CONFORMAL_GEOMETRY_PROCESSING_OWN_PARAMETERS(X) \
   X(output_vertex_point_map)                            \
   X(vertex_spin_map)                                    \
@@ -56,7 +56,7 @@
   X(curvature_potential_map)                            \
   X(spectral_shift)
 
-// Those of CGAL 5.5 to 6 that we understand: the tag in CGAL::internal_np without its _t, the name.
+// Supported parameters of CGAL 5.5 to 6: the tag in CGAL::internal_np without its _t, the name.
 #define CONFORMAL_GEOMETRY_PROCESSING_CGAL_PARAMETERS(X) \
   X(vertex_point, vertex_point_map)                      \
   X(point, point_map)                                    \
@@ -69,7 +69,7 @@
 
 namespace Conformal_geometry_processing {
 
-/// the tags by which a function asks for a parameter, as in `CGAL::internal_np`
+/// Tags with which functions look up parameters, as in `CGAL::internal_np`
 namespace internal_np {
 
 #define CONFORMAL_GEOMETRY_PROCESSING_TAG(NAME) \
@@ -83,8 +83,8 @@ CONFORMAL_GEOMETRY_PROCESSING_OWN_PARAMETERS(CONFORMAL_GEOMETRY_PROCESSING_TAG)
 namespace parameters {
 
 /// \ingroup PkgEntryPoints
-/// \brief a pack of named parameters: one of \cgal's, so every function of \cgal takes it, that
-/// knows our names too.
+/// \brief A pack of named parameters: derived from \cgal's, so every function of \cgal accepts it,
+/// and extended by the names of this library.
 template <class T, class Tag, class Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base> {
   using Parent = CGAL::Named_function_parameters<T, Tag, Base>;
@@ -92,7 +92,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base> {
   explicit Named_parameters(const T& value) : Parent(value) {}
   Named_parameters(const T& value, const Base& rest) : Parent(value, rest) {}
 
-  // The names of CGAL as well: its own members would leave our class, and the chain our names.
+  // Redefines CGAL's names, because its own members would return packs without our names.
 #define CONFORMAL_GEOMETRY_PROCESSING_OWN_MEMBER(NAME)                                     \
   template <class Value>                                                                   \
   auto NAME(const Value& value) const                                                      \
@@ -130,13 +130,13 @@ CONFORMAL_GEOMETRY_PROCESSING_CGAL_PARAMETERS(CONFORMAL_GEOMETRY_PROCESSING_CGAL
 
 using Default_named_parameters = CGAL::parameters::Default_named_parameters;
 
-/// no parameter: the default of every entry point
+/// No parameters: the default of every entry point
 inline Default_named_parameters default_values()
 {
   return CGAL::parameters::default_values();
 }
 
-/// both packs in one, of which at least one is ours; the right one wins
+/// Combines two packs, at least one of which is ours; the right one takes precedence
 template <class T, class Tag, class Base, class T2, class Tag2, class Base2>
 auto operator|(const CGAL::Named_function_parameters<T, Tag, Base>& left,
                const CGAL::Named_function_parameters<T2, Tag2, Base2>& right)
@@ -171,15 +171,15 @@ struct Only_known_parameters<CGAL::internal_np::Named_params_impl<T, Tag, Base>,
   }
 };
 
-/// whether a pack holds nothing but the parameters with these tags; CGAL would ignore any other in
-/// silence, and with it the typing error of a user:
+/// Whether a pack contains only parameters with these tags; CGAL would silently ignore any other
+/// one, including misspelled names:
 /// `static_assert(internal::only_known_parameters<NamedParameters, internal_np::time_step_t, ...>,
 ///               "spin_transform(): unknown named parameter");`
 template <class NamedParameters, class... Known_tags>
 inline constexpr bool only_known_parameters =
     Only_known_parameters<typename NamedParameters::base, Known_tags...>::check();
 
-/// whether a pack holds the parameter with this tag
+/// Whether a pack contains the parameter with this tag
 template <class NamedParameters, class Tag>
 inline constexpr bool has_parameter =
     !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
@@ -194,7 +194,7 @@ struct Referred<std::reference_wrapper<T>> {
   using type = std::remove_const_t<T>;
 };
 
-/// defined in templates.h, and so complete where that is included
+/// Defined in templates.h, and therefore complete if that is included
 template <class T>
 struct Templates_are_included;
 
@@ -203,7 +203,7 @@ constexpr bool is_complete = false;
 template <class T>
 constexpr bool is_complete<T, std::void_t<decltype(sizeof(T))>> = true;
 
-/// what the library was compiled for, or anything where the definitions of templates are at hand
+/// The type the library was compiled for, or any type if the template definitions are included
 template <class T, class Compiled>
 struct Instantiable {
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
@@ -214,22 +214,22 @@ struct Instantiable {
   using type = T;
 };
 
-/// \brief the type of a parameter (of what `std::ref` refers to, if it was passed so), or the
-/// fallback, with which the library has been compiled.
+/// \brief The type of a parameter (of the object that `std::ref` refers to), or the fallback, for
+/// which the library has been compiled.
 template <class NamedParameters, class Tag, class Fallback>
 using Parameter_type =
     typename Instantiable<typename Referred<typename CGAL::internal_np::Lookup_named_param_def<
                               Tag, NamedParameters, Fallback>::type>::type,
                           Fallback>::type;
 
-/// the value of a parameter (what `std::ref` refers to, if it was passed so), or else the fallback
+/// Returns the value of a parameter (the object that `std::ref` refers to), or else the fallback
 template <class NamedParameters, class Tag, class Fallback>
 decltype(auto) parameter_or(const NamedParameters& np, Tag tag, Fallback&& fallback)
 {
   if constexpr (has_parameter<NamedParameters, Tag>)
     return CGAL::parameters::get_parameter_reference(np, tag);
   else
-    return static_cast<Fallback>(std::forward<Fallback>(fallback));  // an rvalue leaves as a value
+    return static_cast<Fallback>(std::forward<Fallback>(fallback));  // returns rvalues by value
 }
 
 }  // namespace internal
@@ -240,9 +240,9 @@ decltype(auto) parameter_or(const NamedParameters& np, Tag tag, Fallback&& fallb
 
 namespace CGAL {
 
-// When a function of CGAL has the overloads f(mesh, np) and f(range, mesh, np = default), the call
-// f(mesh, our pack) makes it ask for the kernel of a mesh whose type is our pack. CGAL answers the
-// same question about its own packs in this way.
+// If a function of CGAL has the overloads f(mesh, np) and f(range, mesh, np = default), the call
+// f(mesh, our pack) makes it look up the kernel of a mesh whose type is our pack. CGAL has the same
+// specialization for its own packs.
 template <class T, class Tag, class Base, class NamedParameters>
 class GetGeomTraits<Conformal_geometry_processing::parameters::Named_parameters<T, Tag, Base>,
                     NamedParameters, NamedParameters> {

@@ -33,7 +33,7 @@ struct Is_planar_geometry_traits<
                    decltype(typename T::Point_2(std::declval<const T&>().construct_point_2_object()(
                        typename T::FT(0.), typename T::FT(0.))))>> : std::true_type {};
 
-/// the point map of a range: `point_map`, by default the elements themselves
+/// Returns the point map of a range: `point_map`, by default the elements themselves
 template <class PointRange, class NamedParameters>
 auto point_map_of(const PointRange& points, const NamedParameters& np)
 {
@@ -43,7 +43,7 @@ auto point_map_of(const PointRange& points, const NamedParameters& np)
     return CGAL::Identity_property_map<std::decay_t<decltype(*std::begin(points))>>();
 }
 
-/// the `geom_traits` of a pack, or else the kernel of the points
+/// Returns the `geom_traits` of a pack, or else the kernel of the points
 template <class Point, class NamedParameters>
 auto planar_geometry_traits(const NamedParameters& np)
 {
@@ -61,7 +61,7 @@ template <class PointRange, class NamedParameters>
 using Planar_point = typename boost::property_traits<decltype(point_map_of(
     std::declval<const PointRange&>(), std::declval<const NamedParameters&>()))>::value_type;
 
-/// the points of a range, 2 x m
+/// Reads the points of a range, 2 x m
 template <class PointRange, class NamedParameters>
 Plane_points read_points(const PointRange& points, const NamedParameters& np)
 {
@@ -78,7 +78,7 @@ Plane_points read_points(const PointRange& points, const NamedParameters& np)
   return result;
 }
 
-/// Writes m points into a range of as many. A map that throws leaves the range as it was.
+/// Writes m points to a range of the same size. If a map throws, the range is unchanged.
 template <class PointRange, class NamedParameters>
 void write_points(PointRange& points, const Plane_points& positions, const NamedParameters& np)
 {

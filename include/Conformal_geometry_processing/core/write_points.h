@@ -16,9 +16,8 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// Writes the positions, 3 x |V|, to where the named parameters want them. A map that throws leaves
-/// the points as they were if they can be read, which they can unless they go to a map of their
-/// own.
+/// Writes the positions, 3 x |V|, to the output given by named parameters. If a map throws, the
+/// points are restored, unless they are written to a separate output map.
 template <class TriangleMesh, class NamedParameters>
 void write_points(TriangleMesh& mesh, const Graph_view<TriangleMesh>& graph,
                   const Points& positions, const NamedParameters& np)

@@ -10,20 +10,20 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// \brief the functions 1, f^x, f^y on the vertices of a curve f, made orthogonal: a change of
-/// curvature keeps the curve closed, to first order, where it has no share in them [CGP 4.2].
+/// \brief The functions 1, f^x, f^y on the vertices of a curve f, orthogonalized: a change of
+/// curvature that is orthogonal to them keeps the curve closed, to first order [CGP 4.2].
 ///
 /// They are 1 and the coordinates along the principal axes of the curve, so they depend neither on
-/// where it lies nor on where it begins. O(m).
+/// its position nor on its first vertex. O(m).
 class Closing_functions {
  public:
   /// \param points 2 x m \param weights of the inner product: the dual lengths, m positive numbers
   Closing_functions(const Plane_points& points, const Eigen::VectorXd& weights);
 
-  /// the three functions at a point
+  /// Returns the three functions at a point
   Eigen::Vector3d values(const Eigen::Vector2d& point) const;
 
-  /// the function with these inner products with the three, as their linear combination
+  /// Returns the linear combination of the three functions that has these inner products with them
   Eigen::Vector3d combination(const Eigen::Vector3d& products) const;
 
  private:

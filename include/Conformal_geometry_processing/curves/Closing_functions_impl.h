@@ -26,7 +26,7 @@ CGP_INLINE Closing_functions::Closing_functions(const Plane_points& points,
   }
   const double angle = std::atan2(2 * xy, xx - yy) / 2;
   m_axis = {std::cos(angle), std::sin(angle)};
-  // Not from these sums: they leave no digit of the short axis of a thin curve.
+  // Not from these sums, which lose all digits for the short axis of a thin curve.
   m_norms = Eigen::Vector3d::Zero();
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     m_norms += weights[i] * values(points.col(i)).cwiseAbs2();

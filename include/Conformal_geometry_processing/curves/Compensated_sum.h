@@ -8,10 +8,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// \brief a running sum of vectors of the plane whose every value is as good as one rounding.
+/// \brief A compensated running sum of vectors of the plane, accurate to one rounding.
 ///
-/// The vertices of a polygon are such sums of its edges. Summed plainly, their rounding errors
-/// grow with the number of edges, and the edge that closes the polygon gets them all.
+/// The vertices of a polygon are such sums of its edges. Without compensation, their rounding
+/// errors grow with the number of edges, and accumulate in the edge that closes the polygon.
 class Compensated_sum {
  public:
   void add(const Eigen::Vector2d& x);

@@ -10,35 +10,35 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// how the ends of a closed curve are brought together after a step
+/// How the ends of a closed curve are joined after a step
 enum class Curve_closing {
-  exact,         ///< by a little more change of curvature: every edge keeps its length
-  least_squares  ///< by a little change of all lengths, as in [CGP 6.4.3]
+  exact,         ///< by an additional change of curvature: every edge keeps its length
+  least_squares  ///< by small changes of all lengths, as in [CGP 6.4.3]
 };
 
 /// \ingroup PkgCurves
-/// how to run an isometric curve flow
+/// Options of an isometric curve flow
 struct Curve_flow_options {
-  /// whether the last point is followed by the first
+  /// Whether the last point is followed by the first
   bool is_closed = true;
 
-  /// tau in kappa + tau (-2 kappa, constrained). The flow is stable for 0 < tau < 1: it multiplies
-  /// what can go away by 1 - 2 tau, so 1/2 goes furthest, and small ones show the way. Curves of
-  /// turning number 0 are at rest only below about 3/4.
+  /// tau in kappa + tau (-2 kappa, constrained). The flow is stable for 0 < tau < 1: each step
+  /// multiplies the removable part of the curvature by 1 - 2 tau, so 1/2 converges fastest, and
+  /// small values show the evolution. Curves of turning number 0 converge only below about 3/4.
   double time_step = 0.5;
 
   int max_steps = 100;  ///< of one `run()`
 
-  /// stop where the energy changes by less than this share of it in a time of 1; where it goes to
-  /// zero, of a hundredth of what it was in the beginning
+  /// Relative change of the energy per unit of time below which the flow stops; relative to the
+  /// energy or, if it tends to zero, to a hundredth of the initial energy
   double energy_tolerance = 1e-8;
 
   Curve_closing closing = Curve_closing::exact;
 };
 
 /// \relates Curve_flow_options
-/// the options, if they are in their ranges
-/// \throw Precondition_error naming `function` otherwise
+/// Returns the options
+/// \throw Precondition_error naming `function` if an option is out of its range
 const Curve_flow_options& checked(const Curve_flow_options& o, const std::string& function);
 
 }  // namespace Conformal_geometry_processing

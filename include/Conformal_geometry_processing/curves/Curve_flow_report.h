@@ -8,57 +8,57 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// why a curve flow has stopped
+/// Reason why a curve flow has stopped
 enum class Curve_flow_stop {
-  none,            ///< it has not: it can go on
+  none,            ///< it has not stopped
   energy_settled,  ///< the energy changes by less than the tolerance
-  steps_done,      ///< the steps asked for are done
-  cancelled,       ///< the visitor said no
+  steps_done,      ///< the requested steps are done
+  cancelled,       ///< the visitor has stopped the flow
   step_failed      ///< no time step was small enough to close the curve and lower the energy
 };
 
 /// \relates Curve_flow_report
-/// the reason in words
+/// Describes the reason
 const char* to_string(Curve_flow_stop stop);
 
 /// \ingroup PkgCurves
-/// \brief one step of a curve flow in numbers, which are its proof.
+/// \brief Measurements of one step of a curve flow.
 struct [[nodiscard]] Curve_step_report {
   int step = 0;                                  ///< its number, from 1
   bool accepted = false;                         ///< the curve has moved
-  Curve_flow_stop stop = Curve_flow_stop::none;  ///< why no further step should follow, if so
+  Curve_flow_stop stop = Curve_flow_stop::none;  ///< reason to stop after this step, if any
 
   double energy_before = 0, energy = 0;  ///< sum kappa^2 d, in 1/length
   double time_step = 0;                  ///< tau of the last trial
-  int trials = 0;                        ///< how many time steps were tried, each half of the last
-  double first_gap = 0;          ///< between the ends before they were joined, by the length
-  double gap = 0;                ///< what the edges have to share: without exact closing, all of it
-  int newton_iterations = 0;     ///< of exact closing
-  double length_distortion = 0;  ///< the largest change of an edge, relative to its first length
+  int trials = 0;                        ///< number of time steps tried, each half of the previous
+  double first_gap = 0;       ///< between the ends before they were joined, relative to the length
+  double gap = 0;             ///< distributed over the edges: without exact closing, all of it
+  int newton_iterations = 0;  ///< of exact closing
+  double length_distortion = 0;  ///< maximal change of an edge, relative to its initial length
   int turning_number = 0;        ///< of a closed curve
 };
 
 /// \ingroup PkgCurves
-/// \brief a whole curve flow in numbers.
+/// \brief Measurements of a whole curve flow.
 struct [[nodiscard]] Curve_flow_report {
   Curve_flow_stop stop = Curve_flow_stop::none;
   std::vector<Curve_step_report> steps;  ///< the accepted ones
   double length = 0;                     ///< of the curve
   double initial_energy = 0, energy = 0;
   int turning_number = 0;        ///< of a closed curve, before and after
-  double length_distortion = 0;  ///< from the first curve to the last one, the worst edge
+  double length_distortion = 0;  ///< from the first curve to the last one, maximum over the edges
   double seconds = 0;            ///< wall clock
 
-  /// whether the flow has arrived
+  /// Returns whether the flow has converged
   bool converged() const { return stop == Curve_flow_stop::energy_settled; }
 
-  /// whether it has arrived, or made the steps it was asked for
+  /// Returns whether the flow has converged, or has done the requested steps
   explicit operator bool() const { return converged() || stop == Curve_flow_stop::steps_done; }
 };
 
 /// \relates Curve_flow_report
-/// \brief adds a step if it was accepted, and takes over whether it is the last and why.
-/// \returns whether it was accepted
+/// \brief Appends a step if it was accepted, and copies its reason to stop.
+/// \returns whether the step was accepted
 bool append(Curve_flow_report& report, const Curve_step_report& step);
 
 }  // namespace Conformal_geometry_processing

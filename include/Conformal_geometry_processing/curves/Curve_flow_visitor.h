@@ -9,18 +9,17 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// \brief a model of `CurveFlowVisitor` that watches without a word; derive from it to override
-/// one.
+/// \brief A model of `CurveFlowVisitor` that does nothing; derive from it to override functions.
 ///
-/// Whatever it throws passes through; the flow is at its last complete step then.
+/// Exceptions propagate to the caller; the flow remains at its last complete step.
 struct Curve_flow_visitor {
-  /// called once, with the curve the flow starts from, 2 x m, and its energy
+  /// Called once, with the initial curve, 2 x m, and its energy
   void on_flow_begin(const Plane_points&, double) {}
 
-  /// asked before every step: false stops the flow
+  /// Called before every step; false stops the flow
   bool go_further() { return true; }
 
-  /// called after every accepted step, with the new curve
+  /// Called after every accepted step, with the new curve
   void on_step_end(const Curve_step_report&, const Plane_points&) {}
 };
 

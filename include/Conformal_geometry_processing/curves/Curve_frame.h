@@ -11,19 +11,19 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// \brief the coordinates in which curves flow: `Normalized_frame` in the plane, so that neither
-/// the unit of length nor a far origin matters.
+/// \brief Normalized coordinates of curve flows: `Normalized_frame` in the plane, which makes
+/// results independent of the unit of length and of a distant origin.
 class Curve_frame {
  public:
-  /// \pre `points` has a column, all are finite
+  /// \pre `points` is not empty and finite
   explicit Curve_frame(const Plane_points& points) : m_frame(in_space(points)) {}
 
-  /// the length of the frame's unit in the units of the curve, a power of two
+  /// The unit of the frame in units of the curve, a power of two
   double unit() const { return m_frame.unit(); }
 
   Plane_points to_frame(const Plane_points& points) const;
 
-  /// from the frame back, into memory that is there
+  /// Transforms points from the frame to the curve, in the memory of `result`
   void from_frame(const Plane_points& points, Plane_points& result) const;
 
  private:

@@ -18,40 +18,40 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// \brief makes a polygon in the plane as little bent as its turning number allows, step by step,
-/// without stretching any of its edges [CGP 4.2, 6.4.3].
+/// \brief Minimizes the bending energy of a polygon in the plane within its turning number, step by
+/// step, without stretching its edges [CGP 4.2, 6.4.3].
 ///
-/// The curvature moves along `bending_descent()`; integrating it twice gives the polygon of
-/// the lengths that the first one had, whatever the number of steps. The centroid stays, and
-/// each curve is turned as near as possible to the one before. A step that would not close up,
-/// change the turning number or raise the energy is tried again with half of tau. O(m) time for a
-/// step, which takes no memory.
+/// The curvature moves along `bending_descent()`; integrating it twice gives a polygon with the
+/// edge lengths of the first one, for any number of steps. The centroid is fixed, and each curve is
+/// rotated to match the previous one as well as possible. A step that fails to close, changes the
+/// turning number or raises the energy is repeated with half of tau. O(m) time per step, without
+/// allocations.
 class Isometric_curve_flow {
  public:
-  /// \param points the vertices, 2 x m \param function is named by what is thrown
-  /// \throw Precondition_error if the points do not fulfil `require_polygon()`, or an option is out
-  /// of its range
+  /// \param points the vertices, 2 x m \param function named in exceptions
+  /// \throw Precondition_error if the points violate `require_polygon()`, or an option is out of
+  /// its range
   explicit Isometric_curve_flow(const Plane_points& points, const Curve_flow_options& options = {},
                                 const std::string& function = "Isometric_curve_flow");
 
   bool is_closed() const { return m_options.is_closed; }
 
-  /// the vertices of the present polygon
+  /// The vertices of the current polygon
   const Plane_points& points() const { return m_output; }
 
-  /// its bending energy, in 1/length
+  /// Its bending energy, in 1/length
   double energy() const { return m_energy / m_frame.unit(); }
 
-  /// its length, which stays
+  /// Its length, which is constant
   double length() const { return m_lengths.total() * m_frame.unit(); }
 
-  /// how often a closed one turns, which stays
+  /// Its turning number if it is closed, which is constant
   int turning_number_of_curve() const { return m_turning_number; }
 
-  /// One step. If it fails, the polygon stays as it is, and the report says so.
+  /// Takes one step. If it fails, the polygon is unchanged, and the report says so.
   Curve_step_report step();
 
-  /// Steps until there is a reason to stop. \param visitor a model of `CurveFlowVisitor`
+  /// Takes steps until there is a reason to stop. \param visitor a model of `CurveFlowVisitor`
   template <class Visitor>
   Curve_flow_report run(Visitor& visitor)
   {
@@ -77,7 +77,7 @@ class Isometric_curve_flow {
 
  private:
   static constexpr int max_trials = 12;
-  static constexpr double energy_noise = 1e-11;  // of the first energy
+  static constexpr double energy_noise = 1e-11;  // relative to the initial energy
 
   static const Plane_points& required(const Plane_points& points, bool is_closed,
                                       const std::string& function);
@@ -88,8 +88,8 @@ class Isometric_curve_flow {
 
   Curve_flow_options m_options;
   Curve_frame m_frame;
-  Plane_points m_output;                // in the units of the curve
-  Plane_points m_points, m_new_points;  // in the frame, as is all that follows
+  Plane_points m_output;                // in units of the curve
+  Plane_points m_points, m_new_points;  // in the frame, like all following members
   Polygon_lengths m_lengths;
   Eigen::VectorXd m_curvatures, m_direction, m_new_curvatures;
   Plane_points m_tangents;

@@ -67,8 +67,8 @@ CGP_INLINE const Plane_points& Isometric_curve_flow::required(const Plane_points
   return points;
 }
 
-// Puts the next polygon into m_new_points and its curvatures into m_new_curvatures; false where
-// it will not do.
+// Computes the next polygon in m_new_points and its curvatures in m_new_curvatures; returns false
+// if it is not acceptable.
 CGP_INLINE bool Isometric_curve_flow::try_step(Curve_step_report& report)
 {
   m_new_curvatures = m_curvatures + report.time_step * m_direction;
@@ -94,7 +94,7 @@ CGP_INLINE bool Isometric_curve_flow::integrate(double angle, Curve_step_report&
   return closing.is_closed;
 }
 
-// Whether no vertex turns by pi or more. Where lengths have changed, so have the angles.
+// Returns whether all turning angles are less than pi. They change if lengths have changed.
 CGP_INLINE bool Isometric_curve_flow::has_same_turns()
 {
   const auto duals = m_lengths.duals().array();

@@ -7,15 +7,15 @@
 
 namespace Conformal_geometry_processing {
 
-/// one point or vector of the plane per column
+/// One point or vector of the plane per column
 using Plane_points = Eigen::Matrix2Xd;
 
 /// \ingroup PkgCurves
-/// \brief the lengths of a polygon: of its edges, and of the dual edges around its vertices.
+/// \brief The lengths of the edges of a polygon, and of the dual edges of its vertices.
 ///
 /// Edge i runs from vertex i to the next one, the last edge of a closed polygon to vertex 0; an
-/// open polygon has one edge less than vertices. The dual edge of a vertex is half of the edges
-/// that meet there. An isometric flow keeps all of these, so it measures them once. O(m).
+/// open polygon has one edge less than vertices. The dual edge of a vertex consists of half of each
+/// incident edge. An isometric flow preserves these lengths and computes them only once. O(m).
 class Polygon_lengths {
  public:
   Polygon_lengths() = default;
@@ -30,7 +30,7 @@ class Polygon_lengths {
   const Eigen::VectorXd& edges() const { return m_edges; }
   const Eigen::VectorXd& duals() const { return m_duals; }
 
-  /// the length of the whole polygon
+  /// Length of the whole polygon
   double total() const { return m_total; }
 
  private:
@@ -40,7 +40,7 @@ class Polygon_lengths {
 };
 
 /// \relates Polygon_lengths
-/// the largest change of length of an edge, relative to what it was
+/// Returns the maximal relative change of the length of an edge
 double length_distortion(const Plane_points& points, const Polygon_lengths& original);
 
 }  // namespace Conformal_geometry_processing

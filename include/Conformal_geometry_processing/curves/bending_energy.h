@@ -10,11 +10,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// \brief the integral of the square of the curvature, sum kappa^2 d [CGP 6.4.3].
+/// \brief Returns the bending energy, the integral of the squared curvature, sum kappa^2 d
+/// [CGP 6.4.3].
 ///
-/// In 1/length; times the length of the curve it does not depend on scale, and is 4 pi^2 k^2 for a
-/// circle run through k times.
-/// \param curvatures the turning angles by the dual lengths, one per vertex
+/// In 1/length; its product with the length of the curve is scale-invariant, and 4 pi^2 k^2 for a
+/// k-fold circle.
+/// \param curvatures the turning angles divided by the dual lengths, one per vertex
 double bending_energy(const Eigen::VectorXd& curvatures, const Polygon_lengths& lengths);
 
 }  // namespace Conformal_geometry_processing

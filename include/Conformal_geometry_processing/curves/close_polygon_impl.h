@@ -31,9 +31,9 @@ CGP_INLINE void correct_curvatures(const Eigen::Vector2d& gap, double turning,
                                    const Plane_points& shape, const Polygon_lengths& lengths,
                                    Eigen::VectorXd& curvatures)
 {
-  // What turns at vertex i by d_i k_i turns the end p about f_i: the gap changes by
-  // J (p - f_i) d_i k_i. So moments, d_i k_i (1, f_i), tell all; p, which is the gap away from 0,
-  // matters to second order only.
+  // Turning at vertex i by d_i k_i rotates the end p about f_i: the gap changes by
+  // J (p - f_i) d_i k_i. The change is therefore determined by the moments d_i k_i (1, f_i); p,
+  // whose distance from 0 is the gap, contributes to second order only.
   const Eigen::VectorXd& d = lengths.duals();
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   for (Eigen::Index i = 0; i < d.size(); ++i)

@@ -10,12 +10,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// \brief moves a curve rigidly as near to another one as it goes: the same centroid, and the
-/// rotation with the least sum of squared distances.
+/// \brief Aligns a curve to another one by the rigid motion that matches the centroids and
+/// minimizes the weighted sum of squared distances.
 ///
-/// Curvature says nothing about either; this choice depends neither on the numbering of the
-/// vertices nor on where the plane has its origin. Where every rotation is as good, it takes none.
-/// O(m).
+/// Curvature determines a curve up to a rigid motion only; this choice depends neither on the
+/// numbering of the vertices nor on the origin of the plane. If all rotations are equally good, the
+/// curve is not rotated. O(m).
 /// \param to 2 x m \param weights of the vertices, m numbers \param points are moved, 2 x m
 /// \returns the angle of the rotation, counterclockwise
 double align(const Plane_points& to, const Eigen::VectorXd& weights, Plane_points& points);

@@ -9,19 +9,20 @@
 #include <string>
 
 /// \file curve_requirements.h
-/// \brief what a polygon must fulfil before it flows.
+/// \brief Requirements on polygons, checked before a flow.
 namespace Conformal_geometry_processing {
 
-/// an edge is refused when it is shorter than this share of the whole polygon: beneath it the
-/// rounding of the coordinates decides on its direction
+/// An edge is rejected if it is shorter than this fraction of the whole polygon, because its
+/// direction is then determined by the rounding of the coordinates
 constexpr double relative_length_tolerance = 1e-14;
 
-/// a turn is refused when it differs from a half turn by less than this angle: the rounding of the
-/// coordinates decides whether it is to the left or to the right
+/// A turn is rejected if it differs from a half turn by less than this angle, because its sign is
+/// then determined by the rounding of the coordinates
 constexpr double half_turn_tolerance = 1e-10;
 
 /// \ingroup PkgCurves
-/// at least three points with finite coordinates, none equal to the next one, and no turn by +-pi
+/// Requires at least three points with finite coordinates, none equal to the next one, and no turn
+/// by +-pi
 /// \param points 2 x m
 /// \throw Precondition_error naming `function` and the first point that breaks a rule
 void require_polygon(const Plane_points& points, bool is_closed, const std::string& function);

@@ -10,11 +10,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// \brief the edges of the polygon that has these curvatures and lengths [CGP 6.4.3]:
+/// \brief Computes the edges of the polygon with these curvatures and lengths [CGP 6.4.3]:
 /// T_i = l_i (cos theta_i, sin theta_i), theta_i = theta_{i-1} + d_i kappa_i. O(m).
 ///
-/// Each has its length to rounding, but their sum need not be zero. The curvature at vertex 0 has
-/// no say: it turns the last edge of a closed polygon into the first.
+/// Lengths are exact up to rounding, but the sum of the edges need not be zero. The curvature at
+/// vertex 0 is not used: it turns the last edge of a closed polygon into the first.
 /// \param curvatures one per vertex \param angle of edge 0, theta_0
 /// \param tangents receives an edge per column, 2 x number of edges
 void integrate_curvature(const Eigen::VectorXd& curvatures, const Polygon_lengths& lengths,

@@ -10,17 +10,17 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// \brief the polygon whose edges are nearest to given ones: it minimises
+/// \brief Computes the polygon whose edges are closest to given ones: it minimizes
 /// sum |f_{i+1} - f_i - T_i|^2 / l_i [CGP 6.4.3].
 ///
 /// For a closed polygon this is the solution of the Poisson equation L f = b, where L is cyclic
 /// and tridiagonal with -1/l_i off its diagonal, and b_i = T_{i-1}/l_{i-1} - T_i/l_i (the thesis
-/// has b with the opposite sign, which gives -f). In the unknowns q_i = (f_{i+1} - f_i)/l_i it says
-/// q_i - q_{i-1} = T_i/l_i - T_{i-1}/l_{i-1}: the q are the T_i/l_i but for one constant, which is
-/// such that the polygon closes. So each edge takes a share of the gap, in proportion to its
-/// length, and two passes solve the equation in O(m), without the cancellation of an elimination,
-/// whose matrix has a condition number of the order of m^2. Every vertex is as good as one rounding
-/// of its coordinates.
+/// has b with the opposite sign, which gives -f). In the unknowns q_i = (f_{i+1} - f_i)/l_i it
+/// reads q_i - q_{i-1} = T_i/l_i - T_{i-1}/l_{i-1}: the q_i equal T_i/l_i up to a constant, which
+/// is determined by the closing condition. Each edge therefore takes a share of the gap in
+/// proportion to its length. Two passes solve the equation in O(m), without the cancellation of an
+/// elimination, whose matrix has a condition number of order m^2. Every vertex is accurate to one
+/// rounding of its coordinates.
 ///
 /// \param tangents an edge per column \param points receives the vertices, the first one at 0
 /// \returns the sum of the edges of a closed polygon: the gap that was distributed

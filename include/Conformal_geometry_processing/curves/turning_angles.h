@@ -10,10 +10,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// \brief by how much a polygon turns at each vertex: in (-pi, pi], positive to the left. O(m).
+/// \brief Computes the turning angle at each vertex of a polygon: in (-pi, pi], positive to the
+/// left. O(m).
 ///
-/// The sum over a closed polygon is its turning number times 2 pi, to rounding. Where an edge goes
-/// straight back, the sign is arbitrary; `require_polygon()` refuses that.
+/// The sum over a closed polygon is its turning number times 2 pi, up to rounding. If an edge
+/// reverses its direction, the sign is arbitrary; `require_polygon()` rejects this case.
 /// \param points the vertices, 2 x m, m > 2
 /// \param angles receives m numbers, zero at the ends of an open polygon
 void turning_angles(const Plane_points& points, bool is_closed, Eigen::VectorXd& angles);

@@ -7,12 +7,12 @@
 
 namespace Conformal_geometry_processing {
 
-/// a full turn
+/// A full turn
 inline constexpr double two_pi = 6.283185307179586476925286766559;
 
 /// \ingroup PkgCurves
-/// \brief how often the tangent of a closed polygon turns around, counterclockwise: 1 for a convex
-/// one, 0 for a figure eight [CGP 4.2].
+/// \brief Returns the turning number of a closed polygon, counterclockwise: 1 for a convex one, 0
+/// for a figure eight [CGP 4.2].
 /// \param angles of `turning_angles()`
 int turning_number(const Eigen::VectorXd& angles);
 

@@ -4,8 +4,8 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SOLVERS_H
 
 /// \file linear_algebra/direct_solvers.h
-/// \brief sparse Cholesky factorizations of real, complex and quaternionic matrices, by themselves
-/// and for the two problems with a kernel or with given values.
+/// \brief Sparse Cholesky factorizations of real, complex and quaternionic matrices, and solvers
+/// for singular systems and for systems with prescribed values.
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver.h>

@@ -4,7 +4,8 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_EIGENSOLVERS_H
 
 /// \file linear_algebra/eigensolvers.h
-/// \brief the smallest eigenpairs of quaternionic Hermitian matrices, and those nearest to a shift.
+/// \brief Eigensolvers for quaternionic Hermitian matrices: smallest eigenpairs, and those nearest
+/// to a shift.
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_INSTANCES_IMPL_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_INSTANCES_IMPL_H
 
-// The templates that the compiled library contains, for its own solvers.
+// Instantiates the templates of the compiled library, for its own solvers.
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver_templates.h>

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_SOLVER_H
 
 /// \file linear_algebra/multigrid_solver.h
-/// \brief smoothed aggregation for quaternionic and real matrices, in little memory.
+/// \brief Smoothed aggregation for quaternionic and real matrices, with low memory.
 
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver.h>
 

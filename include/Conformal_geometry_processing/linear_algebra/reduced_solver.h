@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_SOLVER_H
 
 /// \file linear_algebra/reduced_solver.h
-/// \brief systems some of whose quaternionic unknowns are kept to planes of two real coordinates.
+/// \brief Solvers for systems in which some quaternionic unknowns are restricted to planes.
 
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/reduced_operators.h>

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_SETTINGS_H
 
 /// \file linear_algebra/settings.h
-/// \brief threads and vector units.
+/// \brief Number of threads, and vector units.
 
 #include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>

@@ -12,8 +12,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMeasure
-/// \brief how conformal the map between two surfaces of the same connectivity is: the certificate
-/// that every transformation of the library carries.
+/// \brief Measures of conformality of the map between two surfaces of the same connectivity, part
+/// of the report of every transformation of the library.
 struct Conformality {
   Distribution quasi_conformal;  ///< of Q >= 1 over the area
   Length_cross_ratio_change length_cross_ratio;
@@ -23,7 +23,7 @@ struct Conformality {
 
 /// \ingroup PkgMeasure
 /// \param positions the new ones, 3 x |V|
-/// \param expected_normals 3 x |F|, to tell which faces have flipped (`flipped_faces()`)
+/// \param expected_normals 3 x |F|, to detect flipped faces (`flipped_faces()`)
 Conformality conformality(const Mesh_view& mesh, const Points& positions,
                           const Points& expected_normals);
 

@@ -8,7 +8,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMeasure
-/// \brief how a quantity is spread over a surface.
+/// \brief Statistics of a quantity on a surface.
 struct Distribution {
   double mean = 0;  ///< weighted
   double p99 = 0;   ///< 99 % of the weight lies at or below
@@ -16,12 +16,12 @@ struct Distribution {
 };
 
 /// \ingroup PkgMeasure
-/// the distribution of values with positive weights, usually areas; O(n log n)
+/// Returns statistics of values with positive weights, usually areas; O(n log n)
 Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights);
 
 /// \ingroup PkgMeasure
-/// the share of the weight in each of `bins` intervals of equal width from `low` to `high`; values
-/// outside count in the first or the last
+/// Returns the share of the weight in each of `bins` intervals of equal width from `low` to `high`;
+/// values outside are assigned to the first or the last one
 Eigen::VectorXd histogram(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, int bins,
                           double low, double high);
 

@@ -10,19 +10,19 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMeasure
-/// a similarity of R^3 that takes one set of points as close as possible to another
+/// A similarity of R^3 that aligns one set of points with another
 struct Alignment {
   Eigen::Matrix3d rotation;  ///< determinant +1
   double scale;
   Eigen::Vector3d translation;
-  double rms, max;  ///< distances left, relative to the diagonal of the target's bounding box
+  double rms, max;  ///< remaining distances, relative to the bounding box diagonal of the target
 
-  /// scale * rotation * p + translation for every column p
+  /// Returns scale * rotation * p + translation for every column p
   Points apply(const Points& points) const;
 };
 
 /// \ingroup PkgMeasure
-/// \brief the best similarity from `source` to `target`, both 3 x n, in the sense of least squares.
+/// \brief Computes the least-squares similarity from `source` to `target`, both 3 x n.
 Alignment align(const Points& source, const Points& target);
 
 }  // namespace Conformal_geometry_processing

@@ -10,19 +10,19 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMeasure
-/// the factor by which the map scales lengths, sqrt(new area / old area), for each face
+/// Returns the factor by which the map scales lengths, sqrt(new area / old area), for each face
 /// \param positions the new ones, 3 x |V|
 Eigen::VectorXd length_scales(const Mesh_view& mesh, const Points& positions);
 
 /// \ingroup PkgMeasure
-/// how unevenly a map scales a surface
+/// Measures of the area distortion of a map
 struct Area_distortion {
   double min_scale = 1, max_scale = 1;  ///< range of `length_scales()`
   double log_deviation = 0;  ///< standard deviation of the log of the scale, weighted by area
 };
 
 /// \ingroup PkgMeasure
-/// the distortion of area from the mesh to the new positions
+/// Computes the area distortion from the mesh to the new positions
 Area_distortion area_distortion(const Mesh_view& mesh, const Points& positions);
 
 }  // namespace Conformal_geometry_processing

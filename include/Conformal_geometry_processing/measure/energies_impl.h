@@ -25,7 +25,7 @@ CGP_INLINE double total_area(const Mesh_view& mesh)
 
 CGP_INLINE double signed_volume(const Mesh_view& mesh)
 {
-  // From a point of the surface, so that a far origin does not cost digits.
+  // Relative to a point of the surface, to avoid cancellation if the origin is far away.
   const Eigen::Vector3d o = mesh.position(0);
   double volume = 0;
   for (int f = 0; f < mesh.size_of_faces(); ++f)
@@ -41,8 +41,8 @@ CGP_INLINE Eigen::VectorXd bending_angles(const Mesh_view& mesh)
     const int h = mesh.halfedges_begin(k)[0], g = mesh.twin(h);
     if (g < 0) continue;
     const Eigen::Vector3d left = N.col(Mesh_view::face(h)), right = N.col(Mesh_view::face(g));
-    // From the left face to the right one the normal of a convex edge turns by a positive angle
-    // about the edge's direction.
+    // From the left to the right face of a convex edge, the normal rotates by a positive angle
+    // about the direction of the edge.
     angles[k] =
         std::atan2(left.cross(right).dot(stable_normalized(mesh.vector(h))), left.dot(right));
   }

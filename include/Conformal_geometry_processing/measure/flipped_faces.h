@@ -8,23 +8,23 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMeasure
-/// \brief what the normals of the faces should be if the surface does not fold: the sum of the
+/// \brief Returns the expected normals of the faces of a surface without folds: the sum of the
 /// area-weighted normals of their corners; 3 x |F|, not of unit length.
 Points neighbourhood_normals(const Mesh_view& mesh);
 
 /// \ingroup PkgMeasure
-/// \brief what the normals of the faces should be if a deformation folds nothing and unfolds
-/// nothing: the neighbourhood normals of the new surface, reversed where a face was against its
+/// \brief Returns the expected normals of the faces under a deformation that creates and removes no
+/// folds: the neighbourhood normals of the new surface, reversed if a face was opposite to its
 /// neighbourhood before; 3 x |F|, not of unit length.
 ///
-/// Where a face stood upright on its neighbourhood, or had none (area zero, faces that cancel out),
-/// nothing can be told: there it is the new normal itself.
+/// If a face was perpendicular to its neighbourhood, or either has no normal (area zero, faces that
+/// cancel out), the orientation is undefined, and the new normal itself is returned.
 /// \param positions the new ones, 3 x |V|
 Points neighbourhood_normals(const Mesh_view& before, const Points& positions);
 
 /// \ingroup PkgMeasure
-/// the number of faces whose new normal makes an obtuse angle with the one expected, or that have
-/// area zero
+/// Returns the number of faces whose new normal makes an obtuse angle with the expected one, or
+/// that have area zero
 /// \param positions the new ones, 3 x |V|
 /// \param expected 3 x |F|, for instance the old normals rotated by the spins of the faces
 int flipped_faces(const Mesh_view& mesh, const Points& positions, const Points& expected);

@@ -10,22 +10,22 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMeasure
-/// \brief the logarithm of the length cross-ratio l_il l_jk / (l_lj l_ki) of each interior edge ij
-/// with the opposite vertices k (left) and l (right); zero at the boundary. |E| numbers.
+/// \brief Returns the logarithm of the length cross-ratio l_il l_jk / (l_lj l_ki) of each interior
+/// edge ij with the opposite vertices k (left) and l (right); zero at the boundary. |E| numbers.
 ///
-/// Two meshes of the same connectivity are discretely conformally equivalent exactly if theirs
-/// agree; Moebius transformations of the vertices keep it.
+/// Two meshes of the same connectivity are discretely conformally equivalent if and only if their
+/// length cross-ratios agree; Moebius transformations of the vertices preserve them.
 Eigen::VectorXd log_length_cross_ratios(const Mesh_view& mesh, const Points& positions);
 
 /// \ingroup PkgMeasure
-/// how far a map is from discretely conformal; zero for Moebius transformations
+/// Deviation of a map from discrete conformality; zero for Moebius transformations
 struct Length_cross_ratio_change {
   double rms = 0;  ///< over the interior edges
   double max = 0;  ///< absolute
 };
 
 /// \ingroup PkgMeasure
-/// the change of the log length cross-ratios from the mesh to the new positions, 3 x |V|
+/// Returns the change of the log length cross-ratios from the mesh to the new positions, 3 x |V|
 Length_cross_ratio_change length_cross_ratio_change(const Mesh_view& mesh, const Points& positions);
 
 }  // namespace Conformal_geometry_processing

@@ -20,7 +20,7 @@ CGP_INLINE Eigen::VectorXd log_length_cross_ratios(const Mesh_view& mesh, const 
         std::log((positions.col(mesh.ends(k)[1]) - positions.col(mesh.ends(k)[0])).norm());
   Eigen::VectorXd ratio = Eigen::VectorXd::Zero(mesh.size_of_edges());
   for (int h = 0; h < mesh.size_of_halfedges(); ++h)
-    if (mesh.twin(h) >= 0)  // from the left and from the right, the same quotient l_jk / l_ki
+    if (mesh.twin(h) >= 0)  // both sides contribute the same quotient l_jk / l_ki
       ratio[mesh.edge(h)] += log_length[mesh.edge(Mesh_view::next_in_face(h))] -
                              log_length[mesh.edge(Mesh_view::previous_in_face(h))];
   return ratio;

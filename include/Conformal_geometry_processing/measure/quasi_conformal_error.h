@@ -13,7 +13,7 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// a triangle laid out in the plane, at (0, 0), (length, 0) and (x, y), y >= 0
+/// A triangle laid out in the plane, at (0, 0), (length, 0) and (x, y), y >= 0
 struct Flat_triangle {
   double length, x, y;
 };
@@ -23,16 +23,16 @@ Flat_triangle flattened(const Points& positions, const std::array<int, 3>& corne
 }  // namespace internal
 
 /// \ingroup PkgMeasure
-/// \brief Q >= 1 for each face: the ratio of the singular values of the linear map between the
-/// old and the new triangle, 1 if it is a similarity [CGP 5.8.1].
+/// \brief Returns Q >= 1 for each face: the ratio of the singular values of the linear map between
+/// the old and the new triangle, 1 if it is a similarity [CGP 5.8.1].
 ///
-/// Infinite where the new triangle has area zero. Of first order in the edge length also for
-/// exactly conformal maps; `length_cross_ratio_change()` is the discretely exact yardstick.
+/// Infinite if the new triangle has area zero. First order in the edge length even for exactly
+/// conformal maps; `length_cross_ratio_change()` is the discretely exact measure.
 /// \param positions the new ones, 3 x |V|
 Eigen::VectorXd quasi_conformal_errors(const Mesh_view& mesh, const Points& positions);
 
 /// \ingroup PkgMeasure
-/// their distribution, weighted by the areas of the old faces
+/// Returns statistics of the quasi-conformal errors, weighted by the areas of the old faces
 Distribution quasi_conformal_error(const Mesh_view& mesh, const Points& positions);
 
 }  // namespace Conformal_geometry_processing

@@ -13,32 +13,32 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief which parts of the faces of a mesh lie in which face of its intrinsic triangulation, and
-/// how they stand in space.
+/// \brief Partition of the faces of a mesh by its intrinsic triangulation, and the embedding of the
+/// pieces in space.
 ///
 /// Follows the flips: the pieces of two triangles, laid out in the plane, are cut along the new
-/// diagonal. Rounding shifts the cuts a little, but whatever it does, each intrinsic face has
-/// pieces with positive weights.
+/// diagonal. Rounding shifts the cuts slightly, but each intrinsic face always has pieces with
+/// positive weights.
 class Common_subdivision {
  public:
-  /// a convex part of a face, in the plane of the intrinsic face in which it lies: there halfedge
-  /// 3 g runs from (0, 0) along the x-axis
+  /// A convex part of a face, in the plane of the intrinsic face that contains it, where halfedge 3
+  /// g starts at (0, 0) along the x-axis
   struct Piece {
     std::vector<Eigen::Vector2d> polygon;
     double weight;                         ///< its area in the mesh
     int face;                              ///< of the mesh
-    Eigen::Matrix<double, 3, 2> to_space;  ///< an isometry from that plane to the plane of the face
+    Eigen::Matrix<double, 3, 2> to_space;  ///< isometry from that plane to the plane of the face
   };
 
-  /// \param mesh the one whose faces the triangles still are
+  /// \param mesh the mesh whose faces are the triangles, before any flip
   Common_subdivision(const Mesh_view& mesh, const Intrinsic_triangulation& triangles);
   const std::vector<Piece>& pieces(int face) const;
 
-  /// \pre the edge of h will be flipped, and has not been yet
+  /// \pre the edge of h is about to be flipped
   void before_flip(const Intrinsic_triangulation& triangles, int h);
 
  private:
-  /// a point and a unit vector
+  /// A point and a unit vector
   struct Frame {
     Eigen::Vector2d origin, direction;
 
@@ -47,15 +47,15 @@ class Common_subdivision {
 
   static Frame halfedge_in_plane(const Intrinsic_triangulation& triangles, int h);
 
-  /// the rigid motion that takes the one frame to the other
+  /// Applies the rigid motion that maps one frame to the other
   static void move(std::vector<Piece>& pieces, const Frame& from, const Frame& to);
   static double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
   static double area(const std::vector<Eigen::Vector2d>& polygon);
   static std::vector<Eigen::Vector2d> left_of(const std::vector<Eigen::Vector2d>& polygon,
                                               const Eigen::Vector2d& p, const Eigen::Vector2d& q);
 
-  /// What is left of the line from p to q. Splinters that rounding leaves along the line are
-  /// dropped, as long as there is something else.
+  /// Clips the pieces to the left side of the line from p to q. Drops slivers along the line that
+  /// are due to rounding, unless nothing else is left.
   static std::vector<Piece> left_of(const std::vector<Piece>& pieces, const Eigen::Vector2d& p,
                                     const Eigen::Vector2d& q);
   void add_face(const Mesh_view& mesh, const Intrinsic_triangulation& triangles, int f);

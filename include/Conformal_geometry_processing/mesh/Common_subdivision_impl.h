@@ -121,8 +121,8 @@ CGP_INLINE std::vector<Common_subdivision::Piece> Common_subdivision::left_of(
   return left;
 }
 
-// The longest edge decides on the direction. A face of area zero has no normal: there it is two
-// of half the weight, one on each side of the edge, so that nothing but the edge counts.
+// The longest edge determines the direction. A face of area zero has no normal; it is replaced by
+// two of half the weight, one on each side of the edge, so that only the edge has an effect.
 CGP_INLINE void Common_subdivision::add_face(const Mesh_view& mesh,
                                              const Intrinsic_triangulation& triangles, int f)
 {
@@ -136,7 +136,7 @@ CGP_INLINE void Common_subdivision::add_face(const Mesh_view& mesh,
   const Eigen::Vector3d double_area = mesh.double_area_vector(f);
   const bool has_normal = !has_area_zero(mesh, f);
   Eigen::Vector3d edge = mesh.vector(longest).stableNormalized();
-  if (!(edge.norm() > .5)) edge = Eigen::Vector3d::UnitX();  // three times the same point
+  if (!(edge.norm() > .5)) edge = Eigen::Vector3d::UnitX();  // the three points coincide
   const Eigen::Vector3d normal = (has_normal ? double_area : edge.unitOrthogonal()).normalized();
   const Eigen::Matrix2d turn = halfedge_in_plane(triangles, longest).rotation().transpose();
   for (const double side : {1., -1.}) {

@@ -12,19 +12,19 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief what went wrong with the components of a mesh. All of them are tried, so that the user
-/// hears of all that are in the way at once.
+/// \brief Collects the failures of the components of a mesh. All components are tried, so that all
+/// failures are reported at once.
 class Component_failures {
  public:
-  /// \param size how many components there are
+  /// \param size number of components
   /// \param function named in the exception
   Component_failures(std::size_t size, std::string function);
 
-  /// \brief Carries out the work on component c, and keeps why it failed.
+  /// \brief Carries out the work on component c, and records the reason if it fails.
   ///
-  /// What is not about this component alone passes: a solver out of memory, and whatever this
-  /// library does not throw itself.
-  /// \param first_vertex the number of its first vertex, as the user counts
+  /// Does not catch exceptions that do not concern this component only: a solver out of memory, and
+  /// exceptions that are not thrown by this library.
+  /// \param first_vertex the number of its first vertex in the mesh of the user
   template <class Work>
   void attempt(std::size_t c, int first_vertex, const Work& work)
   {
@@ -39,9 +39,9 @@ class Component_failures {
     }
   }
 
-  /// \throw Precondition_error if one was caught, else Solver_error if one was; the message tells
-  /// how many components failed, and each reason with the first of them; their elements have
-  /// numbers of their own there
+  /// \throw Precondition_error if one was caught, otherwise Solver_error if one was; the message
+  /// contains the number of failed components, and each reason with the first components that
+  /// failed for it; element numbers in a reason are relative to its component
   void throw_if_any() const;
 
  private:

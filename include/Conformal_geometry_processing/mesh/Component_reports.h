@@ -9,7 +9,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// one component of a mesh, and what an algorithm reports of it
+/// The report of an algorithm on one component of a mesh
 template <class Report>
 struct Component_report {
   int first_vertex = 0;  ///< its number among the vertices of the mesh, from 0
@@ -18,13 +18,13 @@ struct Component_report {
 };
 
 /// \ingroup PkgMesh
-/// \brief what an algorithm reports that works on each component of a mesh alone: a certificate
-/// each, in the order of their first vertices.
+/// \brief The reports of an algorithm that processes each component of a mesh separately, in the
+/// order of their first vertices.
 template <class Report>
 struct [[nodiscard]] Component_reports {
   std::vector<Component_report<Report>> components;
 
-  /// whether all went well
+  /// Returns whether all components succeeded
   explicit operator bool() const
   {
     return std::all_of(components.begin(), components.end(),

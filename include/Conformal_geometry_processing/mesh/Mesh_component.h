@@ -10,19 +10,19 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief a connected component of a mesh as a mesh of its own.
+/// \brief A connected component of a mesh as a separate mesh.
 ///
-/// Vertices and faces keep their order, so that it is to the bit what it would be alone. A matrix
-/// of the whole mesh is block diagonal, with a block for each component: to factor it, or to find
-/// an eigenvector of each block, is to do so for each component.
+/// Vertices and faces keep their order, so results are bitwise the same as for the component alone.
+/// Matrices of the whole mesh are block diagonal with one block per component, so factorizations
+/// and eigenvectors of the blocks can be computed for each component.
 struct Mesh_component {
   Mesh_view mesh;
-  std::vector<int> vertices, faces;  ///< what are their numbers in the whole mesh; ascending
+  std::vector<int> vertices, faces;  ///< their indices in the whole mesh, ascending
 };
 
 /// \ingroup PkgMesh
-/// the components in the order of their first vertices; a vertex without faces is one, too.
-/// O(|V| + |E| + |F|)
+/// Returns the components in the order of their first vertices; an isolated vertex is a component,
+/// too. O(|V| + |E| + |F|)
 std::vector<Mesh_component> mesh_components(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing

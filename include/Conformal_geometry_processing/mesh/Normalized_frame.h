@@ -12,25 +12,25 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief the coordinates in which all numerics run: the centre of the bounding box at the origin,
-/// its half diagonal about 1.
+/// \brief Normalized coordinates for all numerical computations: the centre of the bounding box is
+/// the origin, half its diagonal is about 1.
 ///
-/// The scale is a power of two, so that scaling there and back costs no digit, and surfaces that
-/// differ by a power of two give the same bits. Nothing overflows for coordinates of 1e-300..1e300.
+/// The scale is a power of two, so that scaling is exact, and surfaces that differ by a power of
+/// two give bitwise the same results. No overflow for coordinates of 1e-300..1e300.
 class Normalized_frame {
  public:
-  /// \pre `positions` has a column, all are finite
+  /// \pre `positions` is not empty and finite
   explicit Normalized_frame(const Points& positions);
 
   const Eigen::Vector3d& center() const { return m_center; }
 
-  /// the length of the frame's unit in the units of the mesh
+  /// The unit of the frame in units of the mesh
   double unit() const { return std::ldexp(1., m_exponent); }
 
-  /// positions of the mesh in the frame
+  /// Transforms positions from the mesh to the frame
   Points to_frame(Points positions) const;
 
-  /// positions in the frame back to the mesh
+  /// Transforms positions from the frame to the mesh
   Points from_frame(Points positions) const;
 
  private:

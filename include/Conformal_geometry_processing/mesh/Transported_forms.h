@@ -11,21 +11,21 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief closed 1-forms that follow the flips of an intrinsic triangulation: what they add up to
-/// along a path stays, for around every triangle they add up to zero.
+/// \brief Closed 1-forms on an intrinsic triangulation, updated by its flips: integrals along paths
+/// do not change, because the sum around every triangle is zero.
 ///
-/// Takes 2 k |E| numbers, and O(k) for every flip; nothing where there are no forms.
+/// Takes 2 k |E| numbers, and O(k) for every flip; nothing if there are no forms.
 class Transported_forms {
  public:
-  /// \param forms |E| x k, along each edge i -> j of the mesh, i < j; closed. Empty: none.
+  /// \param forms |E| x k, along each edge i -> j of the mesh, i < j; closed; may be empty
   Transported_forms(const Mesh_view& mesh, const Eigen::MatrixXd& forms);
 
-  /// along halfedge h, from its first vertex to its second; k numbers
+  /// Values along halfedge h, from its first vertex to its second; k numbers
   auto along(int h) const { return m_values.row(h); }
 
   Eigen::Index size() const { return m_values.cols(); }
 
-  /// \pre the edge of h will be flipped, and has not been yet
+  /// \pre the edge of h is about to be flipped
   void before_flip(const Intrinsic_triangulation& triangles, int h);
 
  private:

@@ -10,12 +10,13 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief the triangles that lie along the boundary like a cap, with an angle of more than 150
-/// degrees opposite to it, and those that do so once such ones are taken away.
+/// \brief Finds the cap triangles at the boundary, whose angle opposite a boundary edge exceeds 150
+/// degrees, and those that become caps after removal of other ones.
 ///
-/// No flip gets rid of them, and a function that is linear there has the slope of its corner
-/// against the middle of the boundary edge, over the height of the cap. So functions are taken that
-/// are constant along that height, and bend at its foot (`Delaunay_view`).
+/// Flips cannot remove them, and the gradient of a linear function on a cap is the difference
+/// between its corner and the middle of the boundary edge, divided by the small height of the cap.
+/// `Delaunay_view` therefore uses functions that are constant along that height, with a kink at its
+/// foot.
 /// \returns for each triangle the halfedge opposite that angle, or -1
 std::vector<int> boundary_caps(const Intrinsic_triangulation& triangles);
 

@@ -10,11 +10,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief the boundary curves of a surface, each as its vertices in order, the surface on the left.
+/// \brief Returns the boundary curves of a surface, each as its vertices in order, with the surface
+/// on the left.
 ///
 /// A loop starts at its vertex of smallest number; loops are sorted by it. O(|V| + |E|).
-/// \pre `require_manifold_edges(mesh)` and `require_manifold_vertices(mesh)` hold: from every
-/// boundary vertex one boundary edge goes out
+/// \pre `require_manifold_edges(mesh)` and `require_manifold_vertices(mesh)` hold: every boundary
+/// vertex has one outgoing boundary edge
 std::vector<std::vector<int>> boundary_loops(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing

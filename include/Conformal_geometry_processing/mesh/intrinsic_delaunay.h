@@ -10,18 +10,18 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief whether the angles opposite the edge of h are together at most pi, so that its cotan
-/// weight is not negative; so are those of the boundary.
+/// \brief Returns whether the sum of the angles opposite the edge of h is at most pi, so that its
+/// cotan weight is not negative; true for boundary edges.
 ///
-/// An excess of 1e-10 is let pass, where rounding could flip for ever.
+/// Tolerates an excess of 1e-10, to avoid infinite flipping due to rounding.
 bool is_delaunay(const Intrinsic_triangulation& triangles, int h);
 
 /// \ingroup PkgMesh
-/// \brief flips edges until all are Delaunay [Bobenko and Springborn 2007]: the Dirichlet energy
-/// of functions that are linear on the triangles falls with every flip, to the least there is.
+/// \brief Flips edges until all are Delaunay [Bobenko and Springborn 2007]. Every flip reduces the
+/// Dirichlet energy of piecewise linear functions, down to the minimum over all triangulations.
 ///
-/// \param before_flip called with a halfedge of each edge to be flipped
-/// \returns how many were flipped; as a rule a few per bad triangle
+/// \param before_flip called with a halfedge of each edge before it is flipped
+/// \returns the number of flips; usually a few per badly shaped triangle
 template <class BeforeFlip>
 int flip_to_delaunay(Intrinsic_triangulation& triangles, BeforeFlip before_flip)
 {
@@ -32,7 +32,7 @@ int flip_to_delaunay(Intrinsic_triangulation& triangles, BeforeFlip before_flip)
   while (!waiting.empty()) {
     const int h = waiting.front(), t = triangles.twin(h);
     waiting.pop_front();
-    // A face on both sides of an edge has two of its angles there, which are less than pi.
+    // If both sides of an edge are the same face, the sum of the two angles is less than pi.
     if (t < 0 || h / 3 == t / 3 || is_delaunay(triangles, h)) continue;
     before_flip(h);
     triangles.flip(h);
@@ -44,7 +44,7 @@ int flip_to_delaunay(Intrinsic_triangulation& triangles, BeforeFlip before_flip)
 }
 
 /// \ingroup PkgMesh
-/// the same for lengths alone
+/// Flips edges likewise, without a callback
 int flip_to_delaunay(Intrinsic_triangulation& triangles);
 
 }  // namespace Conformal_geometry_processing

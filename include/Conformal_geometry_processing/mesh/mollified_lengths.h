@@ -10,26 +10,26 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// the lengths of the edges, |E|
+/// Returns the lengths of the edges, |E|
 Eigen::VectorXd edge_lengths(const Mesh_view& mesh);
 
 /// \ingroup PkgMesh
-/// lengths of edges with which no triangle is degenerate, and what that took
+/// Edge lengths without degenerate triangles
 struct Mollified_lengths {
   Eigen::VectorXd lengths;  ///< |E|
-  double added = 0;         ///< to each of them
-  int thin_faces = 0;       ///< those that lacked it
+  double added = 0;         ///< length added to each edge
+  int thin_faces = 0;       ///< number of faces that violated the triangle inequality
 };
 
 /// \ingroup PkgMesh
-/// \brief the lengths of the edges, and to all of them the least number added with which the
-/// longest edge of every triangle is shorter than the two others together by `share` of the mean
-/// length at least [Sharp and Crane 2020, 4.5].
+/// \brief Mollifies the edge lengths: adds the smallest constant to all of them such that in every
+/// triangle the longest edge is shorter than the sum of the two others by at least `share` times
+/// the mean length [Sharp and Crane 2020, 4.5].
 ///
-/// So no triangle is degenerate, however close the points are to a line, or to each other. A mesh
-/// without such triangles keeps its lengths to the bit. A triangle of three points on a line
-/// becomes about as high as the root of `share` times its length, two points in one as distant as
-/// `share`. \param share positive; rounding decides on the shape of triangles below some 1e-12
+/// Then no triangle is degenerate, even if points are collinear or coincide. The lengths of a mesh
+/// without degenerate triangles are unchanged to the bit. A triangle of three collinear points gets
+/// a height of about the square root of `share` times its length, two coinciding points a distance
+/// of `share`. \param share positive; below about 1e-12, rounding determines the shape of triangles
 Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share);
 
 }  // namespace Conformal_geometry_processing

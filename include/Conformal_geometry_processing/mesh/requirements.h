@@ -9,14 +9,14 @@
 #include <string>
 
 /// \file requirements.h
-/// \brief what a mesh must fulfil before anything is assembled.
+/// \brief Requirements on meshes, checked before anything is assembled.
 ///
-/// Each function throws `Precondition_error` in the name of `function`; the message tells how many
-/// elements break the rule, names the first of them, and what was wanted. Numbers count from 0.
+/// Each function throws `Precondition_error` in the name of `function`; the message contains the
+/// number of offending elements, the first of them, and the requirement. Numbers count from 0.
 namespace Conformal_geometry_processing {
 
-/// a face is refused when its area is below this multiple of its longest edge squared: beneath it
-/// the rounding of the coordinates decides on its normal
+/// A face is rejected if its area is below this multiple of its squared longest edge, because its
+/// normal is then determined by the rounding of the coordinates
 constexpr double relative_area_tolerance = 1e-13;
 
 namespace internal {
@@ -25,11 +25,11 @@ std::string name_of_face(const Mesh_view& mesh, int f);
 
 std::string name_of_edge(const Mesh_view& mesh, int k);
 
-/// "1 face of area zero", "3 faces of area zero" for what = "#face of area zero"
+/// Returns "1 face of area zero", "3 faces of area zero" for what = "#face of area zero"
 std::string counted(int count, std::string what);
 
-/// throws if `is_bad(i)` for an i in [0, n): "3 faces of area zero, the first is face 7 (...)"
-/// \param what has a # before the noun that is counted
+/// Throws if `is_bad(i)` for an i in [0, n): "3 faces of area zero, the first is face 7 (...)"
+/// \param what has a # before the noun to be put in the plural
 template <class Is_bad, class Name_of>
 void refuse_if_any(int n, Is_bad is_bad, Name_of name_of, const std::string& function,
                    const std::string& what, const std::string& advice)
@@ -46,52 +46,53 @@ std::string name_of_vertex(int v);
 
 }  // namespace internal
 
-/// at least one face
+/// Requires at least one face
 void require_not_empty(const Mesh_view& mesh, const std::string& function);
 
-/// no coordinate is infinite or not a number
+/// Requires finite coordinates
 void require_finite_positions(const Mesh_view& mesh, const std::string& function);
 
-/// every vertex belongs to a face
+/// Requires that every vertex belongs to a face
 void require_no_isolated_vertices(const Mesh_view& mesh, const std::string& function);
 
-/// the three corners of every face are different vertices
+/// Requires that the three corners of every face are different vertices
 void require_distinct_corners(const Mesh_view& mesh, const std::string& function);
 
-/// at most two faces meet along an edge, in opposite directions
+/// Requires that at most two faces meet along an edge, in opposite directions
 void require_manifold_edges(const Mesh_view& mesh, const std::string& function);
 
-/// the faces around every vertex form one fan
+/// Requires that the faces around every vertex form one fan
 void require_manifold_vertices(const Mesh_view& mesh, const std::string& function);
 
-/// whether the area of face f is zero relative to its longest edge (`relative_area_tolerance`)
+/// Returns whether the area of face f is zero relative to its longest edge
+/// (`relative_area_tolerance`)
 bool has_area_zero(const Mesh_view& mesh, int f);
 
-/// no face has area zero
+/// Requires that no face has area zero
 void require_positive_areas(const Mesh_view& mesh, const std::string& function);
 
-/// not all faces have area zero
+/// Requires that not all faces have area zero
 void require_some_area(const Mesh_view& mesh, const std::string& function);
 
-/// one component
-/// \pre no vertex is without a face
+/// Requires one component
+/// \pre no vertex is isolated
 void require_connected(const Mesh_view& mesh, const std::string& function);
 
-/// no boundary
+/// Requires that there is no boundary
 void require_closed(const Mesh_view& mesh, const std::string& function);
 
-/// no handles
+/// Requires genus zero
 /// \pre the mesh is a closed, connected manifold
 void require_genus_zero(const Mesh_view& mesh, const std::string& function);
 
-/// a finite, oriented manifold in one component or more, without isolated vertices; faces may have
-/// area zero
+/// Requires a finite, oriented manifold in one component or more, without isolated vertices; faces
+/// may have area zero
 void require_manifold_components(const Mesh_view& mesh, const std::string& function);
 
-/// the same in one component
+/// Requires a manifold as above, in one component
 void require_manifold(const Mesh_view& mesh, const std::string& function);
 
-/// all that most algorithms need: `require_manifold()`, and no faces of area zero
+/// Requirements of most algorithms: `require_manifold()`, and no faces of area zero
 void require_surface(const Mesh_view& mesh, const std::string& function);
 
 }  // namespace Conformal_geometry_processing

@@ -108,8 +108,8 @@ CGP_INLINE void require_manifold_vertices(const Mesh_view& mesh, const std::stri
     ++corners[at(v)];
     if (start[at(v)] < 0 || mesh.twin(h) < 0) start[at(v)] = h;
   }
-  // From `start`, the halfedge out of v that has nothing on its right if there is one, walk
-  // counter-clockwise: the fan is complete when it has met as many faces as v has corners.
+  // Walks counter-clockwise from `start`, the halfedge out of v without a face on its right if
+  // there is one: the fan is complete if the walk visits as many faces as v has corners.
   internal::refuse_if_any(
       mesh.size_of_vertices(),
       [&](int v) {
@@ -127,7 +127,7 @@ CGP_INLINE void require_manifold_vertices(const Mesh_view& mesh, const std::stri
 
 CGP_INLINE bool has_area_zero(const Mesh_view& mesh, int f)
 {
-  // Relative to the longest edge first, so that squares neither overflow nor underflow.
+  // Scales by the longest edge first, to avoid overflow and underflow of squares.
   Eigen::Matrix3d e;
   for (int c = 0; c < 3; ++c) e.col(c) = mesh.vector(3 * f + c);
   const double longest = e.cwiseAbs().maxCoeff();

@@ -11,12 +11,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// the connected component of each vertex, numbered from 0 in the order of their first vertices;
-/// a vertex without faces is a component of its own. O(|V| + |E|)
+/// Returns the connected component of each vertex, numbered from 0 in the order of their first
+/// vertices; an isolated vertex is a component of its own. O(|V| + |E|)
 std::vector<int> connected_components(const Mesh_view& mesh);
 
 /// \ingroup PkgMesh
-/// \brief the numbers that classify a surface up to homeomorphism.
+/// \brief Topological invariants that classify a surface up to homeomorphism.
 struct Topology {
   int vertices = 0, edges = 0, faces = 0;
   int components = 0;
@@ -31,9 +31,9 @@ struct Topology {
 };
 
 /// \ingroup PkgMesh
-/// the topology of an oriented manifold mesh
+/// Computes the topology of an oriented manifold mesh
 /// \pre `require_manifold_edges(mesh)` and `require_manifold_vertices(mesh)` hold, and no vertex is
-/// without a face
+/// isolated
 Topology topology(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing

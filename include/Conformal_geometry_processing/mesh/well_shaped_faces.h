@@ -8,15 +8,15 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// the part of a mesh whose shape can be compared
+/// A mesh without its thinnest faces
 struct Well_shaped_faces {
-  Mesh_view mesh;    ///< all vertices, and the faces that are not left out
-  double share = 0;  ///< of the area of the mesh
+  Mesh_view mesh;    ///< all vertices, and the remaining faces
+  double share = 0;  ///< of the remaining faces in the area of the mesh
 };
 
 namespace internal {
 
-/// a face by its thinness: height over longest edge
+/// The relative height of a face: height over longest edge
 struct Face_height {
   double relative, twice_area;
   int face;
@@ -26,12 +26,12 @@ struct Face_height {
 }  // namespace internal
 
 /// \ingroup PkgMesh
-/// \brief leaves out the thinnest faces, needles and caps of three degrees or less, but of no more
-/// than 5 % of the area.
+/// \brief Removes the thinnest faces, needles and caps of three degrees or less, but no more than
+/// 5 % of the area.
 ///
-/// The shape of a face whose height is less than 5 % of its longest edge is decided by errors of
-/// its corners that are small beside its edges: as long as such faces are few, they tell nothing of
-/// a map. Faces of area zero are always left out. O(|F| log |F|).
+/// If the height of a face is less than 5 % of its longest edge, small errors of its corners
+/// determine its shape; as long as such faces are few, their distortion says nothing about a map.
+/// Faces of area zero are always removed. O(|F| log |F|).
 Well_shaped_faces well_shaped_faces(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing

@@ -8,16 +8,16 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgPainting
-/// \brief what a filter leaves of a function whose high frequencies are known, on a picture or on a
-/// surface [CGP 6.2]
+/// \brief Frequency band selected by a filter, for functions on an image or on a surface whose high
+/// frequencies are known [CGP 6.2]
 enum class Curvature_band {
-  low,     ///< the function without the high ones: keeps the large features
-  high,    ///< the high ones alone: keeps the small features
-  unsharp  ///< the function and the high ones once more, by an amount: lifts the small features out
+  low,     ///< low-pass: keeps the large features
+  high,    ///< high-pass: keeps the small features
+  unsharp  ///< adds a multiple of the high frequencies: emphasizes the small features
 };
 
 /// \ingroup PkgPainting
-/// \brief the band of a function.
+/// \brief Returns the band of a function.
 /// \param values a vector or an array
 /// \param high its high frequencies
 /// \param amount of `Curvature_band::unsharp`

@@ -10,28 +10,30 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgPainting
-/// \brief a picture of gray values, 0 for black and 1 for white, at the middles of its pixels.
+/// \brief A gray-scale image, 0 for black and 1 for white, with values at the centres of its
+/// pixels.
 class Gray_image {
  public:
   /// \param pixels row by row from the top
-  /// \throw Precondition_error if there are none
+  /// \throw Precondition_error if the image is empty
   explicit Gray_image(Eigen::ArrayXXd pixels);
 
   Eigen::Index width() const { return m_pixels.cols(); }
   Eigen::Index height() const { return m_pixels.rows(); }
   const Eigen::ArrayXXd& pixels() const { return m_pixels; }
 
-  /// \brief the value at (u, v) in [0, 1]^2, linear between the middles of pixels and constant
-  /// beyond the outermost ones; (0, 0) is the lower left corner, as of texture coordinates.
+  /// \brief Returns the value at (u, v) in [0, 1]^2 by bilinear interpolation between the centres
+  /// of pixels, constant near the border; (0, 0) is the lower left corner, as for texture
+  /// coordinates.
   ///
-  /// Outside of the square the picture repeats itself. No number where a coordinate is not finite.
+  /// The image is repeated periodically outside the square. NaN if a coordinate is not finite.
   double operator()(double u, double v) const;
 
-  /// the values at many places, one per column
+  /// Returns the values at many positions, one per column
   Eigen::VectorXd operator()(const Eigen::Matrix2Xd& places) const;
 
  private:
-  // What is in [0, 1] stays, so that 1 is the last pixel and not the first again.
+  // Maps t to [0, 1] periodically, except that 1 is the last pixel and not the first one.
   static double repeated(double t) { return t >= 0 && t <= 1 ? t : t - std::floor(t); }
 
   double pixel(Eigen::Index row, Eigen::Index column) const;

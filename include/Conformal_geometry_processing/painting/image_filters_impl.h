@@ -17,8 +17,8 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// The Gauss function of that standard deviation at 0, 1, 2, ..., as far as it counts: of its
-/// integral, 6e-7 lie beyond.
+/// Returns the Gaussian with this standard deviation at 0, 1, 2, ..., truncated where the remaining
+/// integral is 6e-7.
 CGP_INLINE Eigen::VectorXd gauss_weights(double radius)
 {
   const int reach = radius > 0 ? static_cast<int>(std::ceil(5 * radius)) : 0;
@@ -27,7 +27,7 @@ CGP_INLINE Eigen::VectorXd gauss_weights(double radius)
   return weights;
 }
 
-/// Every column becomes the weighted mean of the columns around it, of those that there are.
+/// Replaces every column by the weighted mean of the existing neighbouring columns.
 CGP_INLINE Eigen::ArrayXXd blurred_across(const Eigen::ArrayXXd& pixels,
                                           const Eigen::VectorXd& weights)
 {

@@ -12,8 +12,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgPainting
-/// the means over the three corners of each face, |F| columns, of a column for each vertex: from
-/// positions the centroids, from texture coordinates the places of these in the texture
+/// Returns, for each of |F| faces, the mean over its three corners of columns given at vertices:
+/// centroids for positions, their texture coordinates for texture coordinates
 template <int Rows>
 Eigen::Matrix<double, Rows, Eigen::Dynamic> means_of_corners(
     const Mesh_view& mesh, const Eigen::Matrix<double, Rows, Eigen::Dynamic>& at_vertices)
@@ -27,9 +27,9 @@ Eigen::Matrix<double, Rows, Eigen::Dynamic> means_of_corners(
 }
 
 /// \ingroup PkgPainting
-/// \brief rho painted as a picture [CGP 6.2]: amplitude (g - 1/2) on the faces, so that gray
-/// changes nothing and bright bulges along the normals.
-/// \param places (u, v) of the middle of each face in the picture, 2 x |F|
+/// \brief Converts an image to rho [CGP 6.2]: amplitude (g - 1/2) on the faces, so that gray
+/// changes nothing and bright areas bulge along the normals.
+/// \param places (u, v) of the centre of each face in the image, 2 x |F|
 /// \param amplitude in 1/length
 Curvature_potential painted_curvature(const Gray_image& image, const Eigen::Matrix2Xd& places,
                                       double amplitude = 1);

@@ -17,21 +17,21 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
-/// \brief finds the map z = a + i b to the plane of least energy among those for which the sum of
-/// |z - mean|^2 over the vertices of some loops is one.
+/// \brief Finds the map z = a + i b to the plane that minimizes an energy under the constraint that
+/// the sum of |z - mean|^2 over the vertices of some loops is one.
 ///
-/// Energies are complex matrices, |V| x |V|, where turning the image changes nothing, or else real
-/// ones, 2|V| x 2|V|, in the order a_0, b_0, a_1, b_1, ...
+/// Energies that are invariant under rotations of the image are complex matrices, |V| x |V|; other
+/// energies are real matrices, 2|V| x 2|V|, in the order a_0, b_0, a_1, b_1, ...
 template <class SolverTraits>
 class Least_energy_map {
   using Complex = std::complex<double>;
 
  public:
-  /// \param loops whose vertices are spread; the first one is not shorter than three edges
+  /// \param loops the constrained ones; the first one has at least three edges
   Least_energy_map(const Mesh_view& mesh, const std::vector<Vertex_loop>& loops,
                    std::string function);
 
-  /// \param report receives what the eigenvector tells, and the seconds
+  /// \param report receives the results of the eigensolver, and the seconds
   /// \throw Solver_error if a factorization fails
   Eigen::VectorXcd find(const Hermitian_sparse_matrix<Complex>& energy,
                         const Subspace_options& options, Parameterization_report& report) const;
@@ -39,7 +39,7 @@ class Least_energy_map {
                         const Subspace_options& options, Parameterization_report& report) const;
 
  private:
-  /// rows 0 ... n-1, n ... 2n-1 in the order 0, n, 1, n+1, ...
+  /// Reorders rows 0 ... n-1, n ... 2n-1 to 0, n, 1, n+1, ...
   static Eigen::MatrixXd interleaved(const Eigen::MatrixXd& x);
 
   template <class Scalar, class Solver>
@@ -64,9 +64,9 @@ class Least_energy_map {
     return std::move(result.vector);
   }
 
-  /// The energy is zero for constants, so its factor is that of energy + shift weights. Constants
-  /// have the energy `constant` then, far below that of all maps but those of flat surfaces; it has
-  /// to be larger than what rounding makes of zero, which meshes with slivers show.
+  /// Factors energy + shift weights, because the energy vanishes for constants. Constants then have
+  /// the energy `constant`, far below that of all maps except those of flat surfaces; it must
+  /// exceed the rounding errors of the zero eigenvalue, which are large for meshes with slivers.
   template <class Scalar, class Solver>
   double factorize(const Hermitian_sparse_matrix<Scalar>& energy, const Eigen::VectorXd& weights,
                    Solver& solver) const

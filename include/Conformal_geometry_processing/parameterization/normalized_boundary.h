@@ -12,27 +12,28 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
-/// \brief of which part of the boundary the spread is kept while the energy is made least.
+/// \brief Part of the boundary whose variance is fixed while the energy is minimized.
 enum class Normalized_boundary {
-  longest_loop,  ///< holes take the shapes and sizes that suit the map
+  longest_loop,  ///< shapes and sizes of holes are free
   all_loops
 };
 
-/// a closed curve in a mesh, as its vertices in order
+/// A closed curve in a mesh, as its vertices in order
 using Vertex_loop = std::vector<int>;
 
 /// \ingroup PkgParameterization
-/// the length of the closed polygon up to each of its vertices, and the whole length at the end
+/// Returns the arc length of a closed polygon at each of its vertices, and its total length at the
+/// end
 Eigen::VectorXd lengths_along(const Mesh_view& mesh, const Vertex_loop& loop);
 
 /// \ingroup PkgParameterization
-/// \brief the boundary loops that are normalized, the longest one first.
+/// \brief Returns the boundary loops in the normalization, the longest one first.
 /// \pre the mesh is a manifold with boundary
 std::vector<Vertex_loop> normalized_loops(const Mesh_view& mesh, Normalized_boundary which);
 
 /// \ingroup PkgParameterization
-/// \brief `count` maps of the loops to the plane, zero elsewhere: by length around the unit circle
-/// once, twice, ...; where least energy is sought from. |V| x count.
+/// \brief Returns `count` maps of the loops to the plane, zero elsewhere, which wind around the
+/// unit circle once, twice, ..., parameterized by arc length; used as initial maps. |V| x count.
 Eigen::MatrixXcd circle_maps(const Mesh_view& mesh, const std::vector<Vertex_loop>& loops,
                              int count);
 

@@ -8,10 +8,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
-/// \brief puts rectangles beside each other, the highest ones first, in rows about as long as a
-/// square of their area: they do not overlap, and lie above and right of the origin.
+/// \brief Places rectangles side by side in rows, the highest ones first. The length of a row is
+/// about the side of a square of the same total area. Rectangles do not overlap, and lie above and
+/// to the right of the origin.
 ///
-/// A rectangle of which more than half would stick out begins the next row.
+/// A rectangle that would exceed its row by more than half begins the next row.
 ///
 /// \param sizes width and height of each, 2 x n
 /// \param gap between them

@@ -30,7 +30,7 @@ CGP_INLINE Eigen::Matrix2Xd pack_in_rows(const Eigen::Matrix2Xd& sizes, double g
       x = 0;
       y += height + gap;
     }
-    if (x == 0) height = sizes(1, i);  // none in the row is higher
+    if (x == 0) height = sizes(1, i);  // the highest in its row
     corners.col(i) << x, y;
     x += sizes(0, i) + gap;
   }

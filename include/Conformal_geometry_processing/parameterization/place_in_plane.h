@@ -12,12 +12,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
-/// points of the plane as points of space with z = 0, 3 x n
+/// Converts points of the plane to points of space with z = 0, 3 x n
 Points in_space(const Eigen::VectorXcd& z);
 
 /// \ingroup PkgParameterization
-/// \brief of all similar images of a map the one where the areas of the faces have the sum that
-/// they have on the surface, the mean of the loop is the origin, and its first vertex on the
+/// \brief Applies the similarity to a map such that the sum of the areas of its faces is the area
+/// of the surface, the mean of the loop is the origin, and the first vertex of the loop is on the
 /// positive real axis. \param z |V| \param loop some vertices, at least one
 Eigen::VectorXcd place_in_plane(const Mesh_view& mesh, Eigen::VectorXcd z,
                                 const std::vector<int>& loop);

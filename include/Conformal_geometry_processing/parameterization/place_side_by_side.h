@@ -10,8 +10,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
-/// \brief moves the images of components in the plane so that their bounding boxes do not overlap:
-/// see `pack_in_rows()`, with gaps of a hundredth of the largest extent. O(|V| + n log n) for n
+/// \brief Moves the images of components in the plane so that their bounding boxes do not overlap,
+/// by `pack_in_rows()` with gaps of a hundredth of the largest extent. O(|V| + n log n) for n
 /// components
 /// \param component of each vertex, numbered from 0 without gaps, as `connected_components()` does
 /// \param z u + i v of each vertex, finite

@@ -14,18 +14,18 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
-/// \brief by which angle the boundary turns to the left in the surface, at each vertex of a loop:
-/// pi minus the angle of the surface there.
+/// \brief Returns the turning angle of the boundary in the surface at each vertex of a loop,
+/// positive to the left: pi minus the angle of the surface there.
 Eigen::VectorXd turning_angles(const Mesh_view& mesh, const Vertex_loop& loop);
 
 /// \ingroup PkgParameterization
-/// \brief tangents of a closed plane curve that a disk may get as its boundary, to be flattened by
-/// rho = -H: what `minimal_surface()` makes of it then lies in the plane [CGP 6.5.3].
+/// \brief Computes tangents of a closed plane curve, as boundary tangents of a disk that is to be
+/// flattened by rho = -H: the result of `minimal_surface()` then lies in the plane [CGP 6.5.3].
 ///
-/// The curve turns as the boundary does in the surface. What is missing to 2 pi, by the theorem of
-/// Gauss and Bonnet the total curvature of the surface, is spread evenly along it. So a flat disk
-/// keeps its shape, and a hemisphere becomes a round disk. Any other directions in the plane that
-/// turn once will do as well.
+/// The turning angles of the curve are those of the boundary in the surface; the difference of
+/// their sum from 2 pi, which by the Gauss-Bonnet theorem is the total curvature of the surface, is
+/// distributed evenly along it. A flat disk keeps its shape, and a hemisphere becomes a round disk.
+/// Any other directions in the plane with turning number one can be used as well.
 /// \code
 /// const auto flat = spin_to_minimal_surface(mesh,
 ///                                           Boundary_condition::tangents(planar_directions(mesh)));

@@ -37,7 +37,7 @@ CGP_INLINE Points planar_directions(const Mesh_view& mesh, const std::string& fu
   const Eigen::Index n = turn.size();
   const double missing = 2 * std::acos(-1.) - turn.sum();
   Points directions = Points::Zero(3, n);
-  double angle = 0;  // of the edge that comes in, the first one lies along the x axis
+  double angle = 0;  // of the incoming edge; the first one is along the x-axis
   for (Eigen::Index k = 0; k < n; ++k) {
     const double in = k == 0 ? length[n] - length[n - 1] : length[k] - length[k - 1],
                  out = length[k + 1] - length[k],

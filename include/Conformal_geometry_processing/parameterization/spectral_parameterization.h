@@ -27,36 +27,36 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
-/// \brief whose normals N are in the energy |D psi|^2 of psi = a - b N [CGP 6.1].
+/// \brief Normals N in the energy |D psi|^2 of psi = a - b N [CGP 6.1].
 enum class Conformal_normals {
   of_faces,    ///< the conformal energy itself, see `conformal_energy()`
   of_vertices  ///< the variant of the thesis, see `vertex_normal_energy()`
 };
 
 /// \ingroup PkgParameterization
-/// what a spectral parameterization may be told
+/// Options of `spectral_parameterization()`
 struct Parameterization_options {
   Conformal_normals normals = Conformal_normals::of_faces;
   Normal_weight vertex_normals = Normal_weight::angle;  ///< of `Conformal_normals::of_vertices`
   Normalized_boundary boundary = Normalized_boundary::longest_loop;
-  double tolerance = 1e-6;  ///< of the map, relative, in the norm of the energy
+  double tolerance = 1e-6;  ///< of the relative error of the map in the norm of the energy
   int maximum_number_of_iterations = 100;
 };
 
 /// \ingroup PkgParameterization
-/// a map to the plane and its certificate
+/// A map to the plane and its quality measures
 struct Parameterization_result {
   Eigen::VectorXcd z;  ///< u + i v for each vertex, in the units of the mesh
   Parameterization_report report;
 };
 
 /// \ingroup PkgParameterization
-/// at least one edge has a face on one side only
+/// Requires a boundary
 void require_boundary(const Mesh_view& mesh, const std::string& function);
 
 namespace internal {
 
-/// the map of least energy in the frame of the computation, which tells the report about itself
+/// Computes the map of minimal energy in normalized coordinates, and fills in the report
 template <class SolverTraits>
 Eigen::VectorXcd least_energy_map(const Mesh_view& mesh, const std::vector<Vertex_loop>& loops,
                                   const Parameterization_options& options,
@@ -81,10 +81,11 @@ void certify(const Mesh_view& mesh, const Eigen::VectorXcd& z, Parameterization_
 }  // namespace internal
 
 /// \ingroup PkgParameterization
-/// \brief the same as `spectral_parameterization()`, with the spread of other curves kept than
-/// whole boundary loops of the mesh.
-/// \param loops one at least, the first one of three vertices or more; it is centred at the origin
-/// \pre the mesh fulfils what `spectral_parameterization()` requires
+/// \brief Variant of `spectral_parameterization()` that normalizes other curves than whole boundary
+/// loops of the mesh.
+/// \param loops at least one, the first one with three vertices or more; it is centred at the
+/// origin
+/// \pre the mesh satisfies the requirements of `spectral_parameterization()`
 template <class SolverTraits = Default_solver_traits>
 Parameterization_result spectral_parameterization_of(Mesh_view mesh,
                                                      const std::vector<Vertex_loop>& loops,
@@ -105,23 +106,24 @@ Parameterization_result spectral_parameterization_of(Mesh_view mesh,
 }
 
 /// \ingroup PkgParameterization
-/// \brief the map to the plane of least conformal energy among those whose boundary is spread as
-/// wide, by an eigenvector [CGP 6.1].
+/// \brief Computes the map to the plane that minimizes the conformal energy for a given variance of
+/// the boundary, by an eigenvector [CGP 6.1].
 ///
-/// mu is the least of |D psi|^2 / (sum of |z - mean|^2 over the boundary), psi = a - b N. With the
+/// Minimizes mu = |D psi|^2 / (sum of |z - mean|^2 over the boundary), psi = a - b N. With the
 /// normals of the faces this is the spectral conformal parameterization of Mullen et al., a complex
-/// Hermitian problem with as many unknowns as vertices; no vertex is pinned, so it does not depend
-/// on the choice of one. One factorization and a few solves.
+/// Hermitian problem with as many unknowns as vertices. No vertex is pinned, so the result does not
+/// depend on such a choice. One factorization and a few solves.
 ///
-/// The image has its longest loop centred at the origin, the first vertex of it on the positive u
-/// axis, and as much area in its faces as the surface. Neither scale nor position of the mesh
-/// matter. A surface with holes is mapped to a plane domain with holes; one with handles has no
-/// such map without flipped faces.
+/// The longest loop of the image is centred at the origin, its first vertex is on the positive u
+/// axis, and the area of the image is that of the surface. The result does not depend on scale and
+/// position of the mesh. A surface with holes is mapped to a plane domain with holes; for surfaces
+/// with handles there is no such map without flipped faces.
 ///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`, for `std::complex<double>` too
+/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`, also for `std::complex<double>`
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold with boundary,
-/// finite coordinates and positive areas \throw Solver_error if the energy cannot be factorized. No
-/// convergence is a field of the report.
+/// finite coordinates and positive areas
+/// \throw Solver_error if the energy cannot be factorized. If the iteration does not converge, the
+/// report says so.
 template <class SolverTraits = Default_solver_traits>
 Parameterization_result spectral_parameterization(
     const Mesh_view& mesh, const Parameterization_options& options = {},

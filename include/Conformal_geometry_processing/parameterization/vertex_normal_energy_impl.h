@@ -17,7 +17,7 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// the energy of one face as a matrix for (a_0, b_0, a_1, b_1, a_2, b_2)
+/// The energy of one face as a matrix for (a_0, b_0, a_1, b_1, a_2, b_2)
 /// \param cosines of the angles between the normals of its corners and its own
 CGP_INLINE Eigen::Matrix<double, 6, 6> vertex_normal_energy_of_face(const Mesh_view& mesh, int f,
                                                                     const Eigen::Vector3d& cosines)

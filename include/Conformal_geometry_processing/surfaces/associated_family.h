@@ -13,19 +13,19 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSurfaces
-/// a member of the family, and how far its edges are from fitting together
+/// A member of the associated family, and its closure residual
 struct Associated_surface {
   Points positions;             ///< 3 x |V|, with mean zero
-  double closure_residual = 0;  ///< relative; tends to zero where the surface is minimal and simply
+  double closure_residual = 0;  ///< relative; tends to zero if the surface is minimal and simply
                                 ///< connected
 };
 
 /// \ingroup PkgSurfaces
-/// \brief the isometric deformations of a minimal surface: df_theta = cos(theta) df + sin(theta)
-/// df x N, catenoids into helicoids.
+/// \brief The associated family of a minimal surface, its isometric deformations:
+/// df_theta = cos(theta) df + sin(theta) df x N, which deforms catenoids to helicoids.
 ///
-/// They are spin transformations, by lambda = cos(theta/2) + sin(theta/2) N: with H = 0 the normal
-/// is in the kernel of D, as 1 is. The Laplacian is factored once, and each angle costs a solve.
+/// They are spin transformations by lambda = cos(theta/2) + sin(theta/2) N: for H = 0 the normal is
+/// in the kernel of D, like 1. The Laplacian is factored once; each angle costs one solve.
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits = Default_solver_traits>
 class Associated_family {
@@ -40,7 +40,7 @@ class Associated_family {
   Associated_family(const Associated_family&) = delete;
   Associated_family& operator=(const Associated_family&) = delete;
 
-  /// \param theta in radians; half a turn gives the mirror image in a point
+  /// \param theta in radians; pi gives the point reflection of the surface
   Associated_surface operator()(double theta) const;
 
  private:

@@ -10,27 +10,27 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSurfaces
-/// \brief the meridian of a surface of revolution of constant mean curvature, as a function of its
-/// conformal length u: distances from the axis, and heights.
+/// \brief The meridian of a surface of revolution with constant mean curvature, as a function of
+/// its conformal length u: distances from the axis, and heights.
 ///
-/// The force along the axis is the same everywhere, x dz/ds - H x^2 = c, and du = ds/x. So
-/// dz/du = c + H x^2 and (dx/du)^2 = x^2 - (dz/du)^2, hence d^2x/du^2 = (1 - 2 H c) x - 2 H^2 x^3:
-/// x = bulge dn(H bulge u).
+/// The force along the axis is constant, x dz/ds - H x^2 = c, and du = ds/x. Therefore
+/// dz/du = c + H x^2 and (dx/du)^2 = x^2 - (dz/du)^2, hence d^2x/du^2 = (1 - 2 H c) x - 2 H^2 x^3,
+/// with the solution x = bulge dn(H bulge u).
 class Delaunay_meridian {
  public:
-  /// \param neck, bulge the least and the largest distance from the axis, the former negative for
+  /// \param neck, bulge the minimal and the maximal distance from the axis, the former negative for
   /// nodoids, whose meridian has loops: neck = bulge is the cylinder, neck -> 0 a chain of spheres
   /// \throw Precondition_error unless bulge >= |neck| > 0 and neck > -bulge, both finite
   Delaunay_meridian(double neck, double bulge);
 
-  /// H of the surface with normals away from the axis at the bulge
+  /// H of the surface whose normals point away from the axis at the bulge
   double mean_curvature() const { return m_H; }
 
-  /// the conformal length from one bulge to the next; pi / (H bulge) for the cylinder
+  /// The conformal length from one bulge to the next; pi / (H bulge) for the cylinder
   double period() const { return m_period; }
 
-  /// \brief points at equal steps of u, from a bulge at height zero, with n steps to each period.
-  /// \param count how many, 2 x count
+  /// \brief Returns points at equal steps of u, from a bulge at height zero, with n steps per
+  /// period. \param count number of points; the result is 2 x count
   Eigen::Matrix2Xd points(int n, int count) const;
 
  private:
@@ -41,15 +41,15 @@ class Delaunay_meridian {
 };
 
 /// \ingroup PkgSurfaces
-/// \brief a piece of a Delaunay surface, an unduloid or a nodoid, about the axis z: constant mean
-/// curvature 1 / (bulge + neck). Its two boundary loops are at bulges.
+/// \brief Creates a piece of a Delaunay surface, an unduloid or a nodoid, with axis z and constant
+/// mean curvature 1 / (bulge + neck). Its two boundary loops are at bulges.
 ///
-/// Its faces are near halves of one rectangle, conformally.
+/// Its faces are, up to discretization, conformal to halves of one rectangle.
 /// \param neck, bulge as for `Delaunay_meridian`
-/// \param m how many vertices go around the axis
-/// \param n how many rows a period has
-/// \param periods how many there are
-/// \throw Precondition_error if the radii are unsuitable, m < 3, or n or periods < 1
+/// \param m number of vertices around the axis
+/// \param n number of rows per period
+/// \param periods number of periods
+/// \throw Precondition_error if the radii are invalid, m < 3, or n or periods < 1
 Mesh_view delaunay_surface(double neck, double bulge, int m, int n, int periods = 1);
 
 }  // namespace Conformal_geometry_processing

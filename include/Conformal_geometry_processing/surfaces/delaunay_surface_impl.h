@@ -16,7 +16,7 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// half of the period of dn for the complementary modulus k'
+/// Half of the period of dn for the complementary modulus k'
 CGP_INLINE double quarter_period(double complementary)
 {
   double a = 1, g = complementary;
@@ -61,7 +61,7 @@ CGP_INLINE Eigen::Vector3d Delaunay_meridian::derivative(const Eigen::Vector3d& 
   return {s[1], x * (1 - 2 * m_H * slope), slope};
 }
 
-// A step of the method of Runge and Kutta: the error of a period is below 1e-10 of it.
+// A Runge-Kutta step: the relative error of a period is below 1e-10.
 CGP_INLINE Eigen::Vector3d Delaunay_meridian::after(const Eigen::Vector3d& s, double h) const
 {
   const Eigen::Vector3d a = derivative(s), b = derivative(s + h / 2 * a),

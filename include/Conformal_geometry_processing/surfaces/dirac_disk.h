@@ -13,15 +13,15 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSurfaces
-/// \brief the surface of the eigenvalue of D nearest to `wanted` with the binormals kept: for plane
-/// domains a Dirac surface, whose curvature half-density is a multiple of that of length
-/// [CGP 6.5.2].
+/// \brief Computes the surface for the eigenvalue of D nearest to `wanted`, with binormals
+/// preserved: for plane domains a Dirac surface, whose curvature half-density is a multiple of its
+/// length half-density [CGP 6.5.2].
 ///
-/// Of a plane domain the eigenvalues are the roots of those of the Laplacian with Dirichlet and
-/// with Neumann conditions, of either sign: on the unit disk the zeros of Bessel's functions and of
+/// For a plane domain the eigenvalues are the square roots, of either sign, of the Dirichlet and
+/// Neumann eigenvalues of the Laplacian: on the unit disk the zeros of Bessel functions and of
 /// their derivatives.
 /// \param wanted in 1/length; the eigenvalue itself is `wanted` plus that of the report
-/// \throw Precondition_error if the mesh is unsuitable, or closed
+/// \throw Precondition_error if the mesh is not suitable, or closed
 /// \throw Solver_error if a factorization fails
 template <class SolverTraits = Default_solver_traits>
 Spin_result dirac_disk(const Mesh_view& mesh, double wanted, Dirac_options options = {},

@@ -19,19 +19,20 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSurfaces
-/// \brief the directions of the vertices of a round sphere from its centre, 3 x |V|.
-/// \throw Precondition_error if a vertex is farther from the sphere than a thousandth of its
+/// \brief Returns the directions from the centre of a round sphere to its vertices, 3 x |V|.
+/// \throw Precondition_error if a vertex deviates from the sphere by more than a thousandth of its
 /// radius, or the normals point inward
 Points directions_on_sphere(const Mesh_view& mesh, const std::string& function);
 
 /// \ingroup PkgSurfaces
-/// \brief the surface of a spin, such as an eigenfunction that `Dirac_spectral_problem` finds; on
-/// the sphere a Dirac sphere, whose curvature half-density is a multiple of its length density.
+/// \brief Computes the surface of a spin, such as an eigenfunction found by
+/// `Dirac_spectral_problem`; on the sphere a Dirac sphere, whose curvature half-density is a
+/// multiple of its length density.
 ///
-/// `report.eigenvalue` is the signed quotient of lambda. With eigenvalue gamma of the unit sphere,
+/// `report.eigenvalue` is the signed quotient of lambda. For eigenvalue gamma of the unit sphere,
 /// the Willmore energy is 4 pi (1 + gamma)^2.
 /// \param lambda |V|, not all zero; is rescaled
-/// \throw Precondition_error if the mesh is unsuitable, or lambda does not fit it
+/// \throw Precondition_error if the mesh is not suitable, or lambda does not fit it
 /// \throw Solver_error if a factorization fails
 template <class SolverTraits = Default_solver_traits>
 Spin_result surface_of_spin(const Mesh_view& mesh, Quaternion_vector<double> lambda,
@@ -45,12 +46,12 @@ Spin_result surface_of_spin(const Mesh_view& mesh, Quaternion_vector<double> lam
 }
 
 /// \ingroup PkgSurfaces
-/// \brief the Dirac sphere of the spherical spinor Omega_kappa,s, over a mesh of a round sphere
-/// [CGP 6.5.1].
+/// \brief Computes the Dirac sphere of the spherical spinor Omega_kappa,s, on a mesh of a round
+/// sphere [CGP 6.5.1].
 ///
 /// Its Willmore energy is 4 pi kappa^2. For s = 0 it is immersed; for other s >= 0 it has branch
-/// points at both poles, where lambda is zero. Those of kappa and -kappa are mirror images in a
-/// point.
+/// points at both poles, where lambda is zero. The spheres of kappa and -kappa are point
+/// reflections of each other.
 /// \throw Precondition_error if kappa is zero, s is not one of -|kappa|, ..., |kappa| - 1, or the
 /// mesh is not a closed sphere with normals outward
 /// \throw Solver_error if a factorization fails

@@ -16,13 +16,13 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// The centre of the sphere nearest to some points, in the sense of |p - c|^2 - r^2.
+/// Returns the centre of the best-fitting sphere, by least squares of |p - c|^2 - r^2.
 CGP_INLINE Eigen::Vector3d center_of_sphere(const Points& positions)
 {
   const Eigen::Vector3d mean = positions.rowwise().mean();
   const Points p = positions.colwise() - mean;
   const Eigen::RowVectorXd squares = p.colwise().squaredNorm();
-  // 2 <p, c> - squares is constant: the covariance of p with its squares tells c.
+  // 2 <p, c> - squares is constant, so the covariance of p with its squares determines c.
   const Eigen::Matrix3d A = 2 * p * p.transpose();
   const Eigen::Vector3d b = p * squares.transpose();
   return mean + A.ldlt().solve(b);

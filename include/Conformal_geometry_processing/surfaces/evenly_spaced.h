@@ -12,9 +12,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSurfaces
-/// \brief m points at equal distances along a closed polygon in any space, the first one kept.
+/// \brief Returns m equidistant points along a closed polygon in any space, including its first
+/// vertex.
 /// \param polygon d x k points
-/// \param lengths k positive numbers: how long each edge, from point i to the next, is to count
+/// \param lengths k positive numbers, assigned to the edges from point i to the next
 /// \throw Precondition_error if the lengths are not k positive finite numbers, or m is below one
 template <int Dimension>
 Eigen::Matrix<double, Dimension, Eigen::Dynamic> evenly_spaced(

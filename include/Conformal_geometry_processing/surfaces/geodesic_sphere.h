@@ -15,10 +15,10 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-/// (+-1, +-phi, 0) and cyclic, faces counter-clockwise seen from outside
+/// Vertices (+-1, +-phi, 0) and cyclic permutations, faces counter-clockwise seen from outside
 Mesh_view icosahedron();
 
-/// The points of a face that is split evenly, numbered together with those of its neighbours.
+/// Numbers the points of evenly subdivided faces; points on edges are shared.
 class Geodesic_points {
  public:
   /// \param frequency the number of parts of an edge
@@ -27,7 +27,7 @@ class Geodesic_points {
   const Mesh_view& base() const { return m_base; }
   Points points() const;
 
-  /// the point with these barycentric coordinates, times the frequency, in face f
+  /// The point with these barycentric coordinates, times the frequency, in face f
   int number(int f, const std::array<int, 3>& weights);
 
  private:
@@ -40,8 +40,8 @@ class Geodesic_points {
 }  // namespace internal
 
 /// \ingroup PkgSurfaces
-/// \brief the unit sphere with 20 n^2 faces: the edges of the icosahedron split into n parts, the
-/// points of its faces projected. Normals point outward.
+/// \brief Creates the unit sphere with 20 n^2 faces: divides the edges of the icosahedron into n
+/// parts and projects the points of its faces. Normals point outward.
 /// \param frequency n
 /// \throw Precondition_error if it is below one
 Mesh_view geodesic_sphere(int frequency);

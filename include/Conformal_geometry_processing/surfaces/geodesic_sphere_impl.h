@@ -40,7 +40,7 @@ CGP_INLINE Points Geodesic_points::points() const
 
 CGP_INLINE int Geodesic_points::number(int f, const std::array<int, 3>& weights)
 {
-  std::map<int, int> key;  // from corners to weights, those of weight zero left out
+  std::map<int, int> key;  // from corners to weights, without zero weights
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
     if (weights[c] == 0) continue;

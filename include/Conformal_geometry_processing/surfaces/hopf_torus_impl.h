@@ -56,15 +56,15 @@ CGP_INLINE Mesh_view Hopf_torus::mesh(int n, const std::string& function) const
 {
   const double turn = 8 * std::atan(1.), columns = n / turn;
   const int m = static_cast<int>(m_lift.size()) - 1;
-  // The grid comes back to itself at a whole number of columns: the rest is a shear, by less
-  // than half a column in all.
+  // The grid closes after an integral number of columns; the remaining shear is less than half a
+  // column in total.
   const int shift = static_cast<int>(std::round(holonomy() * columns));
   const double shear = shift / columns - holonomy();
   return torus_grid(m, n, shift, [&](int i, int j) {
     const std::size_t row = static_cast<std::size_t>(i);
     const double x = j / columns + shear * m_places[row] / length();
     const Quaternion<double> q = Quaternion<double>{std::cos(x), 0, 0, std::sin(x)} * m_lift[row];
-    // That point's fibre is the one of quaternions without i and j.
+    // The fibre over that point consists of quaternions without i and j.
     if (!(q.x * q.x + q.y * q.y > 1e-20))
       throw Precondition_error(function,
                                "the curve goes through (0, 0, 1), which is sent to "

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_INSTANCES_IMPL_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_INSTANCES_IMPL_H
 
-// The templates that the compiled library contains, for its own solvers.
+// Instantiates the templates of the compiled library, for its own solvers.
 
 #include <Conformal_geometry_processing/surfaces/associated_family_templates.h>
 

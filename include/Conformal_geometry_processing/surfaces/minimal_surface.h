@@ -14,21 +14,22 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSurfaces
-/// \brief up to which value a singular value of D - rho counts as zero on surfaces with several
-/// boundary loops: 3 h / R^2 with the mean length h of the edges and pi R^2 the area, in 1/length.
+/// \brief Returns the threshold below which singular values of D - rho are considered zero on
+/// surfaces with several boundary loops: 3 h / R^2 with the mean length h of the edges and pi R^2
+/// the area, in 1/length.
 ///
-/// On surfaces of revolution, rings between planes and catenoids are solutions for the same
-/// tangents; their singular values tend to zero with h.
+/// For surfaces of revolution, plane annuli and catenoids are solutions for the same tangents;
+/// their singular values tend to zero with h.
 double minimal_kernel_tolerance(const Mesh_view& mesh);
 
 /// \ingroup PkgSurfaces
-/// \brief the minimal surface conformally equivalent to a surface with boundary, by rho = -H in one
-/// solve [CGP 6.5.3].
+/// \brief Computes the minimal surface conformally equivalent to a surface with boundary, by
+/// rho = -H in one solve [CGP 6.5.3].
 ///
-/// With lambda = sqrt(F') it contains the holomorphic functions of plane domains, and with
-/// directions out of the plane Weierstrass' representation.
-/// \param condition usually the tangents or binormals that it shall have
-/// \throw Precondition_error if the mesh or the condition are unsuitable
+/// With lambda = sqrt(F') this includes the holomorphic functions of plane domains, and with
+/// directions out of the plane the Weierstrass representation.
+/// \param condition usually its prescribed tangents or binormals
+/// \throw Precondition_error if the mesh or the condition are not suitable
 /// \throw Solver_error if a factorization fails
 template <class SolverTraits = Default_solver_traits>
 Spin_result spin_to_minimal_surface(

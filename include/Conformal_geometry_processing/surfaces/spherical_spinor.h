@@ -17,8 +17,8 @@ namespace Conformal_geometry_processing {
 void require_spherical_spinor(int kappa, int s, const std::string& function);
 
 /// \ingroup PkgSurfaces
-/// \brief Omega_kappa,s on the unit sphere: the eigenfunctions of the Dirac operator in closed
-/// form, D Omega = -(kappa + 1) Omega [CGP 6.5.1].
+/// \brief Returns Omega_kappa,s on the unit sphere: the eigenfunctions of the Dirac operator in
+/// closed form, D Omega = -(kappa + 1) Omega [CGP 6.5.1].
 ///
 /// With mu = s + 1/2 and l = |kappa + 1/2| - 1/2,
 ///
@@ -26,10 +26,10 @@ void require_spherical_spinor(int kappa, int s, const std::string& function);
 ///     psi_2 =             sqrt((kappa + mu + 1/2) / (2 kappa + 1)) Y_l^(mu + 1/2)
 ///
 /// (the text has Y_l^(mu - 1/2) in both), and Omega = psi_2 - j psi_1, where complex numbers act
-/// from the right as R + R k. Orthonormal on the sphere. Those of -s - 1 are those of s times a
-/// constant, so 0 <= s < |kappa| give all of the surfaces.
+/// from the right as R + R k. Orthonormal on the sphere. The spinors of -s - 1 and s differ by a
+/// constant factor, so 0 <= s < |kappa| gives all surfaces.
 /// \param kappa not zero \param s from -|kappa| to |kappa| - 1
-/// \param point not zero; its direction counts
+/// \param point not zero; only its direction is used
 /// \pre `require_spherical_spinor()` holds
 Quaternion<double> spherical_spinor(int kappa, int s, const Eigen::Vector3d& point);
 

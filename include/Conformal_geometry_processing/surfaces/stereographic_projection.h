@@ -10,16 +10,16 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSurfaces
-/// \brief the point of space that belongs to a point of the 3-sphere, a unit quaternion q:
-/// Im q / (1 - Re q), conformally; 1 goes to infinity, -1 to the origin.
+/// \brief Returns the stereographic projection of a point of the 3-sphere, a unit quaternion q:
+/// Im q / (1 - Re q), a conformal map; 1 is mapped to infinity, -1 to the origin.
 ///
 /// To project from another point p, multiply by its conjugate: conjugate(p) q. All these images of
 /// a surface are Moebius transforms of each other.
-/// \pre q is of length one and not 1
+/// \pre q has unit length and is not 1
 Eigen::Vector3d stereographic_projection(const Quaternion<double>& q);
 
 /// \ingroup PkgSurfaces
-/// the unit quaternion whose projection is p
+/// Returns the unit quaternion whose projection is p
 Quaternion<double> inverse_stereographic_projection(const Eigen::Vector3d& p);
 
 }  // namespace Conformal_geometry_processing

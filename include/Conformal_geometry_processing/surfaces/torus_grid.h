@@ -13,15 +13,15 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSurfaces
-/// \brief a torus as a grid of m x n vertices and 2 m n faces, vertex i n + j at `point(i, j)`,
-/// which after m rows comes back to itself `shift` columns further.
+/// \brief Creates a torus as a grid of m x n vertices and 2 m n faces, with vertex i n + j at
+/// `point(i, j)`; row m is row 0 shifted by `shift` columns.
 ///
-/// The diagonals run from (i, j) to (i + 1, j + 1). The faces are counter-clockwise where j is
-/// upwards and i to the right. With `point` conformal, and its grid of squares, the modulus is that
-/// of the lattice of i and (m - i shift) / n, up to SL(2, Z).
+/// The diagonals run from (i, j) to (i + 1, j + 1). The faces are counter-clockwise if j points
+/// upwards and i to the right. If `point` is conformal, and its grid consists of squares, the
+/// modulus is that of the lattice of i and (m - i shift) / n, up to SL(2, Z).
 /// \param m, n at least three
 /// \param shift any integer
-/// \param point returns a position for 0 <= i < m, 0 <= j < n; it is for the caller that
+/// \param point returns a position for 0 <= i < m, 0 <= j < n; the caller ensures that
 /// (m, j) would be (0, j + shift)
 /// \throw Precondition_error if there are fewer rows or columns
 template <class Point>

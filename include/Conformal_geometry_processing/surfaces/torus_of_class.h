@@ -15,7 +15,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSurfaces
-/// \brief the modulus of a mesh of a torus, reduced: with a harmonic basis of its own.
+/// \brief Returns the reduced modulus of a mesh of a torus; computes a harmonic basis.
 /// \throw Precondition_error if the mesh is not a closed torus
 /// \throw Solver_error if the Laplacian cannot be factored
 template <class SolverTraits = Default_solver_traits>
@@ -25,13 +25,14 @@ std::complex<double> conformal_modulus(const Mesh_view& mesh)
 }
 
 /// \ingroup PkgSurfaces
-/// \brief the torus of a family whose modulus has the imaginary part b. If reflections make all of
-/// them conformally rectangles, it is the one of sides 1 and b.
+/// \brief Finds the torus of a family whose modulus has the imaginary part b. If all tori of the
+/// family are conformally rectangular by reflection symmetry, it is the one of sides 1 and b.
 ///
-/// Measures some ten moduli, with one factorization of the Laplacian each.
-/// \param family maps a number to a mesh; the modulus shall change continuously with it
-/// \param low, high the imaginary part at these is below b at one, and above it at the other
-/// \throw Precondition_error if it is not, or a mesh is not a closed torus
+/// Computes about ten moduli, with one factorization of the Laplacian each.
+/// \param family maps a number to a mesh, whose modulus must be a continuous function of it
+/// \param low, high bracket the solution: the imaginary part is below b at one, and above it at the
+/// other
+/// \throw Precondition_error if they do not, or a mesh is not a closed torus
 /// \throw Solver_error if a factorization fails
 template <class SolverTraits = Default_solver_traits, class Family>
 Mesh_view torus_of_class(Family family, double b, double low, double high)
@@ -45,7 +46,7 @@ Mesh_view torus_of_class(Family family, double b, double low, double high)
                                                    " i and " + std::to_string(at_high + b) +
                                                    " i at the ends; " + std::to_string(b) +
                                                    " i is not between them");
-  // The false position; the value at an end that stays is halved, so that it will not stay long.
+  // Illinois variant of regula falsi: halves the value at a retained end.
   const double tolerance = 1e-10;
   for (int i = 0; i < 100; ++i) {
     const double x = (low * at_high - high * at_low) / (at_high - at_low), at_x = excess(x);

@@ -9,31 +9,31 @@
 
 namespace Conformal_geometry_processing {
 
-/// a closed polygon in the half plane beside the axis: distances from it, positive, and heights
+/// A closed polygon in the half plane beside the axis: positive distances from it, and heights
 using Profile = Eigen::Matrix2Xd;
 
 /// \ingroup PkgSurfaces
-/// \brief the lengths of the edges of a profile over their distances from the axis: those of the
-/// hyperbolic plane, but that the edges are straight.
+/// \brief Returns the lengths of the edges of a profile divided by their distances from the axis:
+/// approximately hyperbolic lengths, with straight edges.
 ///
-/// A surface of revolution is conformally its profile in this length times 2 pi, so the torus has
+/// A surface of revolution is conformal to its profile in this length times 2 pi, so the torus has
 /// the modulus i b, where 2 pi b or 2 pi / b is the sum.
 /// \throw Precondition_error if there are fewer than three points, or one is not finite or not at a
 /// positive distance
 Eigen::VectorXd conformal_lengths(const Profile& profile);
 
 /// \ingroup PkgSurfaces
-/// \brief the profile, moved away from the axis or towards it until its torus has the modulus i b,
-/// with the longer way around the axis if b > 1.
+/// \brief Moves a profile away from or towards the axis such that its torus has the modulus i b,
+/// where the longer direction is around the axis if b > 1.
 /// \throw Precondition_error if the profile is unsuitable, as for `conformal_lengths()`, or b is
 /// not positive and finite
 Profile profile_of_class(Profile profile, double b);
 
 /// \ingroup PkgSurfaces
-/// \brief the torus that a profile sweeps about the axis z, in faces near halves of one rectangle,
-/// conformally.
-/// \param profile counter-clockwise, if normals are to point outward; should be much finer than n
-/// \param m, n how many vertices go around the axis, and around the tube
+/// \brief Creates the torus that a profile sweeps about the axis z, with faces that are, up to
+/// discretization, conformal to halves of one rectangle.
+/// \param profile counter-clockwise for outward normals; should be much finer than n
+/// \param m, n number of vertices around the axis, and around the tube
 /// \throw Precondition_error if the profile is unsuitable, as for `conformal_lengths()`, or m or n
 /// are below three
 Mesh_view torus_of_revolution(const Profile& profile, int m, int n);

@@ -53,8 +53,8 @@ CGP_INLINE Profile profile_of_class(Profile profile, double b)
     profile.row(0) = x.array() + gap;
     return conformal_lengths(profile).sum() - wanted;
   };
-  // The length falls with the gap, to nothing as it grows: first bounds, then halves between them,
-  // of the logarithm.
+  // The length decreases to zero as the distance increases: finds bounds, then bisects the
+  // logarithm of the distance.
   double low = x.maxCoeff(), high = low;
   while (excess(low) < 0) low /= 2;
   while (excess(high) > 0) high *= 2;

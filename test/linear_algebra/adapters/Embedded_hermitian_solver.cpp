@@ -27,7 +27,7 @@ Solver_status perform(Step step)
   return fails_at == step ? Solver_status::numerical_issue : Solver_status::success;
 }
 
-// Does nothing but fail on demand.
+// Fails on demand.
 template <class Entry>
 struct Failing_backend {
   using Matrix = Eigen::SparseMatrix<Entry, Eigen::ColMajor, int>;

@@ -27,7 +27,7 @@ bool overlap(const Supernodal_structure& S, const Contribution_stack& places, in
   return places[s] < places[t] + Numbers{S}(t) && places[t] < places[s] + Numbers{S}(s);
 }
 
-// An update lives from the front of its supernode to that of its parent.
+// An update exists from the front of its supernode to the front of the parent.
 TEST(Contribution_stack, never_hold_two_updates_that_wait_at_the_same_time)
 {
   for (const auto& [name, pattern, order] : ordered_graphs()) {

@@ -24,7 +24,7 @@ Eigen::MatrixXd some_definite_matrix(int n)
   return A * A.transpose() + Eigen::MatrixXd::Identity(n, n);
 }
 
-// What is above the diagonal must not matter.
+// Entries above the diagonal must be ignored.
 CGP::Dense_cholesky lower_part(const Eigen::MatrixXd& A)
 {
   CGP::Dense_cholesky cholesky;

@@ -18,7 +18,7 @@
 
 namespace {
 
-/// aligned memory of more bytes than this cannot be had
+/// Allocations of more bytes than this fail
 std::size_t most_bytes = ~std::size_t(0);
 
 }  // namespace

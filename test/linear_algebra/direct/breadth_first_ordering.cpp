@@ -44,6 +44,6 @@ TEST(Breadth_first_ordering, keeps_neighbours_near_whatever_the_numbers_of_the_m
   for (int k = 0; k < mesh.size_of_edges(); ++k)
     farthest =
         std::max(farthest, std::abs(place[at(mesh.ends(k)[0])] - place[at(mesh.ends(k)[1])]));
-  // Two rings around the sphere, of 5 * 20 vertices at most but for their zigzag.
+  // Two zigzag rings around the sphere, of at most about 5 * 20 vertices.
   EXPECT_LT(farthest, 2 * 2 * 100);
 }

@@ -51,7 +51,7 @@ TEST(Sweep_cut, finds_the_neck_away_from_the_middle)
   }
 }
 
-// All cuts across a strip are equal but for the sizes of the parts.
+// All cuts across a strip are equal except for the sizes of the parts.
 TEST(Sweep_cut, of_a_strip_is_in_the_middle)
 {
   Eigen::Matrix3Xd p(3, 800);

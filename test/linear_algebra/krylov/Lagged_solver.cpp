@@ -35,8 +35,8 @@ static_assert(std::is_same_v<CGP::Lagged_solver_traits<>::Solver<Quaternion<doub
 
 constexpr int n = 60;
 
-/// A factorization of a small matrix costs no more than three solves. This one pretends to be as
-/// dear as those of large meshes, so that iterations are worth while.
+/// A factorization of a small matrix costs only about three solves. This solver reports the costs
+/// of large meshes, so that iterations pay off.
 template <class Scalar, class Real = double>
 struct Dear_solver : CGP::Supernodal_cholesky<Scalar, Real> {
   CGP::Solver_statistics statistics() const
@@ -182,7 +182,7 @@ TYPED_TEST(Lagged_solver, precondition_becomes_new_when_it_has_been_used_too_oft
 
 TYPED_TEST(Lagged_solver, finds_an_indefinite_matrix_by_a_factorization)
 {
-  // an indefinite one with positive diagonal: nothing but curvature shows it
+  // indefinite with positive diagonal: detected by its curvature only
   Eigen::VectorXd shift = Eigen::VectorXd::Constant(n, -0.999 * this->A.diagonal(0));
   for (int j = 0; j < n; ++j) shift[j] = -0.999 * this->A.diagonal(j);
   ASSERT_EQ(this->solver.factorize(this->A, this->no_shift), Solver_status::success);
@@ -194,7 +194,7 @@ TYPED_TEST(Lagged_solver, finds_an_indefinite_matrix_by_a_factorization)
   EXPECT_EQ(this->solver.solve(this->b, this->x), Solver_status::wrong_state);
   EXPECT_EQ(this->solver.precondition(this->b, this->x), Solver_status::wrong_state);
 
-  // there is no old factor now
+  // the old factor does not exist any more
   EXPECT_EQ(this->solver.factorize(this->A, shift), Solver_status::not_positive_definite);
   EXPECT_EQ(this->solver.factorize(this->A, this->no_shift), Solver_status::success);
   ASSERT_EQ(this->solver.solve(this->b, this->x), Solver_status::success);

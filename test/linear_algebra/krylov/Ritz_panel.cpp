@@ -23,7 +23,7 @@ class Ritz_panel : public testing::Test {
     return CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N), v);
   }
 
-  // What a panel claims to be: v, K v, N v.
+  // Checks the invariant of a panel: v, K v, N v.
   void expect_consistent(const CGP::Ritz_panel& p) const
   {
     EXPECT_LE((real_columns(p.kv) - dense(K) * real_columns(p.v)).norm(), 1e-11);

@@ -177,8 +177,8 @@ TYPED_TEST(Conjugate_gradients, ends_where_a_value_is_not_finite)
   EXPECT_EQ(result.iterations, 0);
 }
 
-// A part of low frequency that is 1e-5 of the solution, and 1e-11 of the residual: where the
-// preconditioner halves it and does all the rest at once, short residuals tell nothing.
+// A low-frequency component that is 1e-5 of the solution, and 1e-11 of the residual: if the
+// preconditioner halves it and solves for the rest, the residual norm is not informative.
 TEST(Conjugate_gradients_estimate, is_not_fooled_by_short_residuals)
 {
   const Eigen::VectorXd k = Eigen::Vector4d(1, 1e12, 1e12, 1e12);

@@ -45,7 +45,7 @@ CGP::Krylov_options wanting(int wanted)
   return options;
 }
 
-/// values 1 / k of either sign, k = 1, 2, ...: those of an inverse
+/// Values 1 / k of either sign, k = 1, 2, ..., as for an inverse
 Eigen::VectorXd reciprocals(int n)
 {
   Eigen::VectorXd values(n);

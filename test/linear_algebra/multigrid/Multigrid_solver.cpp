@@ -27,7 +27,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Multigrid, Hermitian_solver, Models);
 static_assert(
     std::is_same_v<CGP::Multigrid_solver_traits::Solver<double>, CGP::Multigrid_solver<double>>);
 
-/// the matrices of a spin transformation of a sphere, nearly singular as they are there
+/// The nearly singular matrices of a spin transformation of a sphere
 CGP::Hermitian_sparse_matrix<double> sphere_matrix(const Mesh_view& mesh, double)
 {
   return plus_diagonal(CGP::cotan_laplacian(mesh), 1e-3 * CGP::vertex_areas(mesh));

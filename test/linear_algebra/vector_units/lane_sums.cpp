@@ -11,7 +11,7 @@ namespace {
 
 namespace CGP = Conformal_geometry_processing;
 
-// Powers of two, so that the sums are exact and tell every number apart from every other.
+// Multiples of powers of two, so that the sums are exact and misplaced terms are detected.
 template <class Unit, class Real, int count>
 void expect_sums()
 {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-/// What the tests of files with curves share.
+/// Common functions of the tests of curve files.
 namespace program_test {
 
 inline Eigen::Matrix2Xd points(std::initializer_list<Eigen::Vector2d> list)

@@ -14,7 +14,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// the meaning of `cholmod_common::status`
+/// Translates `cholmod_common::status`.
 inline Solver_status cholmod_status(int status)
 {
   switch (status) {
@@ -32,16 +32,17 @@ inline Solver_status cholmod_status(int status)
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the supernodal LL^H factorization of CHOLMOD, behind `Embedded_hermitian_solver`.
+/// \brief Supernodal LL^H factorization by CHOLMOD, as a backend of `Embedded_hermitian_solver`.
 ///
-/// This header, and no other, reaches CHOLMOD, whose supernodal module is under the GPL. The speed
-/// is that of the BLAS: with the reference BLAS it is a factor 2 to 5 below that with OpenBLAS.
+/// This is the only header that includes CHOLMOD, whose supernodal module is under the GPL. The
+/// speed depends on the BLAS: the reference BLAS is 2 to 5 times slower than OpenBLAS.
 template <class Entry>
 class Cholmod_backend {
  public:
   using Matrix = Eigen::SparseMatrix<Entry, Eigen::ColMajor, int>;
 
-  /// what CHOLMOD chooses by itself: minimum degree, or METIS where that fills in too much
+  /// Uses CHOLMOD's default strategy: minimum degree, or METIS if minimum degree causes too much
+  /// fill
   static Solver_status find_ordering(const Sparse_pattern& pattern, Ordering& order)
   {
     Common common;
@@ -86,14 +87,14 @@ class Cholmod_backend {
   Solver_statistics statistics() const { return m_llt.statistics(); }
 
  private:
-  // The status of a call that is known to have failed, even if CHOLMOD forgot to say so.
+  // Returns the status of a failed call, even if CHOLMOD did not set one.
   static Solver_status failure(const cholmod_common& common)
   {
     const Solver_status status = cholmod_status(common.status);
     return status == Solver_status::success ? Solver_status::numerical_issue : status;
   }
 
-  // Only the permutation is wanted of it: no supernodes, no messages.
+  // Configured for the ordering only: simplicial, without messages.
   struct Common {
     Common()
     {
@@ -108,7 +109,7 @@ class Cholmod_backend {
     cholmod_common settings;
   };
 
-  // Always supernodal; keeps the given order up to a postordering, which changes no fill-in.
+  // Always supernodal. Keeps the given order up to a postordering, which does not change the fill.
   class Llt : public Eigen::CholmodBase<Matrix, Eigen::Lower, Llt> {
    public:
     Llt()
@@ -141,7 +142,7 @@ class Cholmod_backend {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solvers of SuiteSparse; link the component `cholmod`.
+/// \brief Solvers of SuiteSparse; link the component `cholmod`.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Cholmod_hermitian_solver_traits {
   template <class Scalar>
@@ -149,8 +150,8 @@ struct Cholmod_hermitian_solver_traits {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the same over the real 4n x 4n form of quaternionic matrices: two to three times slower
-/// than the complex form, and a cross-check of it.
+/// \brief `Cholmod_hermitian_solver_traits` with quaternionic matrices in their real 4n x 4n form;
+/// two to three times slower than the complex form, useful as a cross-check.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Cholmod_real_hermitian_solver_traits {
   template <class Scalar>

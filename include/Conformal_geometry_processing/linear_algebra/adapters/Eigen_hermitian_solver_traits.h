@@ -14,7 +14,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the simplicial LDL^H factorization of Eigen, behind `Embedded_hermitian_solver`.
+/// \brief Simplicial LDL^H factorization by Eigen, as a backend of `Embedded_hermitian_solver`.
 template <class Entry>
 class Eigen_backend {
  public:
@@ -33,7 +33,7 @@ class Eigen_backend {
     return Solver_status::success;
   }
 
-  /// Eigen goes on with negative pivots and with those that are not finite, so they are looked at.
+  /// Checks the pivots, since Eigen accepts negative pivots and pivots that are not finite.
   Solver_status factorize(const Matrix& A)
   {
     m_ldlt.factorize(A);
@@ -54,7 +54,7 @@ class Eigen_backend {
   Solver_statistics statistics() const { return m_ldlt.statistics(); }
 
  private:
-  // Opens the parts of the factorization that Eigen keeps to itself.
+  // Exposes protected members of Eigen's factorization.
   class Ldlt : public Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> {
    public:
     const Eigen::Matrix<Entry, Eigen::Dynamic, 1>& pivots() const { return this->m_diag; }
@@ -76,7 +76,7 @@ class Eigen_backend {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solvers that need nothing but Eigen; for small meshes.
+/// \brief Solvers that depend on Eigen only; for small meshes.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Eigen_hermitian_solver_traits {
   template <class Scalar>
@@ -84,8 +84,8 @@ struct Eigen_hermitian_solver_traits {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the same over the real 4n x 4n form of quaternionic matrices: two to three times slower
-/// than the complex form, and a cross-check of it.
+/// \brief `Eigen_hermitian_solver_traits` with quaternionic matrices in their real 4n x 4n form;
+/// two to three times slower than the complex form, useful as a cross-check.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Eigen_real_hermitian_solver_traits {
   template <class Scalar>

@@ -15,17 +15,17 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief a sparse solver of another library as a solver for real and quaternionic matrices.
+/// \brief Adapts a sparse solver of another library to real and quaternionic matrices.
 ///
-/// The matrix is handed over in factor order, as a matrix of numbers, n x n for real scalars and
-/// complex 2n x 2n or real 4n x 4n for quaternions, so that the other library never orders the
-/// larger graph. Entries that are not finite are reported here,
-/// because libraries disagree on them.
+/// The matrix is passed in elimination order, as a matrix of numbers: n x n for real scalars,
+/// complex 2n x 2n or real 4n x 4n for quaternions. The other library therefore never orders the
+/// larger graph. Entries that are not finite are detected here, because libraries handle them
+/// differently.
 ///
 /// \cgalModels{SparseHermitianSolver}
 /// \tparam Scalar_ `double` or `Quaternion<double>`
 /// \tparam Backend a class template over the entries, see `Eigen_backend`
-/// \tparam Embedding_ what the entries are: `Complex_embedding` or `Real_embedding`
+/// \tparam Embedding_ the type of the entries: `Complex_embedding` or `Real_embedding`
 template <class Scalar_, template <class> class Backend,
           template <class> class Embedding_ = Complex_embedding>
 class Embedded_hermitian_solver {
@@ -63,13 +63,13 @@ class Embedded_hermitian_solver {
     });
   }
 
-  /// chooses an ordering that knows nothing of positions
+  /// Ignores the positions
   Solver_status analyze_with_positions(const Sparse_pattern& pattern, const Eigen::Matrix3Xd&)
   {
     return analyze(pattern);
   }
 
-  /// with the ordering of another solver for the same pattern
+  /// Uses the ordering of another solver for the same pattern
   template <class Other>
   Solver_status analyze_like(const Sparse_pattern& pattern, const Other& other)
   {
@@ -105,7 +105,7 @@ class Embedded_hermitian_solver {
   Solver_statistics statistics() const
   {
     Solver_statistics s = m_state == State::empty ? Solver_statistics{} : m_backend.statistics();
-    // Diagonal blocks are stored as triangles.
+    // Diagonal blocks are stored as lower triangles.
     const std::int64_t w = width, diagonal = s.factor_entries > 0 ? size() : 0;
     s.factor_entries = (s.factor_entries - diagonal * w * (w + 1) / 2) / (w * w) + diagonal;
     return s;
@@ -127,7 +127,7 @@ class Embedded_hermitian_solver {
            (shift.size() == 0 || shift.size() == A.size());
   }
 
-  // The row of the given matrix that is block k in factor order.
+  // The row of the original matrix that is block k in elimination order.
   int row(Eigen::Index k) const { return m_ordering[static_cast<std::size_t>(k)]; }
 
   Block<Entry> to_entries(const Block<Scalar>& b) const

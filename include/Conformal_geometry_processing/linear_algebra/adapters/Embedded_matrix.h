@@ -26,11 +26,11 @@ int embedded_entries(std::int64_t n, std::int64_t blocks, std::int64_t width);
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief a Hermitian sparse matrix as an `Eigen::SparseMatrix` of numbers, in factor order.
+/// \brief A Hermitian sparse matrix as an `Eigen::SparseMatrix` of numbers, in elimination order.
 ///
 /// Row k of the result is row `order[k]` of the given matrix; only the lower triangle is stored.
-/// The pattern is built once, `set_values()` then refills the values in place and in the order of
-/// memory: nothing is searched, inserted or allocated again. O(|V| + |E|) each.
+/// The pattern is built once; `set_values()` overwrites the values in place and in memory order,
+/// without searches, insertions or allocations. O(|V| + |E|) each.
 /// \tparam Embedding_ of the scalars, such as `Complex_embedding`
 template <class Scalar, class Embedding_>
 class Embedded_matrix {
@@ -43,8 +43,8 @@ class Embedded_matrix {
 
   Embedded_matrix() = default;
 
-  /// \param new_of_old the place of every row in the factor, a permutation
-  /// \throws std::bad_alloc where there are more entries than an `int` can number
+  /// \param new_of_old the position of every row in the elimination order, a permutation
+  /// \throws std::bad_alloc if the number of entries exceeds the range of `int`
   Embedded_matrix(const Sparse_pattern& pattern, const std::vector<int>& new_of_old)
   {
     find_blocks(pattern, new_of_old);
@@ -53,7 +53,7 @@ class Embedded_matrix {
 
   const Matrix& matrix() const { return m_matrix; }
 
-  /// the values of A + diag(shift); `shift` may be empty
+  /// Sets the values of A + diag(shift); `shift` may be empty
   void set_values(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
   {
     Entry* const values = m_matrix.valuePtr();
@@ -69,7 +69,7 @@ class Embedded_matrix {
 
  private:
   // A block below the diagonal; source is the position of its value in the pattern, or ~position
-  // if the permutation turned it into its conjugate transpose.
+  // if the permutation requires its conjugate transpose.
   struct Below {
     int row, source;
   };
@@ -130,7 +130,7 @@ class Embedded_matrix {
     return Embedding::block(source >= 0 ? A.value(source) : conjugate(A.value(~source)));
   }
 
-  // A real multiple of the identity, its lower triangle.
+  // The lower triangle of a real multiple of the identity.
   static void write_diagonal(FT value, std::array<Entry*, width>& next)
   {
     for (int c = 0; c < width; ++c)
@@ -144,7 +144,7 @@ class Embedded_matrix {
   }
 
   std::vector<std::pair<int, int>> m_diagonals;  // old number and position in the given pattern
-  std::vector<int> m_offsets;                    // where the blocks of a column begin
+  std::vector<int> m_offsets;                    // first block of each column
   std::vector<Below> m_blocks;
   Matrix m_matrix;
 };

@@ -13,7 +13,7 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-// The entries of a lower triangle of n diagonal blocks, stored as triangles, and of others below.
+// Number of entries in the lower triangle: n diagonal blocks, stored as triangles, and full blocks.
 CGP_INLINE int embedded_entries(std::int64_t n, std::int64_t blocks, std::int64_t width)
 {
   const std::int64_t entries = width * (width + 1) / 2 * n + width * width * blocks;

@@ -19,7 +19,7 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-/// \throws std::bad_alloc, Solver_error unless the status is that of success
+/// \throws std::bad_alloc, Solver_error if the status is not METIS_OK
 inline void check_metis_status(int status)
 {
   if (status == METIS_ERROR_MEMORY) throw std::bad_alloc();
@@ -31,20 +31,20 @@ inline void check_metis_status(int status)
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the ordering of multilevel nested dissection (Karypis and Kumar 1998), by METIS.
+/// \brief Computes an ordering by multilevel nested dissection (Karypis and Kumar 1998) with METIS.
 ///
-/// Needs no positions. The least fill on convoluted meshes, but takes two to four times as long as
-/// `sweep_nested_dissection()`, and as long as the factorization of a quaternionic matrix on meshes
-/// of 100000 faces: for matrices that are factored often. Deterministic; but METIS draws from
-/// `std::rand()`, which it seeds anew, so the numbers that the program itself draws from it repeat,
-/// and another thread must not use it meanwhile. This header, and no other, reaches METIS.
-/// \throws Solver_error where METIS fails
+/// Needs no positions. Yields the least fill on convoluted meshes, but takes two to four times as
+/// long as `sweep_nested_dissection()`, and as long as the factorization of a quaternionic matrix
+/// on meshes of 100000 faces; use it for matrices that are factored often. Deterministic. METIS
+/// reseeds and uses `std::rand()`: this affects the random numbers of the calling program, and
+/// other threads must not use `std::rand()` meanwhile. This is the only header that includes METIS.
+/// \throws Solver_error if METIS fails
 inline Ordering metis_ordering(const Sparse_pattern& pattern)
 {
   static_assert(sizeof(idx_t) == sizeof(int), "METIS must be built with 32-bit indices");
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   idx_t n = pattern.size();
-  if (pattern.size_of_entries() == n) {  // METIS takes no graph without edges
+  if (pattern.size_of_entries() == n) {  // METIS does not accept graphs without edges
     Ordering order(at(n));
     std::iota(order.begin(), order.end(), 0);
     return order;
@@ -64,7 +64,7 @@ inline Ordering metis_ordering(const Sparse_pattern& pattern)
 
   idx_t options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
-  options[METIS_OPTION_SEED] = 1;      // of std::rand(), at the beginning of every call
+  options[METIS_OPTION_SEED] = 1;      // seeds std::rand() at the beginning of every call
   options[METIS_OPTION_COMPRESS] = 0;  // no two vertices of a mesh have the same neighbours
   Ordering order(at(n)), inverse(at(n));
   internal::check_metis_status(METIS_NodeND(&n, offsets.data(), neighbours.data(), nullptr, options,

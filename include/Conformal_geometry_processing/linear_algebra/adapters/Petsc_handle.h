@@ -18,7 +18,7 @@ namespace Conformal_geometry_processing::internal {
 static_assert(std::is_same_v<PetscScalar, std::complex<double>>,
               "PETSc must be built for complex numbers of double precision");
 
-// What every call of PETSc goes through.
+// Converts the error code of a PETSc call to an exception.
 inline void check_petsc(PetscErrorCode code)
 {
   if (code == 0) return;
@@ -32,7 +32,7 @@ inline void check_petsc(PetscErrorCode code)
   throw Solver_error("PETSc", message);
 }
 
-// While it lives, errors of PETSc are codes and not messages on the terminal.
+// During its lifetime PETSc returns error codes instead of printing messages.
 class Quiet_petsc {
  public:
   Quiet_petsc() { PetscPushErrorHandler(PetscReturnErrorHandler, nullptr); }
@@ -49,7 +49,7 @@ inline bool petsc_is_running()
   return is_initialized && !is_finalized;
 }
 
-// Owns an object of PETSc. What is left when PETSc ends is left to it.
+// Owns a PETSc object. Objects that still exist when PETSc is finalized are not destroyed.
 template <class Object, PetscErrorCode (*destroy)(Object*)>
 class Petsc_handle {
  public:
@@ -64,7 +64,7 @@ class Petsc_handle {
 
   Object get() const { return m_object; }
 
-  // for functions that create an object
+  // Destroys the object and returns its address, for functions that create a new one
   Object* renew()
   {
     release();

@@ -15,17 +15,17 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief conjugate gradients with the algebraic multigrid of PETSc (GAMG), spread over the
-/// processes of `PETSC_COMM_WORLD`: for meshes whose factors fit no machine.
+/// \brief Conjugate gradients with the algebraic multigrid of PETSc (GAMG), distributed over the
+/// processes of `PETSC_COMM_WORLD`: for meshes whose factors exceed the memory of one machine.
 ///
-/// "Factorization" is the setup of the grids; there is no factor. Between `SlepcInitialize()` and
-/// `SlepcFinalize()`, which are the program's to call, every function is collective: all processes
-/// call it with the same arguments, and all get the same results. The ordering says which rows are
-/// consecutive, and processes own ranges of them; by default, that of `breadth_first_ordering()`.
-/// Matrices that are not definite are found by their diagonal in `factorize()`, or else by
-/// `solve()`.
+/// "Factorization" means the setup of the multigrid hierarchy; there is no factor. The program
+/// calls `SlepcInitialize()` before and `SlepcFinalize()` after all other functions, which are
+/// collective: all processes call them with the same arguments and get the same results. The
+/// ordering determines which rows are consecutive, and each process owns a range of rows; the
+/// default is `breadth_first_ordering()`. Indefinite matrices are detected from their diagonal in
+/// `factorize()`, or else in `solve()`.
 ///
-/// `solve()` iterates until the residual, in the norm of the multigrid, is 1e-13 of the first one.
+/// `solve()` iterates until the preconditioned residual norm is 1e-13 of the initial one.
 ///
 /// \cgalModels{SparseHermitianSolver}
 template <class Scalar_>
@@ -59,13 +59,13 @@ class Petsc_hermitian_solver {
     });
   }
 
-  /// makes nothing of the positions
+  /// Ignores the positions
   Solver_status analyze_with_positions(const Sparse_pattern& pattern, const Eigen::Matrix3Xd&)
   {
     return analyze(pattern);
   }
 
-  /// with the rows distributed as those of the other
+  /// Distributes the rows like the other solver
   template <class Other>
   Solver_status analyze_like(const Sparse_pattern& pattern, const Other& other)
   {
@@ -95,7 +95,7 @@ class Petsc_hermitian_solver {
     return for_each_column(b, x, [&] { return m_grids->solve(m_b.get(), m_x.get()); });
   }
 
-  /// one cycle of the multigrid
+  /// Applies one multigrid cycle
   Solver_status precondition(const Block<Scalar>& b, Block<Scalar>& x) const
   {
     return for_each_column(b, x, [&] {
@@ -104,8 +104,8 @@ class Petsc_hermitian_solver {
     });
   }
 
-  /// the matrix and the grids together; "flops" are those of a product with all of them, of which a
-  /// solve takes some hundred
+  /// Sizes of the matrix and all multigrid levels together; "flops" counts one product with each of
+  /// them, of which a solve takes some hundred
   Solver_statistics statistics() const
   {
     Solver_statistics s;
@@ -113,12 +113,12 @@ class Petsc_hermitian_solver {
     const double entries = m_entries * (m_grids ? m_grids->complexity() : 1.);
     const double numbers = Petsc_matrix<Scalar>::width * Petsc_matrix<Scalar>::width;
     s.factor_entries = m_entries;
-    s.flops = 8 * 2 * numbers * entries;  // both triangles, of complex numbers
+    s.flops = 8 * 2 * numbers * entries;  // both triangles, complex arithmetic
     s.bytes = 2 * numbers * entries * (sizeof(PetscScalar) + sizeof(PetscInt));
     return s;
   }
 
-  /// the multigrid, for eigenvalue solvers of SLEPc; null before `factorize()`
+  /// The multigrid preconditioner, for eigensolvers of SLEPc; null before `factorize()`
   PC multigrid() const { return m_grids ? m_grids->multigrid() : nullptr; }
 
  private:
@@ -186,7 +186,7 @@ class Petsc_hermitian_solver {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solvers of PETSc over MPI; link the component `slepc`.
+/// \brief Solvers of PETSc over MPI; link the component `slepc`.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Petsc_hermitian_solver_traits {
   template <class Scalar>

@@ -15,13 +15,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief a Hermitian sparse matrix as a complex one of PETSc, spread over the processes of
-/// `PETSC_COMM_WORLD` by rows.
+/// \brief A Hermitian sparse matrix as a complex PETSc matrix, distributed by rows over the
+/// processes of `PETSC_COMM_WORLD`.
 ///
-/// Every process gives the same matrix, of which it keeps consecutive rows, and the same vectors.
+/// Every process passes the same vectors and the same matrix, of which it keeps a range of rows.
 /// Vertex `order[k]` has the rows width k ... width k + width - 1: one for real scalars, two for
-/// quaternions. Every function is collective: all processes call it. Errors throw `Solver_error`
-/// or std::bad_alloc.
+/// quaternions. All functions are collective. Errors throw `Solver_error` or std::bad_alloc.
 template <class Scalar>
 class Petsc_matrix {
  public:
@@ -47,7 +46,7 @@ class Petsc_matrix {
   const Ordering& ordering() const { return m_order; }
   int size() const { return static_cast<int>(m_order.size()); }
 
-  /// the values of A + diag(shift); `shift` may be empty
+  /// Sets the values of A + diag(shift); `shift` may be empty
   void set_values(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
   {
     A.for_each_entry([&](int i, int j, const Scalar& a) {
@@ -57,10 +56,10 @@ class Petsc_matrix {
     });
     internal::check_petsc(MatAssemblyBegin(get(), MAT_FINAL_ASSEMBLY));
     internal::check_petsc(MatAssemblyEnd(get(), MAT_FINAL_ASSEMBLY));
-    internal::check_petsc(MatSetOption(get(), MAT_HERMITIAN, PETSC_TRUE));  // forgotten each time
+    internal::check_petsc(MatSetOption(get(), MAT_HERMITIAN, PETSC_TRUE));  // reset by assembly
   }
 
-  /// a vector spread as the rows are
+  /// Creates a vector distributed like the rows
   internal::Petsc_vec make_vector() const
   {
     internal::Petsc_vec v;
@@ -68,7 +67,7 @@ class Petsc_matrix {
     return v;
   }
 
-  /// the part of this process, of a column of b
+  /// Copies the local part of a column of b
   void to_petsc(const Block<Scalar>& b, Eigen::Index column, Vec v) const
   {
     PetscScalar* values = nullptr;
@@ -82,7 +81,7 @@ class Petsc_matrix {
     internal::check_petsc(VecRestoreArrayWrite(v, &values));
   }
 
-  /// the whole vector, on every process, into a column of b
+  /// Gathers the whole vector, on every process, in a column of b
   void from_petsc(Vec v, Eigen::Index column, Block<Scalar>& b) const
   {
     for (auto step : {VecScatterBegin, VecScatterEnd})
@@ -117,7 +116,7 @@ class Petsc_matrix {
     internal::check_petsc(MatSetType(get(), MATAIJ));
   }
 
-  // Memory for the blocks of every row, within the columns of this process and outside of them.
+  // Preallocates the blocks of every row, inside and outside the columns of this process.
   void reserve(const Sparse_pattern& pattern)
   {
     const std::size_t rows = static_cast<std::size_t>(m_end - m_begin);
@@ -141,7 +140,7 @@ class Petsc_matrix {
     const PetscInt k = place(i), l = place(j);
     if (!is_mine(static_cast<int>(k))) return;
     const auto block = Embedding::block(a);
-    std::array<PetscScalar, width * width> values;  // row by row
+    std::array<PetscScalar, width * width> values;  // row-major
     for (int r = 0; r < width; ++r)
       for (int c = 0; c < width; ++c) values[static_cast<std::size_t>(width * r + c)] = block(r, c);
     internal::check_petsc(MatSetValuesBlocked(get(), 1, &k, 1, &l, values.data(), INSERT_VALUES));

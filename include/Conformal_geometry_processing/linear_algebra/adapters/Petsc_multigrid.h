@@ -10,18 +10,18 @@
 
 namespace Conformal_geometry_processing::internal {
 
-// Smoothed aggregation for a Hermitian matrix whose entries are blocks of complex numbers, and
-// conjugate gradients with it. The grids are those that PETSc (GAMG) finds for a real matrix with
-// one number per block, the real part: with the complex matrix itself, GAMG would put complex
-// interpolations P into P^T A P, which is not Hermitian.
+// Smoothed aggregation multigrid for a Hermitian matrix with complex blocks as entries, and
+// conjugate gradients preconditioned by it. PETSc (GAMG) coarsens a real matrix with one number per
+// block, the real part: for the complex matrix itself, GAMG would form P^T A P with complex
+// interpolations P, which is not Hermitian.
 //
-// Measured on the Dirac matrix: PETSc's default of sweeps of SOR inside Chebyshev polynomials it
-// is. Without those, the sweeps of several processes need not add up to something definite: with 5
-// processes LOBPCG did not converge in 500 iterations. Coarsening along the edges of the graph, and
-// not of its square, takes half of the iterations. ICC in blocks takes ten times as many.
+// Based on measurements with the Dirac matrix, the smoother is PETSc's default, Chebyshev
+// polynomials of SOR. SOR alone need not be definite when it runs on several processes: with 5
+// processes LOBPCG did not converge in 500 iterations. Coarsening on the graph instead of its
+// square halves the number of iterations. Block ICC takes ten times as many.
 class Petsc_multigrid {
  public:
-  // real: of n rows; matrix: of width n, distributed in the same way
+  // real: n rows; matrix: n rows of `width` numbers each, distributed in the same way
   Petsc_multigrid(Mat matrix, Mat real, int width)
   {
     check_petsc(KSPCreate(PETSC_COMM_WORLD, m_ksp.renew()));
@@ -55,7 +55,7 @@ class Petsc_multigrid {
     return is_indefinite ? Solver_status::not_positive_definite : Solver_status::numerical_issue;
   }
 
-  // the entries of all grids over those of the matrix
+  // Number of entries on all levels divided by that of the matrix
   double complexity() const
   {
     PetscReal unknowns = 1, entries = 1;
@@ -88,12 +88,12 @@ class Petsc_multigrid {
     check_petsc(PCSetOperators(pc.get(), real, real));
     check_petsc(PCSetType(pc.get(), PCGAMG));
     check_petsc(PCSetFromOptions(pc.get()));
-    check_petsc(PCGAMGSetAggressiveLevels(pc.get(), 0));  // takes no effect before the options
+    check_petsc(PCGAMGSetAggressiveLevels(pc.get(), 0));  // has no effect before the options
     check_petsc(PCSetUp(pc.get()));
     return pc;
   }
 
-  // Every entry times the identity matrix of `width` rows.
+  // Replaces every entry by its product with the identity matrix of `width` rows.
   static Petsc_mat with_blocks(Mat P, int width)
   {
     Petsc_mat view, blocks;

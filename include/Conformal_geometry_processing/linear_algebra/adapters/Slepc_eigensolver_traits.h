@@ -19,7 +19,7 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-// A x = N x theta as K y = y theta / scale^2, of numbers of order one.
+// Transforms A x = N x theta to K y = y theta / scale^2, with numbers of order one.
 class Mass_scaling {
  public:
   Mass_scaling(const Vector<double>& masses, double scale)
@@ -54,7 +54,7 @@ class Mass_scaling {
   double m_scale;
 };
 
-// An upper bound of the spectral norm: the greatest sum of norms in a row.
+// Upper bound of the spectral norm: the maximal row sum of norms.
 inline double norm_bound(const Hermitian_sparse_matrix<Quaternion<double>>& K)
 {
   Vector<double> sums = Vector<double>::Zero(K.size());
@@ -68,27 +68,27 @@ inline double norm_bound(const Hermitian_sparse_matrix<Quaternion<double>>& K)
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the smallest eigenpairs by the LOBPCG of SLEPc with algebraic multigrid, over MPI: for
-/// meshes whose factors fit no machine. Link the component `slepc`.
+/// \brief Computes the smallest eigenpairs by the LOBPCG of SLEPc with algebraic multigrid, over
+/// MPI: for meshes whose factors exceed the memory of one machine. Link the component `slepc`.
 ///
 /// The program calls `SlepcInitialize()` before and `SlepcFinalize()` after (they initialize MPI).
-/// All processes of `PETSC_COMM_WORLD` call with the same arguments, and all get the same result.
-/// Every process holds the matrix it gives and the vectors it gets; SLEPc's copy of the matrix, the
-/// multigrid and the vectors it works on, which are many times that, are spread over the processes
-/// by rows. The processes must do the same arithmetic, as those of one program on like machines do.
+/// All processes of `PETSC_COMM_WORLD` call with the same arguments and get the same result.
+/// Every process holds the input matrix and the resulting vectors; SLEPc's copy of the matrix, the
+/// multigrid hierarchy and the work vectors, which are many times larger, are distributed by rows.
+/// All processes must round in the same way, as those of one program on identical machines do.
 ///
-/// The given solver is not used: give algorithms that need one `Petsc_hermitian_solver_traits`.
-/// What SLEPc finds, complex vectors in pairs, becomes quaternionic and is judged by `lobpcg()`
-/// with the same multigrid, which improves on it where it must; so the error estimates are those
-/// of the default, with one cycle of the multigrid for the inverse. Options of PETSc take effect
-/// with the prefixes `-conformal_` and `-conformal_grids_`.
+/// The given solver is not used; for algorithms that need one use `Petsc_hermitian_solver_traits`.
+/// SLEPc computes pairs of complex vectors, which are converted to quaternions and verified by
+/// `lobpcg()` with the same multigrid; if necessary, `lobpcg()` improves them. The error estimates
+/// are therefore those of the default eigensolver, with one multigrid cycle in place of the
+/// inverse. PETSc options have the prefixes `-conformal_` and `-conformal_grids_`.
 ///
 /// \cgalModels{SparseHermitianEigensolverTraits}
 struct Slepc_eigensolver_traits {
   /// \param N the masses
-  /// \param go_further all processes are asked, and one that says no cancels
-  /// \throws Precondition_error if there are fewer columns in x0 than wanted
-  /// \throws Solver_error if PETSc is not initialized, or fails
+  /// \param go_further is called on all processes; the iteration is cancelled if it returns false
+  /// on one of them \throws Precondition_error if there are fewer columns in x0 than wanted \throws
+  /// Solver_error if PETSc is not initialized, or fails
   template <class Solver, class GoFurther = Always_go_further>
   Eigensolver_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A,
                                 const Vector<double>& N, const Solver&,
@@ -116,7 +116,7 @@ struct Slepc_eigensolver_traits {
  private:
   static constexpr const char* function = "Slepc_eigensolver_traits";
 
-  /// of K x = x theta, with eigenvalues of order one
+  /// Solves K x = x theta, with eigenvalues of order one
   template <class GoFurther>
   static Eigensolver_result solve(const Hermitian_sparse_matrix<Quaternion<double>>& K,
                                   Block<Quaternion<double>> x, Eigensolver_options options,
@@ -150,7 +150,7 @@ struct Slepc_eigensolver_traits {
     return result;
   }
 
-  /// the residuals that SLEPc looks at stay above the rounding errors of products with K
+  /// Keeps the tolerance of SLEPc above the rounding errors of products with K
   static Eigensolver_options above_rounding(Eigensolver_options options,
                                             const Hermitian_sparse_matrix<Quaternion<double>>& K)
   {

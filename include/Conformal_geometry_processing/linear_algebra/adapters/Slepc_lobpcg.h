@@ -19,7 +19,7 @@ namespace Conformal_geometry_processing::internal {
 
 using Slepc_eps = Petsc_handle<EPS, EPSDestroy>;
 
-// The answer of all processes to a question: yes if each says so.
+// Returns whether the argument is true on all processes.
 inline bool all_processes(bool yes)
 {
   int answer = yes ? 1 : 0;
@@ -27,8 +27,8 @@ inline bool all_processes(bool yes)
   return answer == 1;
 }
 
-// `wanted` columns that span as much as possible of what V spans over the quaternions: of each
-// pair of complex eigenvectors, which differ by a quaternion on the right, one.
+// Returns `wanted` columns that span, over the quaternions, as much of the span of V as possible:
+// one of each pair of complex eigenvectors, which differ by a quaternion on the right.
 inline Block<Quaternion<double>> quaternionic_basis(Block<Quaternion<double>> V,
                                                     Eigen::Index wanted)
 {
@@ -45,12 +45,12 @@ inline Block<Quaternion<double>> quaternionic_basis(Block<Quaternion<double>> V,
   return V.leftCols(wanted);
 }
 
-// The LOBPCG of SLEPc for K x = x theta with a quaternionic K in complex form, where each
-// eigenvalue is met twice: 2 k complex vectors stand for k quaternionic ones.
+// Solves K x = x theta by the LOBPCG of SLEPc, for a quaternionic K in complex form, where each
+// eigenvalue has even multiplicity: 2 k complex vectors correspond to k quaternionic ones.
 //
-// SLEPc tests the vectors of the block one after the other, and gives out those before the first
-// that fails. Those that need not converge pass the test, so that all come out together; and all
-// pass when the iteration is to end without convergence.
+// SLEPc tests the vectors of the block in sequence and returns those before the first that fails.
+// Guard vectors, which need not converge, pass the test so that all vectors are returned together;
+// all pass when the iteration ends without convergence.
 template <class GoFurther>
 class Slepc_lobpcg {
  public:
@@ -73,7 +73,7 @@ class Slepc_lobpcg {
   Slepc_lobpcg(const Slepc_lobpcg&) = delete;
   Slepc_lobpcg& operator=(const Slepc_lobpcg&) = delete;
 
-  // SLEPc needs a problem some times as large as the block.
+  // SLEPc requires a problem several times as large as the block.
   static bool is_possible(const Block<Quaternion<double>>& x) { return x.rows() >= 5 * x.cols(); }
 
   Block<Quaternion<double>> run(const Block<Quaternion<double>>& x0)
@@ -93,7 +93,7 @@ class Slepc_lobpcg {
   bool is_cancelled() const { return m_is_cancelled; }
 
  private:
-  // In a shell, because SLEPc takes apart in the end what it is given.
+  // Wraps the preconditioner in a shell, because SLEPc destroys the one it is given.
   void set_preconditioner(PC preconditioner)
   {
     ST st = nullptr;
@@ -116,7 +116,7 @@ class Slepc_lobpcg {
     return code != 0 ? code : PCApply(inner, b, x);
   }
 
-  // x and x j span over the complex numbers what x spans over the quaternions.
+  // The complex span of x and x j is the quaternionic span of x.
   void set_initial(const Block<Quaternion<double>>& x0)
   {
     const Quaternion<double> j{0, 0, 1, 0};
@@ -145,7 +145,7 @@ class Slepc_lobpcg {
     return quaternionic_basis(std::move(all), columns);
   }
 
-  // Called for one vector of the block after the other.
+  // Called for each vector of the block in sequence.
   static PetscErrorCode measure(EPS, PetscScalar value, PetscScalar, PetscReal residual,
                                 PetscReal* error, void* self_)
   {
@@ -161,7 +161,7 @@ class Slepc_lobpcg {
     return 0;
   }
 
-  // Called after them.
+  // Called after `measure()` for the whole block.
   static PetscErrorCode stop(EPS, PetscInt iterations, PetscInt, PetscInt converged, PetscInt block,
                              EPSConvergedReason* reason, void* self_)
   {
@@ -180,7 +180,7 @@ class Slepc_lobpcg {
     bool yes = false;
     try {
       yes = m_go_further(Eigensolver_progress{m_iterations, m_value, m_estimate});
-    } catch (...) {  // must not pass through the functions of SLEPc
+    } catch (...) {  // exceptions must not propagate through SLEPc
       m_exception = std::current_exception();
     }
     m_is_cancelled = !all_processes(yes);

@@ -13,25 +13,25 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief how a scalar acts as a `width` x `width` matrix of entries that other libraries know, and
-/// as which `width` coordinates it is acted on: numbers stand for themselves.
+/// \brief Represents a scalar as a `width` x `width` matrix of entries that other libraries
+/// support, which acts on vectors of `width` coordinates; numbers represent themselves.
 template <class Scalar>
 struct Number_embedding {
   using Entry = Scalar;
   static constexpr int width = 1;
   using Matrix = Eigen::Matrix<Entry, width, width>;
 
-  /// the matrix of the multiplication by s from the left
+  /// Matrix of the left multiplication by s
   static Matrix block(const Scalar& s) { return Matrix::Constant(s); }
-  /// writes the `width` coordinates of s
+  /// Writes the `width` coordinates of s
   static void to_entries(const Scalar& s, Entry* entries) { *entries = s; }
-  /// reads them back
+  /// Converts coordinates to a scalar
   static Scalar from_entries(const Entry* entries) { return *entries; }
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief a `Number_embedding` with quaternions as complex 2 x 2 matrices: half of the memory and
-/// of the work of real 4 x 4.
+/// \brief A `Number_embedding` with quaternions as complex 2 x 2 matrices; takes half the memory
+/// and time of real 4 x 4 matrices.
 template <class Scalar>
 struct Complex_embedding : Number_embedding<Scalar> {};
 
@@ -53,7 +53,7 @@ struct Complex_embedding<Quaternion<FT>> {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief a `Number_embedding` with quaternions as real 4 x 4 matrices, for libraries that know
+/// \brief A `Number_embedding` with quaternions as real 4 x 4 matrices, for libraries that support
 /// real numbers only.
 template <class Scalar>
 struct Real_embedding : Number_embedding<Scalar> {};

@@ -14,7 +14,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the library's own factorization of numbers, behind `Embedded_hermitian_solver`.
+/// \brief The library's own factorization of numbers, as a backend of `Embedded_hermitian_solver`.
 template <class Entry>
 class Supernodal_backend {
  public:
@@ -55,11 +55,11 @@ class Supernodal_backend {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the library's own solvers with quaternionic matrices in their real 4n x 4n form: six to
-/// seven times slower than `Supernodal_solver_traits`, and a cross-check of it that shares the
-/// kernels but not the algebra of quaternions.
+/// \brief The library's own solvers with quaternionic matrices in their real 4n x 4n form; six to
+/// seven times slower than `Supernodal_solver_traits`. Useful as a cross-check that shares the
+/// kernels but not the quaternionic algebra.
 ///
-/// Matrices that are real-linear and not quaternionic, such as those with two-dimensional unknowns
+/// Matrices that are real-linear but not quaternionic, such as those with two-dimensional unknowns
 /// at the boundary, are factored by `Supernodal_cholesky<double>` itself, see
 /// `expanded_pattern()`.
 /// \cgalModels{SparseHermitianSolverTraits}

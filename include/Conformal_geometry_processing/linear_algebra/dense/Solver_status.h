@@ -8,7 +8,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief how an operation of a sparse solver ended.
+/// \brief Result of an operation of a sparse solver.
 enum class Solver_status {
   success,
   not_positive_definite,  ///< a pivot of the factorization is zero or negative
@@ -19,7 +19,7 @@ enum class Solver_status {
 };
 
 /// \relates Solver_status
-/// the status in words, for messages
+/// Describes the status, for messages
 constexpr const char* to_string(Solver_status status)
 {
   switch (status) {
@@ -38,10 +38,10 @@ constexpr const char* to_string(Solver_status status)
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the cost of a factorization, known after `analyze()`.
+/// \brief Cost of a factorization, known after `analyze()`.
 struct Solver_statistics {
   std::int64_t factor_entries = 0;  ///< stored scalars (numbers or quaternions) of the factor
-  double flops = 0;                 ///< floating point operations of one factorization
+  double flops = 0;                 ///< floating-point operations of one factorization
   double bytes = 0;                 ///< memory of the factor
 };
 

@@ -13,9 +13,9 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief y = A x where `apply` is A, for all columns of x at once.
+/// \brief Computes y = A x, where `apply` is A, for all columns of x at once.
 ///
-/// \param apply a callable (x, y) that sets y in its memory, as the operators below do, or x -> y
+/// \param apply a callable (x, y) that writes y in place, like the operators below, or x -> y
 template <class Operator, class Scalar>
 void apply_operator(const Operator& apply, const Block<Scalar>& x, Block<Scalar>& y)
 {
@@ -27,7 +27,7 @@ void apply_operator(const Operator& apply, const Block<Scalar>& x, Block<Scalar>
 
 namespace internal {
 
-// Either way to call it: y = f(x) where Fill is f(x, y).
+// Supports both calls: fill(x, y) and y = f(x).
 template <class Scalar, class Fill>
 struct Block_operator {
   Fill fill;
@@ -60,7 +60,7 @@ constexpr bool
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief x -> A x for all columns of x at once. Keeps a reference to A.
+/// \brief The operator x -> A x for all columns of x at once. Stores a reference to A.
 template <class Scalar>
 auto block_operator(const Hermitian_sparse_matrix<Scalar>& A)
 {
@@ -71,7 +71,8 @@ auto block_operator(const Hermitian_sparse_matrix<Scalar>& A)
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief x -> diag(masses) x for all columns of x at once. Keeps a reference to the masses.
+/// \brief The operator x -> diag(masses) x for all columns of x at once. Stores a reference to the
+/// masses.
 template <class FT>
 auto block_operator(const Vector<FT>& masses)
 {
@@ -84,8 +85,8 @@ auto block_operator(const Vector<FT>& masses)
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief x = T b for all columns of b at once, where `solver` has factorized A and T is its
-/// `precondition()`, if it has one, or else A^-1.
+/// \brief Computes x = T b for all columns of b at once, where `solver` has factorized A and T is
+/// its `precondition()`, if it has one, or else A^-1.
 template <class Solver, class Scalar>
 Solver_status apply_inverse(const Solver& solver, const Block<Scalar>& b, Block<Scalar>& x)
 {
@@ -96,8 +97,8 @@ Solver_status apply_inverse(const Solver& solver, const Block<Scalar>& b, Block<
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief b -> T b as an operator, see `apply_inverse()`. Keeps a reference to the solver; throws
-/// `Solver_error` where the solver fails.
+/// \brief The operator b -> T b, see `apply_inverse()`. Stores a reference to the solver; throws
+/// `Solver_error` if the solver fails.
 template <class Solver>
 auto inverse_operator(const Solver& solver)
 {

@@ -12,15 +12,15 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief what quaternionic vectors are combined with.
+/// \brief Field of the coefficients in linear combinations of quaternionic vectors.
 ///
-/// The vectors with prescribed directions at the boundary (`Reduced_basis`) are a space over the
-/// real numbers only: their inner product is the real part of the quaternionic one, and everything
-/// made from inner products is real as well.
+/// Vectors with prescribed directions at the boundary (`Reduced_basis`) form a vector space over
+/// the real numbers only: their inner product is the real part of the quaternionic one, and all
+/// quantities derived from inner products are real as well.
 enum class Coefficients { quaternions, reals };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief q, or its real part
+/// \brief Returns q, or its real part
 template <class FT>
 Quaternion<FT> reduced_to(Coefficients coefficients, const Quaternion<FT>& q)
 {
@@ -28,10 +28,9 @@ Quaternion<FT> reduced_to(Coefficients coefficients, const Quaternion<FT>& q)
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief A^H B: the inner products of the columns of A with those of B.
+/// \brief Returns A^H B, the inner products of the columns of A with those of B.
 ///
-/// Written out because Eigen's dense products may exchange their factors, which quaternions do not
-/// allow.
+/// Does not use Eigen's dense products, which may swap their factors; quaternions do not commute.
 template <class FT>
 Block<Quaternion<FT>> gram_matrix(const Block<Quaternion<FT>>& A, const Block<Quaternion<FT>>& B,
                                   Coefficients coefficients = Coefficients::quaternions)
@@ -44,13 +43,13 @@ Block<Quaternion<FT>> gram_matrix(const Block<Quaternion<FT>>& A, const Block<Qu
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief y += x q for columns x and y; y may be a column of the same block as x.
-/// \tparam Y, X vectors or columns, stored
+/// \brief Computes y += x q for columns x and y; y may be a column of the same block as x.
+/// \tparam Y, X vectors or columns with their own storage
 template <class Y, class X, class FT>
 void add_multiple(Y&& y, const X& x, const Quaternion<FT>& q)
 {
   using Four = Eigen::Array<FT, 4, 1>;
-  // x q = x.w q + x.x (i q) + x.y (j q) + x.z (k q): products of a number and a vector.
+  // x q = x.w q + x.x (i q) + x.y (j q) + x.z (k q), a sum of products of a number and a vector.
   const Four w(q.w, q.x, q.y, q.z), i(-q.x, q.w, -q.z, q.y), j(-q.y, q.z, q.w, -q.x),
       k(-q.z, -q.y, q.x, q.w);
   for (Eigen::Index n = 0; n < x.size(); ++n) {
@@ -61,7 +60,7 @@ void add_multiple(Y&& y, const X& x, const Quaternion<FT>& q)
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief W += V C, in place: combines the columns of V with coefficients from the right.
+/// \brief Computes W += V C in place: combines the columns of V with coefficients from the right.
 template <class FT>
 void add_combination(Block<Quaternion<FT>>& W, const Block<Quaternion<FT>>& V,
                      const Block<Quaternion<FT>>& C)
@@ -71,7 +70,7 @@ void add_combination(Block<Quaternion<FT>>& W, const Block<Quaternion<FT>>& V,
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief V C
+/// \brief Returns V C
 template <class FT>
 Block<Quaternion<FT>> combination(const Block<Quaternion<FT>>& V, const Block<Quaternion<FT>>& C)
 {
@@ -81,9 +80,9 @@ Block<Quaternion<FT>> combination(const Block<Quaternion<FT>>& V, const Block<Qu
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief W = W C + V D, in the memory of W if its size stays.
+/// \brief Computes W = W C + V D, in the memory of W if its size does not change.
 ///
-/// Some rows at a time, so that no other copy of W is needed.
+/// Processes some rows at a time to avoid another copy of W.
 template <class FT>
 void replace_by_combination(Block<Quaternion<FT>>& W, const Block<Quaternion<FT>>& C,
                             const Block<Quaternion<FT>>& V, const Block<Quaternion<FT>>& D)
@@ -107,7 +106,7 @@ void replace_by_combination(Block<Quaternion<FT>>& W, const Block<Quaternion<FT>
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief multiplies column j of V by s
+/// \brief Multiplies column j of V by s
 template <class FT>
 void scale_column(Block<Quaternion<FT>>& V, Eigen::Index j, FT s)
 {

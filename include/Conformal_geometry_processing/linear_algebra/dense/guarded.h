@@ -9,8 +9,8 @@
 
 namespace Conformal_geometry_processing::internal {
 
-// What `action` returns, or `out_of_memory` where it throws std::bad_alloc: solvers report failure
-// by their status alone.
+// Returns the result of `action`, or `out_of_memory` if it throws std::bad_alloc: solvers report
+// failure by their status only.
 template <class Action>
 Solver_status guarded(const Action& action)
 {

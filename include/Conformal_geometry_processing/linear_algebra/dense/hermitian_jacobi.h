@@ -24,7 +24,7 @@ struct Hermitian_eigen_decomposition {
 
 namespace internal {
 
-// Turns columns p and q of m into p c - q phase s and p s + q phase c.
+// Replaces columns p and q of m by p c - q phase s and p s + q phase c.
 template <class Scalar, class FT>
 void rotate_columns(Block<Scalar>& m, Eigen::Index p, Eigen::Index q, FT c, FT s,
                     const Scalar& phase)
@@ -36,7 +36,7 @@ void rotate_columns(Block<Scalar>& m, Eigen::Index p, Eigen::Index q, FT c, FT s
   }
 }
 
-// The same from the left, by the conjugate transpose.
+// Applies the conjugate transpose of the rotation from the left.
 template <class Scalar, class FT>
 void rotate_rows(Block<Scalar>& m, Eigen::Index p, Eigen::Index q, FT c, FT s, const Scalar& phase)
 {
@@ -47,7 +47,7 @@ void rotate_rows(Block<Scalar>& m, Eigen::Index p, Eigen::Index q, FT c, FT s, c
   }
 }
 
-// Makes A_pq vanish: a phase makes it real, a real Jacobi rotation does the rest.
+// Annihilates A_pq by a phase, which makes it real, and a real Jacobi rotation.
 template <class Scalar>
 void annihilate(Block<Scalar>& A, Block<Scalar>& V, Eigen::Index p, Eigen::Index q)
 {
@@ -75,7 +75,7 @@ typename Scalar_traits<Scalar>::FT off_diagonal_squared_norm(const Block<Scalar>
   return sum;
 }
 
-// The diagonal and V, ascending.
+// Sorts the diagonal in ascending order, together with the columns of V.
 template <class Scalar>
 Hermitian_eigen_decomposition<Scalar> sorted_decomposition(const Block<Scalar>& A,
                                                            const Block<Scalar>& V)
@@ -99,14 +99,14 @@ Hermitian_eigen_decomposition<Scalar> sorted_decomposition(const Block<Scalar>& 
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the eigenvalues and eigenvectors of a small Hermitian matrix, real, complex or
+/// \brief Computes the eigenvalues and eigenvectors of a small Hermitian matrix, real, complex or
 /// quaternionic.
 ///
-/// Cyclic Jacobi over the scalars: quaternionic eigenvalues come once, not in the pairs (fours) of
-/// the complex (real) form. The vectors act from the right, A v = v theta, so theta is real and v
-/// is defined up to a unit scalar on its right. O(d^3) per sweep, about 6 sweeps. For real matrices
-/// too, because it compiles in a hundredth of the time that Eigen's decomposition takes, which
-/// every program that includes this library would pay.
+/// Cyclic Jacobi over the scalars: quaternionic eigenvalues occur once, not in pairs (fours) as in
+/// the complex (real) form. The eigenvalues act from the right, A v = v theta; theta is real, and v
+/// is unique up to a unit scalar on its right. O(d^3) per sweep, about 6 sweeps. Also used for real
+/// matrices, because it compiles a hundred times faster than Eigen's decomposition, in every
+/// program that includes this library.
 ///
 /// \pre A is Hermitian and finite
 template <class Scalar>

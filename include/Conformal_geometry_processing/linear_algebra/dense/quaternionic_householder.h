@@ -15,15 +15,15 @@ namespace Conformal_geometry_processing {
 struct Quaternionic_tridiagonalization {
   Block<Quaternion<double>> Q;
   Vector<double> diagonal;
-  Vector<double> subdiagonal;  ///< not negative; one entry less
+  Vector<double> subdiagonal;  ///< not negative; has one entry less
 };
 
 namespace internal {
 
-// The reflection 1 - v v^H / scale that takes x to a multiple of the first unit vector.
+// The reflection 1 - v v^H / scale that maps x to a multiple of the first unit vector.
 struct Quaternionic_reflection {
   Quaternion_vector<double> v;
-  double scale = 0;                      // |v|^2 / 2; zero: nothing to do
+  double scale = 0;                      // |v|^2 / 2; zero means the identity
   Quaternion<double> image{0, 0, 0, 0};  // the first entry of the reflected x
 
   explicit Quaternionic_reflection(const Quaternion_vector<double>& x);
@@ -32,20 +32,21 @@ struct Quaternionic_reflection {
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief by Householder's reflections, of which each makes a column zero below the subdiagonal,
-/// and phases that make the subdiagonal real. About 7/3 d^3 quaternionic products.
+/// \brief Tridiagonalizes A by Householder reflections, each of which annihilates a column below
+/// the subdiagonal, and by phases that make the subdiagonal real. About 7/3 d^3 quaternionic
+/// products.
 /// \pre A is Hermitian and finite
 Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<double>> A);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the eigenvalues and eigenvectors of a quaternionic Hermitian matrix, as
-/// `hermitian_jacobi()` finds them, for matrices of more than some fifty rows.
+/// \brief Computes the eigenvalues and eigenvectors of a quaternionic Hermitian matrix. Faster than
+/// `hermitian_jacobi()` for matrices of more than some fifty rows.
 ///
-/// The tridiagonal form is real, so that what remains is a real problem of the same size, and not
-/// of two or four times that. A real A has real vectors.
+/// The tridiagonal form is real, so the remaining problem is real and has the same size, instead of
+/// two or four times that size. A real A has real eigenvectors.
 /// \pre A is Hermitian
-/// \throw Solver_error if the iteration for the tridiagonal matrix does not converge, as with
-/// values that are not finite
+/// \throw Solver_error if the iteration for the tridiagonal matrix does not converge, for example
+/// because of values that are not finite
 Hermitian_eigen_decomposition<Quaternion<double>> quaternionic_householder(
     Block<Quaternion<double>> A);
 

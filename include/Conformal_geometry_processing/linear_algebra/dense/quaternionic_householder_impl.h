@@ -72,7 +72,7 @@ CGP_INLINE Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<doub
     const Quaternion<double> below = H.image * phase;
     T.subdiagonal[k] = norm(below);
     phase = T.subdiagonal[k] > 0 ? below / T.subdiagonal[k] : Quaternion<double>{1, 0, 0, 0};
-    // No later reflection changes this column.
+    // Later reflections do not change this column.
     for (Eigen::Index i = 0; i < d; ++i) T.Q(i, k + 1) = T.Q(i, k + 1) * phase;
   }
   if (d > 0) T.diagonal[d - 1] = A(d - 1, d - 1).w;

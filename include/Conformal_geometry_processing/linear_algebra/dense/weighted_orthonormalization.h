@@ -7,21 +7,21 @@
 
 namespace Conformal_geometry_processing {
 /// \ingroup PkgLinearAlgebra
-/// \brief an orthonormal basis of the span of some functions, in the inner product
-/// sum_i w_i a_i b_i, without the directions in which they hardly extend.
+/// \brief Computes an orthonormal basis of the span of some functions, in the inner product
+/// sum_i w_i a_i b_i, and omits nearly dependent directions.
 ///
-/// Directions whose singular value is below `threshold` times the largest are dropped: functions
-/// that depend on each other up to rounding or discretisation errors differ by nothing but noise,
-/// which a plain Gram-Schmidt process would normalise. Functions should be scaled alike; none at
-/// all, and functions that vanish, have the empty basis.
+/// Directions whose singular value is below `threshold` times the largest one are dropped: if
+/// functions are dependent up to rounding or discretization errors, their differences are noise,
+/// which a plain Gram-Schmidt process would normalize. The functions should have similar norms. The
+/// basis is empty if there are no functions or all of them vanish.
 ///
-/// From the eigenvectors of the Gram matrix, and then by Gram and Schmidt's process, which makes
-/// the basis orthonormal to rounding. Deterministic. About 8 n k^2 operations, and the memory of
-/// the functions once more.
+/// Uses the eigenvectors of the Gram matrix, followed by a Gram-Schmidt process that makes the
+/// basis orthonormal up to rounding. Deterministic. About 8 n k^2 operations, and memory for a copy
+/// of the functions.
 ///
 /// \param functions n x k, one per column
 /// \param weights n positive numbers
-/// \param threshold at least 1e-7: the Gram matrix knows no smaller singular values
+/// \param threshold at least 1e-7: smaller singular values are lost in the Gram matrix
 /// \returns n x r, r <= k, in the order of decreasing singular values
 /// \throw Precondition_error if the sizes differ, a weight is not positive or a value not finite
 Eigen::MatrixXd weighted_orthonormalization(const Eigen::MatrixXd& functions,
@@ -29,18 +29,19 @@ Eigen::MatrixXd weighted_orthonormalization(const Eigen::MatrixXd& functions,
                                             double threshold = 1e-3);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the singular values of some functions in the inner product sum_i w_i a_i b_i, decreasing;
-/// those below 1e-7 of the largest are rounding errors. 2 n k^2 operations.
+/// \brief Returns the singular values of some functions in the inner product sum_i w_i a_i b_i, in
+/// decreasing order; those below 1e-7 of the largest are rounding errors. 2 n k^2 operations.
 /// \throw Precondition_error as `weighted_orthonormalization()`
 Eigen::VectorXd weighted_singular_values(const Eigen::MatrixXd& functions,
                                          const Eigen::VectorXd& weights);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief v without its part in the span of a basis that is orthonormal with the weights.
+/// \brief Returns the component of v orthogonal to the span of a basis that is orthonormal with
+/// respect to the weights.
 ///
-/// Projects twice, so that a v almost inside the span is left with rounding errors of its own size
-/// that are orthogonal all the same. 8 n k operations.
-/// \pre `basis` is what `weighted_orthonormalization()` returned for these weights
+/// Projects twice, so that the result is orthogonal even if v is almost inside the span and the
+/// result consists of rounding errors. 8 n k operations.
+/// \pre `basis` was returned by `weighted_orthonormalization()` for these weights
 Eigen::VectorXd project_out(const Eigen::MatrixXd& basis, const Eigen::VectorXd& weights,
                             Eigen::VectorXd v);
 

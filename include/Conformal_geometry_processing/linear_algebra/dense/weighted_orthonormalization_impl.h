@@ -72,8 +72,8 @@ CGP_INLINE Eigen::MatrixXd weighted_orthonormalization(const Eigen::MatrixXd& fu
     for (Eigen::Index j = 0; j < functions.cols(); ++j)
       basis.col(r) += gram.vectors(j, gram.vectors.cols() - 1 - r) * functions.col(j);
   for (Eigen::Index r = 0; r < rank; ++r) basis.col(r) /= std::sqrt(squared[r]);
-  // Orthonormal up to rounding / threshold^2, so that taking out the rest does not mix the
-  // directions anew.
+  // The basis is already orthonormal up to rounding / threshold^2, so that the Gram-Schmidt process
+  // hardly mixes the directions.
   internal::orthonormalize_in_order(basis, weights);
   return basis;
 }

@@ -15,12 +15,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief numbers without initial values, aligned to cache lines: memory that is not touched before
-/// it is used, and is kept.
+/// \brief An uninitialized array of numbers, aligned to cache lines. Memory is not touched before
+/// its first use, and is reused.
 template <class Real>
 class Aligned_array {
  public:
-  /// keeps the memory if the size is the same; the values are lost otherwise
+  /// Keeps the memory if the size is the same; otherwise the values are lost
   /// \throw std::bad_alloc, with no memory held
   void resize(std::int64_t size)
   {
@@ -44,8 +44,8 @@ class Aligned_array {
   };
   using Pointer = std::unique_ptr<Real, Free>;
 
-  // The first touch of a page costs as much as the arithmetic on it, so large arrays get large
-  // pages where the system has them.
+  // The first access to a page costs as much as the arithmetic on it, so large arrays use huge
+  // pages if the system supports them.
   static Pointer allocate(std::size_t bytes)
   {
     const bool is_large = bytes >= 2 * static_cast<std::size_t>(page);

@@ -14,31 +14,31 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief where, in one array, the updates wait that fronts hand to their parents.
+/// \brief Positions, in one array, of the update matrices that fronts pass to their parents.
 ///
 /// An update is written while those of the children are still read, and is read until the parent's
 /// is complete. Updates of even depth grow from the low end of the array, those of odd depth from
-/// its high end: a stack each, of which one is popped while the other is pushed. With several
-/// threads each task has a region of its own, inside the region of its parent.
+/// its high end: two stacks, one of which is popped while the other is pushed. With several threads
+/// each task has a region of its own, inside the region of its parent.
 class Contribution_stack {
  public:
   Contribution_stack() = default;
 
-  /// the places for supernodes that are eliminated one by one, in their order
-  /// \param size the numbers in the update of a supernode
+  /// Positions for supernodes that are eliminated sequentially
+  /// \param size number of entries in the update of a supernode
   template <class Size>
   Contribution_stack(const Supernodal_structure& S, Size size) : m_begin(at(S.size()))
   {
     m_size = stack_up(S, {0, S.size(), -1, 0}, size).size;
   }
 
-  /// the places for tasks that are done at the same time
+  /// Positions for tasks that run concurrently
   template <class Size>
   Contribution_stack(const Supernodal_structure& S, const Elimination_tasks& tasks, Size size)
       : m_begin(at(S.size()))
   {
     std::vector<Region> regions(at(tasks.size()));
-    std::vector<int> roomiest(at(tasks.size()), -1);  // the child region with most to spare
+    std::vector<int> roomiest(at(tasks.size()), -1);  // the child region with most free space
     for (int t = 0; t < tasks.size(); ++t) {
       Region& own = regions[at(t)];
       if (tasks[t].children == 0)
@@ -70,25 +70,25 @@ class Contribution_stack {
     }
   }
 
-  /// where the update of supernode s begins
+  /// Position of the update of supernode s
   std::int64_t operator[](int s) const { return m_begin[at(s)]; }
 
-  /// the numbers in the array
+  /// Number of entries in the array
   std::int64_t size() const { return m_size; }
 
  private:
   struct Region {
     std::int64_t size = 0;
-    std::int64_t kept = 0;     ///< what is left at one end when the task is done
+    std::int64_t kept = 0;     ///< still in use at one end when the task is done
     std::int64_t padding = 0;  ///< at the same end, before the regions inside
     std::int64_t begin = 0;    ///< in the array
-    std::int64_t next = 0;     ///< where the next region inside begins
+    std::int64_t next = 0;     ///< begin of the next region inside
     std::int64_t spare() const { return size - kept; }
   };
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-  // Places, from the beginning of the region, for supernodes that are eliminated one by one.
+  // Positions, relative to the region, for supernodes that are eliminated sequentially.
   template <class Size>
   Region stack_up(const Supernodal_structure& S, const Elimination_tasks::Task& task, Size size)
   {

@@ -11,7 +11,7 @@
 
 namespace Conformal_geometry_processing {
 
-// A single supernode: its update takes what one of the regions inside can spare, and more.
+// For a single supernode: its update uses the free space of one of the inner regions, and more.
 CGP_INLINE void Contribution_stack::enclose(Region& own, std::int64_t update,
                                             const Region& roomiest)
 {
@@ -20,7 +20,7 @@ CGP_INLINE void Contribution_stack::enclose(Region& own, std::int64_t update,
   own.kept = update;
 }
 
-// The region with most to spare lies where the update of the supernode around it goes.
+// The region with most free space lies where the update of the enclosing supernode is placed.
 CGP_INLINE void Contribution_stack::put(Region& own, bool is_roomiest, Region& around,
                                         bool is_at_low_end)
 {

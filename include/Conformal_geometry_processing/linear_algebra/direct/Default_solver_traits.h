@@ -8,8 +8,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the solvers under every algorithm that is not told otherwise: the library's own, which
-/// need nothing but Eigen and are the fastest on every mesh measured (doc/performance.md).
+/// \brief The default solvers of all algorithms: the library's own, which depend on Eigen only and
+/// are the fastest on every mesh measured (doc/performance.md).
 using Default_solver_traits = Supernodal_solver_traits;
 
 }  // namespace Conformal_geometry_processing

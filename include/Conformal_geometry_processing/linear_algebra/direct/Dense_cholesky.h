@@ -14,15 +14,15 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief A = L L^T for a dense symmetric positive definite matrix of real numbers, in place.
+/// \brief Factors A = L L^T for a dense symmetric positive definite matrix of real numbers, in
+/// place.
 ///
-/// By the kernels of the sparse factorization, which a program that has one contains anyway. The
-/// matrix is one panel of `Front_kernels` for the `vector_unit()` of the time when it was made
-/// zero; entries above the diagonal are never read. n^2 numbers, n^3 / 3 operations, 2 n^2 for a
-/// solution.
+/// Uses the kernels of the sparse factorization, to avoid further template instances. The matrix is
+/// one panel of `Front_kernels` for the `vector_unit()` at the time of `set_zero()`; entries above
+/// the diagonal are never read. n^2 numbers, n^3 / 3 operations, 2 n^2 for a solution.
 class Dense_cholesky {
  public:
-  /// makes it the zero matrix of a size
+  /// Resizes the matrix and sets it to zero
   void set_zero(int size)
   {
     m_size = size;
@@ -33,7 +33,7 @@ class Dense_cholesky {
 
   int size() const { return m_size; }
 
-  /// \brief an entry of the matrix, of the factor after `factorize()`.
+  /// \brief An entry of the matrix, or of the factor after `factorize()`.
   /// \pre 0 <= column < size(), 0 <= row < size()
   double& operator()(int row, int column)
   {
@@ -44,10 +44,10 @@ class Dense_cholesky {
     return m_panel.data()[layout().in_panel(m_size, row, column)];
   }
 
-  /// \returns whether the matrix is positive definite; it is lost if not
+  /// \returns whether the matrix is positive definite; if not, its values are destroyed
   bool factorize() { return m_kernels.factor_panel(m_panel.data(), m_size, blocks()) < 0; }
 
-  /// \brief from right-hand sides to solutions.
+  /// \brief Overwrites the right-hand side x by the solution.
   /// \pre the matrix is factorized, and x has its size
   void solve(Eigen::VectorXd& x) const
   {
@@ -59,7 +59,7 @@ class Dense_cholesky {
     x = y.head(m_size);
   }
 
-  /// gives back the memory
+  /// Releases the memory
   void release() { set_zero(0); }
 
   double bytes() const { return static_cast<double>(m_panel.size()) * sizeof(double); }
@@ -74,7 +74,7 @@ class Dense_cholesky {
     return m_panel.data() + (static_cast<std::int64_t>(b) * m_size + column) * layout().lanes();
   }
 
-  // The rows of block b of L y = x, when those before are solved.
+  // Solves the rows of block b of L y = x, after the previous ones.
   void forward(int b, double* x) const
   {
     const int lanes = layout().lanes();
@@ -87,7 +87,8 @@ class Dense_cholesky {
     }
   }
 
-  // The rows of block b of L^T x = y, when those after are solved; takes them out of those before.
+  // Solves the rows of block b of L^T x = y, after the later ones, and eliminates them from the
+  // previous ones.
   void backward(int b, double* x) const
   {
     const int lanes = layout().lanes();

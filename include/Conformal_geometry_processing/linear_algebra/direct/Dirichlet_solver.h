@@ -15,11 +15,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solves A x = b on some rows, where x is given on all others: Dirichlet conditions.
+/// \brief Solves A x = b with Dirichlet conditions: x is prescribed on some rows, and the equation
+/// holds on all others.
 ///
-/// Rows and columns of the given unknowns are replaced by those of the identity, so the pattern
-/// stays, and may share the analysis of other matrices of the mesh. Every function throws
-/// `Solver_error` where the solver fails.
+/// Replaces rows and columns of the prescribed unknowns by those of the identity, so that the
+/// pattern does not change and the analysis can be shared with other matrices of the mesh. Every
+/// function throws `Solver_error` if the solver fails.
 /// \tparam Scalar numbers or quaternions
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class Scalar, class SolverTraits = Default_solver_traits>
@@ -28,10 +29,10 @@ class Dirichlet_solver {
   using Solver = typename SolverTraits::template Solver<Scalar>;
   using Matrix = Hermitian_sparse_matrix<Scalar>;
 
-  /// \param given the rows whose unknowns are given, in any order
+  /// \param given the rows whose unknowns are prescribed, in any order
   Dirichlet_solver(std::shared_ptr<const Sparse_pattern> pattern, const std::vector<int>& given);
 
-  /// shares the analysis of another solver of the same traits and pattern
+  /// Shares the analysis of another solver of the same traits and pattern
   /// \tparam OtherSolver a model of `SparseHermitianSolver`
   template <class OtherSolver, class = typename OtherSolver::Scalar>
   Dirichlet_solver(std::shared_ptr<const Sparse_pattern> pattern, const std::vector<int>& given,
@@ -43,13 +44,13 @@ class Dirichlet_solver {
 
   bool is_given(int i) const { return m_is_given[static_cast<std::size_t>(i)] != 0; }
 
-  /// \brief done any number of times, for matrices on the pattern.
+  /// \brief Factors A; may be called repeatedly, for matrices with the same pattern.
   /// \pre A is positive definite on the rows that are not given
   void factorize(const Matrix& A);
 
-  /// \brief x with A x = b on the free rows and x = values on the others, for all columns.
+  /// \brief Returns x with A x = b on the free rows and x = values on the others, for all columns.
   /// \param A the matrix that was factorized
-  /// \param b, values all rows; of b those count that are free, of `values` the others
+  /// \param b, values all rows; only the free rows of `b` and the other rows of `values` are used
   Block<Scalar> solve(const Matrix& A, const Block<Scalar>& b, const Block<Scalar>& values) const;
 
  private:

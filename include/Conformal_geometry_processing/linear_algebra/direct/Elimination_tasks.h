@@ -13,27 +13,27 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the tree of supernodes, cut into tasks that several threads can do at once.
+/// \brief Partition of the tree of supernodes into tasks for several threads.
 ///
-/// A task is a range of supernodes: a subtree, several small ones side by side, or, above all
-/// these, a single supernode. The cut depends on the structure alone, never on the number of
+/// A task is a range of supernodes: a subtree, several small sibling subtrees, or, above all these,
+/// a single supernode. The partition depends on the structure only, never on the number of
 /// threads. Tasks are numbered like the supernodes, children before parents.
 class Elimination_tasks {
  public:
   struct Task {
-    int begin, end;  ///< the supernodes
+    int begin, end;  ///< range of supernodes
     int parent;      ///< a task, or -1
-    int children;    ///< how many tasks have this one as parent
+    int children;    ///< number of tasks with this parent
   };
 
-  /// \param share of all operations that makes a subtree too large for one task
+  /// \param share a subtree with more than this share of all operations is divided
   explicit Elimination_tasks(const Supernodal_structure& S, double share = 1. / 32);
 
   int size() const { return static_cast<int>(m_tasks.size()); }
   const Task& operator[](int t) const { return m_tasks[at(t)]; }
 
-  /// \brief calls `up(task, pool)` for every task, after those of its children.
-  /// \throw what `up` throws
+  /// \brief Calls `up(task, pool)` for every task, after those of its children.
+  /// \throw the exceptions of `up`
   template <class Up>
   void run(int threads, const Up& up) const
   {
@@ -46,7 +46,8 @@ class Elimination_tasks {
     });
   }
 
-  /// \brief the same, and then calls `down(task, pool)` for every task, after that of its parent.
+  /// \brief Calls `up` likewise, and then `down(task, pool)` for every task, after that of its
+  /// parent.
   template <class Up, class Down>
   void run(int threads, const Up& up, const Down& down) const
   {

@@ -55,7 +55,7 @@ CGP_INLINE void Elimination_tasks::cut(const Supernodal_structure& S,
   for (int s = 0; s < S.size(); ++s) {
     const int up = S.parent(s);
     const bool is_above = work[at(s)] > most;
-    if (!is_above && up >= 0 && work[at(up)] <= most) continue;  // inside of a subtree
+    if (!is_above && up >= 0 && work[at(up)] <= most) continue;  // inside a subtree
     const int begin = m_tasks.empty() ? 0 : m_tasks.back().end;
     const bool joins =
         !is_above && !m_tasks.empty() && parent.back() == up && last + work[at(s)] <= most;

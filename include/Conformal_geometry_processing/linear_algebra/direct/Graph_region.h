@@ -14,28 +14,28 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief a part of a graph with positions, that nested dissection takes apart.
+/// \brief A part of a graph with positions, which nested dissection subdivides.
 ///
-/// Holds copies, in numbers of its own, of all it needs: a list of edges is swept without jumps
-/// through memory, however badly the mesh is numbered.
+/// Stores copies with local indices, so that traversals access memory sequentially even if the
+/// vertices of the mesh are badly numbered.
 struct Graph_region {
   using Pairs = std::vector<std::array<int, 2>>;
 
-  std::vector<int> vertices;                          ///< their numbers in the whole graph
+  std::vector<int> vertices;                          ///< their indices in the whole graph
   Eigen::Matrix<float, Eigen::Dynamic, 3> positions;  ///< one row for each vertex
   Pairs edges;                                        ///< between vertices of the region
-  Pairs halo;  ///< edges (vertex of the region, number of a separator vertex in the whole graph)
+  Pairs halo;  ///< edges (vertex of the region, index of a separator vertex in the whole graph)
 
   int size() const { return static_cast<int>(vertices.size()); }
 };
 
 /// \relates Graph_region
-/// \brief the whole graph; positions are scaled to [-1, 1], where single precision suffices to
-/// choose cuts.
+/// \brief Returns the whole graph; positions are scaled to [-1, 1], where single precision suffices
+/// to choose cuts.
 Graph_region graph_region(const Sparse_pattern& pattern, const Eigen::Matrix3Xd& positions);
 
 /// \relates Graph_region
-/// \brief the vertices of the left and of the right side, with the separator in their halo.
+/// \brief Returns the left and the right side, with the separator in their halo.
 /// \pre no edge joins left and right
 std::array<Graph_region, 2> split(const Graph_region& region, const std::vector<Side>& sides);
 

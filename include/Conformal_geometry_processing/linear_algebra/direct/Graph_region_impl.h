@@ -29,7 +29,7 @@ CGP_INLINE Graph_region graph_region(const Sparse_pattern& pattern,
       region.edges.push_back({j, pattern.indices[static_cast<std::size_t>(k)]});
   if (n == 0) return region;
   const Eigen::Vector3d low = positions.rowwise().minCoeff(), high = positions.rowwise().maxCoeff();
-  const Eigen::Vector3d center = low / 2 + high / 2;  // halves: the sum may overflow
+  const Eigen::Vector3d center = low / 2 + high / 2;  // low + high may overflow
   const double radius = (high / 2 - low / 2).maxCoeff();
   region.positions.resize(n, 3);
   for (int a = 0; a < 3; ++a)
@@ -45,7 +45,7 @@ CGP_INLINE std::array<Graph_region, 2> split(const Graph_region& region,
                                              const std::vector<Side>& sides)
 {
   std::array<Graph_region, 2> parts;
-  std::vector<int> place(sides.size(), -1);  // in the part; -1 for the separator
+  std::vector<int> place(sides.size(), -1);  // local index; -1 for the separator
   const auto part_of = [&](int v) -> Graph_region& {
     return parts[sides[static_cast<std::size_t>(v)] == Side::left ? 0 : 1];
   };

@@ -14,25 +14,25 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solves L x = b where L is real, positive semidefinite and kills just the constants, as
-/// the cotan Laplacian of a connected mesh does.
+/// \brief Solves L x = b for a real, positive semidefinite L whose kernel consists of the
+/// constants, such as the cotan Laplacian of a connected mesh.
 ///
-/// Row and column 0 are replaced by those of the identity, so the matrix becomes definite on
-/// the same pattern, and may share the ordering of other matrices of the mesh. The solution does
-/// not depend on which row it is.
+/// Replaces row and column 0 by those of the identity, which makes the matrix definite without
+/// changing its pattern, so that the ordering can be shared with other matrices of the mesh. The
+/// solution does not depend on the choice of the row.
 ///
-/// Every function throws `Solver_error` where the solver fails.
+/// Every function throws `Solver_error` if the solver fails.
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits = Default_solver_traits>
 class Grounded_solver {
  public:
-  /// chooses an ordering
+  /// Computes an ordering
   explicit Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern);
 
-  /// uses a given one
+  /// Uses the given ordering
   Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern, const Ordering& order);
 
-  /// shares the analysis of another solver of the same traits and pattern
+  /// Shares the analysis of another solver of the same traits and pattern
   /// \tparam OtherSolver a model of `SparseHermitianSolver`
   template <class OtherSolver, class = typename OtherSolver::Scalar>
   Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern, const OtherSolver& other)
@@ -43,21 +43,21 @@ class Grounded_solver {
 
   using Solver = typename SolverTraits::template Solver<double>;
 
-  /// solves with the grounded matrix
+  /// Solves with the grounded matrix
   const Solver& solver() const { return m_solver; }
 
   const Ordering& ordering() const { return m_solver.ordering(); }
   Solver_statistics statistics() const { return m_solver.statistics(); }
 
-  /// \brief done any number of times, for matrices on the pattern.
+  /// \brief Factors L; may be called repeatedly, for matrices with the same pattern.
   /// \pre the pattern of L is the one given to the constructor; the rows of L sum to zero, and the
   /// graph of L is connected
   void factorize(const Hermitian_sparse_matrix<double>& L);
 
-  /// \brief the solutions x with mean zero, one for each column of b.
+  /// \brief Returns the solutions x with mean zero, one for each column of b.
   ///
-  /// L x = b has a solution only if b sums to zero; the mean of b, which no x could bring forth, is
-  /// taken off before: x minimises |L x - b|.
+  /// L x = b is solvable only if b sums to zero; the constant component of b, which is outside the
+  /// range of L, is removed: x minimizes |L x - b|.
   Block<double> solve(Block<double> b) const;
 
  private:

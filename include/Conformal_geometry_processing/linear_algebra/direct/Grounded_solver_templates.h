@@ -33,8 +33,8 @@ void Grounded_solver<SolverTraits>::factorize(const Hermitian_sparse_matrix<doub
   if (!(L.pattern() == m_grounded.pattern()))
     throw Solver_error("Grounded_solver::factorize", to_string(Solver_status::wrong_state));
   for (int k = 0; k < L.pattern().size_of_entries(); ++k) m_grounded.value(k) = L.value(k);
-  // Column 0 of the lower triangle is all there is of row and column 0. Times zero, and not zero:
-  // a value that is not finite must not go unnoticed.
+  // Row and column 0 consist of column 0 of the lower triangle. Multiplication by zero, unlike
+  // assignment, propagates values that are not finite.
   for (int k = 0; k < L.pattern().offsets[1]; ++k) m_grounded.value(k) *= 0;
   m_grounded.value(0) += 1;
   check("factorization", m_solver.factorize(m_grounded, {}));

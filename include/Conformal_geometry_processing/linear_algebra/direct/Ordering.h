@@ -8,14 +8,14 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief an order of elimination: entry k is the number of the row that is eliminated as k-th.
+/// \brief An elimination order: entry k is the number of the row that is eliminated as k-th.
 ///
-/// Orders the n rows of a `Sparse_pattern`, whatever the scalar of the matrix is, so that the real
-/// and the quaternionic matrix of a mesh share one.
+/// Orders the n rows of a `Sparse_pattern` for any scalar type, so that the real and the
+/// quaternionic matrix of a mesh can share it.
 using Ordering = std::vector<int>;
 
 /// \relates Ordering
-/// the permutation from old to new numbers; empty if `order` is not a permutation of 0 ... n - 1
+/// Permutation from old to new numbers; empty if `order` is not a permutation of 0 ... n - 1
 std::vector<int> inverse_permutation(const Ordering& order);
 
 }  // namespace Conformal_geometry_processing

@@ -10,8 +10,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief scalars as arrays of their real components, so that one dense kernel serves real, complex
-/// and quaternionic matrices (see `Plane_products`).
+/// \brief Scalars as arrays of their real components, so that the same dense kernels work for real,
+/// complex and quaternionic matrices (see `Plane_products`).
 template <class Scalar>
 struct Scalar_planes;
 

@@ -8,10 +8,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// measures the wall clock time between its laps
+/// Measures wall-clock time
 class Stopwatch {
  public:
-  /// the seconds since the construction or the last lap
+  /// Returns the seconds since the construction or the last lap
   double lap();
 
  private:

@@ -20,19 +20,20 @@ template <class Scalar, class Real>
 class Supernodal_factor;
 
 /// \ingroup PkgLinearAlgebra
-/// \brief sparse Cholesky factorization L L^H of Hermitian positive definite matrices whose entries
+/// \brief Sparse Cholesky factorization L L^H of Hermitian positive definite matrices whose entries
 /// are real, complex or *quaternions*, without expanding them.
 ///
 /// A quaternionic matrix of size n costs 16 times the operations and 4 times the memory of a real
-/// one, where the real matrix of size 4n costs 64 and 16 times as much. Ordering and symbolic
-/// analysis see the n x n graph only. Multifrontal, with dense kernels of its own for the vector
-/// registers of the machine (`vector_unit()`); needs no BLAS. The memory of the factor is kept for
-/// the next one. Uses up to `number_of_threads()` threads, with the same results to the bit.
+/// one; the equivalent real matrix of size 4n costs 64 and 16 times as much. Ordering and symbolic
+/// analysis use the n x n graph. Multifrontal, with dense kernels for the vector registers of the
+/// machine (`vector_unit()`); needs no BLAS. The memory of the factor is reused by the next
+/// factorization. Uses up to `number_of_threads()` threads; the results are bitwise independent of
+/// their number.
 ///
 /// \tparam Scalar_ `double`, `std::complex<double>`, `Quaternion<double>`, or of `float`
 /// \tparam Real the numbers of the factor: `float` halves the memory, for a factor that is used as
-/// a preconditioner. The compiled library has the combinations of the file Supernodal_instances.h;
-/// for another one include Supernodal_cholesky_templates.h.
+/// a preconditioner. The compiled library contains the combinations listed in
+/// Supernodal_instances.h; for other ones include Supernodal_cholesky_templates.h.
 /// \cgalModels{SparseHermitianSolver}
 template <class Scalar_, class Real = typename Scalar_traits<Scalar_>::FT>
 class Supernodal_cholesky {
@@ -45,22 +46,22 @@ class Supernodal_cholesky {
   Supernodal_cholesky(const Supernodal_cholesky&) = delete;
   Supernodal_cholesky& operator=(const Supernodal_cholesky&) = delete;
 
-  /// with the ordering of approximate minimum degree
+  /// Uses an approximate minimum degree ordering
   Solver_status analyze(const Sparse_pattern& pattern);
 
-  /// with an ordering of the vertices
+  /// Uses the given ordering of the vertices
   Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order);
 
-  /// with an ordering chosen among minimum degree and dissection in space (`choose_structure()`)
-  /// \param positions 3 x n, where the vertices are
+  /// Chooses between minimum degree and geometric nested dissection (`choose_structure()`)
+  /// \param positions 3 x n, the positions of the vertices
   Solver_status analyze_with_positions(const Sparse_pattern& pattern,
                                        const Eigen::Matrix3Xd& positions);
 
-  /// with a structure for the same pattern, which is shared
+  /// Shares a structure for the same pattern
   Solver_status analyze_with_structure(const Sparse_pattern& pattern,
                                        std::shared_ptr<const Supernodal_structure> structure);
 
-  /// with the structure of another solver for the same pattern
+  /// Shares the structure of another solver for the same pattern
   template <class OtherScalar, class OtherReal>
   Solver_status analyze_like(const Sparse_pattern& pattern,
                              const Supernodal_cholesky<OtherScalar, OtherReal>& other)
@@ -70,16 +71,16 @@ class Supernodal_cholesky {
 
   const Ordering& ordering() const { return m_ordering; }
 
-  /// what depends on the pattern alone; null before `analyze()`
+  /// Symbolic factorization, which depends on the pattern only; null before `analyze()`
   const std::shared_ptr<const Supernodal_structure>& structure() const { return m_structure; }
 
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift);
 
-  /// \brief gives the memory of the factor back, which takes a new one as after `analyze()`; the
-  /// structure stays.
+  /// \brief Releases the memory of the factor; the structure stays. The next factorization
+  /// allocates it anew.
   void release();
 
-  /// the vertex whose pivot was not positive in the last factorization, -1 if there was none
+  /// The vertex whose pivot was not positive in the last factorization, -1 if there was none
   int bad_vertex() const { return m_bad_vertex; }
 
   Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;
@@ -110,7 +111,7 @@ CGP_FOR_SUPERNODAL_INSTANCES(CGP_DECLARE)
 #endif
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the library's own solvers, for real and quaternionic matrices.
+/// \brief The library's own solvers, for real and quaternionic matrices.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Supernodal_solver_traits {
   template <class Scalar>
@@ -118,11 +119,11 @@ struct Supernodal_solver_traits {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the same with the quaternionic factor in single precision: half the memory and about two
-/// thirds of the time, for algorithms that use it as a preconditioner only.
+/// \brief `Supernodal_solver_traits` with the quaternionic factor in single precision: half the
+/// memory and about two thirds of the time, for algorithms that use it as a preconditioner only.
 ///
-/// The eigenvalue solver does, and works in double precision itself: its vectors are as exact, for
-/// an iteration or two more. Real matrices keep their double precision.
+/// The eigensolver does so and iterates in double precision: its vectors are as accurate, after one
+/// or two more iterations. Real matrices are factored in double precision.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Mixed_supernodal_solver_traits {
   template <class Scalar>

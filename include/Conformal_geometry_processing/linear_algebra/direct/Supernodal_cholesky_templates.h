@@ -125,11 +125,11 @@ template <class Scalar, class Real>
 Solver_status Supernodal_cholesky<Scalar, Real>::solve(const Block<Scalar>& b,
                                                        Block<Scalar>& x) const
 {
-  // Numbers per row: twice as many in one go cost little more, for the factor comes from memory.
+  // Right-hand sides per pass, in numbers: memory-bound, so twice as many cost little more.
   constexpr int narrow = 4, wide = 8, planes = Scalar_planes<Scalar>::size;
   return internal::guarded([&] {
     if (!m_is_factorized || b.rows() != size()) return Solver_status::wrong_state;
-    // Solved in one go, x of the right size takes the solution itself.
+    // In a single pass, the solution is written directly to an x of the right size.
     const bool is_direct =
         b.cols() <= wide / planes && x.rows() == b.rows() && x.cols() == b.cols();
     Block<Scalar> other;
@@ -157,7 +157,7 @@ Solver_statistics Supernodal_cholesky<Scalar, Real>::statistics() const
   return s;
 }
 
-// Solves for the columns begin <= c < end; false if the solution is not finite.
+// Solves for the columns begin <= c < end; returns false if the solution is not finite.
 template <class Scalar, class Real>
 template <int numbers>
 bool Supernodal_cholesky<Scalar, Real>::substitute(const Block<Scalar>& b, Eigen::Index begin,
@@ -177,7 +177,7 @@ bool Supernodal_cholesky<Scalar, Real>::substitute(const Block<Scalar>& b, Eigen
   return true;
 }
 
-// So many columns of b, from c on, in the order of elimination; those that do not exist are zero.
+// Packs columns of b, from c on, in elimination order; columns beyond the last one are zero.
 template <class Scalar, class Real>
 void Supernodal_cholesky<Scalar, Real>::pack(const Block<Scalar>& b, Eigen::Index c, int columns,
                                              Real* to) const

@@ -17,19 +17,20 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the numbers of a supernodal Cholesky factor L L^H, found by the multifrontal method.
+/// \brief The numerical part of a supernodal Cholesky factor L L^H, computed by the multifrontal
+/// method.
 ///
-/// Fronts are eliminated children before parents; the update that a front leaves to its parent
-/// waits in an array (`Contribution_stack`). Subtrees are tasks for several threads, and the large
-/// fronts above them are divided by rows. The cuts follow from the structure alone, and each number
-/// is computed by the same operations in the same order on any thread: the factor is the same to
-/// the bit for any number of threads. Memory is allocated once and used again.
+/// Fronts are eliminated children before parents; the update matrix that a front passes to its
+/// parent is stored in an array (`Contribution_stack`). Subtrees are tasks for several threads, and
+/// the large fronts above them are divided by rows. The partition depends on the structure only,
+/// and each number is computed by the same operations in the same order on any thread, so the
+/// factor is bitwise the same for any number of threads. Memory is allocated once and reused.
 ///
-/// The dense work is done by the kernels of the `vector_unit()` at construction, in whose layout
-/// the numbers are.
+/// The dense operations use the kernels of the `vector_unit()` at construction, which also
+/// determine the layout of the numbers.
 ///
 /// \tparam Scalar a real, complex or quaternion type \tparam Real the numbers stored. The compiled
-/// library has the combinations of the file Supernodal_instances.h; for another one include
+/// library contains the combinations listed in Supernodal_instances.h; for other ones include
 /// Supernodal_factor_templates.h.
 template <class Scalar, class Real>
 class Supernodal_factor {
@@ -41,44 +42,44 @@ class Supernodal_factor {
   const Supernodal_structure& structure() const { return *m_structure; }
   const Elimination_tasks& tasks() const { return m_tasks; }
 
-  /// what does the dense work
+  /// The dense kernels
   const Front_kernels<Real>& kernels() const { return m_kernels; }
 
-  /// where the numbers of panels and updates are
+  /// Layout of panels and updates
   const Panel_layout& layout() const { return m_kernels.layout; }
 
-  /// threads for a step that takes one thread about so many seconds: one where more would not pay
+  /// Number of threads for a step of this duration on one thread: one if more would not pay off
   static int threads(double seconds);
 
-  /// bytes of the panels
+  /// Bytes of the panels
   std::int64_t panel_bytes() const { return m_panel_offsets.back() * std::int64_t(sizeof(Real)); }
 
-  /// bytes of the panels and the updates
+  /// Bytes of the panels and the updates
   std::int64_t bytes() const
   {
     return panel_bytes() + m_places.size() * std::int64_t(sizeof(Real));
   }
 
-  /// \brief factors A + diag(shift).
-  /// \returns the vertex whose pivot is not positive, the first one in the order of elimination; -1
-  /// if all are positive
+  /// \brief Factors A + diag(shift).
+  /// \returns the first vertex, in the order of elimination, whose pivot is not positive; -1 if all
+  /// are positive
   /// \throw std::bad_alloc
   int factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift);
 
-  /// gives the memory of the numbers back; the next factorization allocates it anew
+  /// Releases the memory of the numbers; the next factorization allocates it anew
   void release();
 
-  /// the panel of supernode s
+  /// The panel of supernode s
   const Real* panel(int s) const { return m_panels.data() + m_panel_offsets[at(s)]; }
 
-  /// what the last factorization has left to the kept vertices below supernode s
+  /// Update of the last factorization for the kept vertices below supernode s
   /// \pre s has no parent
   const Real* update(int s) const { return m_updates.data() + m_places[s]; }
 
  private:
   struct Input;       // a matrix, a shift and the first bad column
-  struct One_by_one;  // loops of one thread
-  struct Front;       // a supernode and where its numbers are
+  struct One_by_one;  // sequential loops
+  struct Front;       // a supernode and the positions of its numbers
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 

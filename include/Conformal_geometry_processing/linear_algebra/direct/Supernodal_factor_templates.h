@@ -19,11 +19,11 @@ namespace internal {
 
 constexpr int no_column = (std::numeric_limits<int>::max)();
 
-// Updates larger than this are not kept for the next factorization, but leave room for what
-// follows this one.
+// Updates larger than this are released after the factorization, to leave memory for subsequent
+// steps.
 constexpr std::int64_t kept_bytes = std::int64_t(1) << 27;
 
-// So many row blocks of a large front are one piece of work; they stay in the second-level cache.
+// Number of row blocks of a large front per work item; they fit in the second-level cache.
 constexpr int piece = 8;
 
 }  // namespace internal
@@ -32,7 +32,7 @@ template <class Scalar, class Real>
 struct Supernodal_factor<Scalar, Real>::Input {
   const Hermitian_sparse_matrix<Scalar>& A;
   const Vector<FT>& shift;
-  std::atomic<int> bad_column{internal::no_column};  // the least one found
+  std::atomic<int> bad_column{internal::no_column};  // the smallest one found
 
   void report(int column)
   {
@@ -50,7 +50,7 @@ struct Supernodal_factor<Scalar, Real>::One_by_one {
   }
 };
 
-// A supernode with its columns, the rows below, and the same in row blocks.
+// A supernode with its columns and the rows below, also counted in row blocks.
 template <class Scalar, class Real>
 struct Supernodal_factor<Scalar, Real>::Front {
   int s, columns, rows, triangle, blocks;
@@ -107,14 +107,14 @@ void Supernodal_factor<Scalar, Real>::release()
   m_updates.resize(0);
 }
 
-// Of a factorization, at an ordinary 20 Gflop/s.
+// Estimated time of a factorization, at 20 Gflop/s.
 template <class Scalar, class Real>
 double Supernodal_factor<Scalar, Real>::seconds() const
 {
   return m_structure->operations() * layout().planes * layout().planes / 20e9;
 }
 
-// Places for the updates, with one thread in the least memory.
+// Computes positions for the updates; sequentially, those with the least memory.
 template <class Scalar, class Real>
 void Supernodal_factor<Scalar, Real>::plan()
 {
@@ -139,7 +139,7 @@ typename Supernodal_factor<Scalar, Real>::Front Supernodal_factor<Scalar, Real>:
           m_updates.data() + m_places[s]};
 }
 
-// Once a column is known to be bad, only columns before it are of interest.
+// Once a bad column is found, only columns before it are eliminated.
 template <class Scalar, class Real>
 template <class Loops>
 void Supernodal_factor<Scalar, Real>::eliminate(int s, Input& input, Loops& loops)
@@ -179,7 +179,7 @@ int Supernodal_factor<Scalar, Real>::eliminate_in_pieces(const Front& f, const I
                           f.columns + (std::min)(end * lanes, f.rows));
     m_kernels.solve_below(f.panel, f.columns, f.triangle + begin, f.triangle + end);
   });
-  loops.for_each(pieces, [&](int i) {  // the longest rows first
+  loops.for_each(pieces, [&](int i) {  // longest rows first
     const int end = f.blocks - i * piece;
     set_update(f, (std::max)(0, end - piece), end);
   });
@@ -204,7 +204,7 @@ void Supernodal_factor<Scalar, Real>::add_children_to_panel(const Front& f, int 
   });
 }
 
-// The row blocks begin <= block < end of the update.
+// Computes the row blocks begin <= block < end of the update.
 template <class Scalar, class Real>
 void Supernodal_factor<Scalar, Real>::set_update(const Front& f, int begin, int end) const
 {

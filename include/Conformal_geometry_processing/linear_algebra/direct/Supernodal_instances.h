@@ -8,9 +8,9 @@
 #include <complex>
 
 /// \file
-/// What the compiled library has of the class templates `Supernodal_factor`,
-/// `Supernodal_substitution` and `Supernodal_cholesky`: apply(Scalar, Real) for each combination of
-/// the entries of a matrix and the numbers of its factor that this library uses itself.
+/// Lists the instances of the class templates `Supernodal_factor`, `Supernodal_substitution` and
+/// `Supernodal_cholesky` in the compiled library: apply(Scalar, Real) for each combination of
+/// matrix entries and numbers of the factor that this library uses.
 #define CGP_FOR_SUPERNODAL_INSTANCES(apply)                                                    \
   apply(double, double) apply(std::complex<double>, double) apply(Quaternion<double>, double)  \
       apply(double, float) apply(std::complex<double>, float) apply(Quaternion<double>, float) \

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_INSTANCES_IMPL_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_INSTANCES_IMPL_H
 
-// The instances in the compiled library of the templates that Supernodal_instances.h names.
+// Instantiates the templates listed in Supernodal_instances.h in the compiled library.
 
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 

@@ -13,33 +13,34 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief all of a supernodal Cholesky factorization that depends on the pattern alone; made once
-/// for the graph of a mesh and shared by its real and its quaternionic matrices.
+/// \brief Symbolic part of a supernodal Cholesky factorization, which depends on the pattern only;
+/// computed once for the graph of a mesh and shared by its real and its quaternionic matrices.
 ///
 /// A supernode is a range of columns with a common list of rows below it. Its front is the dense
 /// lower triangle of its columns followed by these rows. Columns are numbered in a postorder of the
 /// elimination tree. O(entries + rows of the supernodes).
 ///
-/// Vertices at the end of the order may be *kept*: they belong to no supernode and have no entries
-/// between them, they are rows below only. Supernodes without a parent then leave an update to
-/// them, whose sum over all is what elimination adds to the matrix of the kept vertices.
+/// Vertices at the end of the order may be *kept*: they are not eliminated, belong to no supernode
+/// and have no entries between them; they occur as rows below supernodes only. Supernodes without a
+/// parent then leave an update to the kept vertices; the sum of these updates is the contribution
+/// of the elimination to their Schur complement.
 class Supernodal_structure {
  public:
-  /// where an entry of the matrix goes: the row of the front, the column of the panel
+  /// Position of a matrix entry: the row in the front, the column in the panel
   struct Entry {
     int source;  ///< position in the pattern, ~position if conjugated
     unsigned row : 26, column : 6;
   };
 
   /// \param order a fill-reducing ordering of the vertices
-  /// \param kept so many vertices at its end are not eliminated, and keep their order
+  /// \param kept number of trailing vertices that are not eliminated, and keep their order
   Supernodal_structure(const Sparse_pattern& pattern, const Ordering& order, int kept = 0);
 
   int size_of_columns() const { return static_cast<int>(m_order.size()); }
   int size_of_kept() const { return m_kept; }
   int size() const { return static_cast<int>(m_first.size()) - 1; }  ///< number of supernodes
 
-  /// the ordering refined to a postorder: `order()[k]` is the vertex eliminated as the k-th
+  /// The ordering refined to a postorder: `order()[k]` is the vertex eliminated as the k-th
   const Ordering& order() const { return m_order; }
 
   int first(int s) const { return m_first[at(s)]; }
@@ -48,25 +49,25 @@ class Supernodal_structure {
   int parent(int s) const { return m_parent[at(s)]; }
   int depth(int s) const { return m_depth[at(s)]; }
 
-  /// the rows below supernode s, ascending
+  /// Rows below supernode s, ascending
   const int* rows(int s) const { return m_rows.data() + m_row_offsets[at(s)]; }
 
-  /// their places in the front of the parent
+  /// Positions of these rows in the front of the parent
   const int* relative_rows(int s) const { return m_relative.data() + m_row_offsets[at(s)]; }
 
-  /// the children of supernode s, in the order of elimination
+  /// Children of supernode s, in the order of elimination
   const int* children_begin(int s) const { return m_children.data() + m_child_offsets[at(s)]; }
   const int* children_end(int s) const { return m_children.data() + m_child_offsets[at(s) + 1]; }
 
-  /// the entries of the matrix that belong to the panel of supernode s
+  /// Entries of the matrix that belong to the panel of supernode s
   const Entry* entries_begin(int s) const { return m_entries.data() + m_entry_offsets[at(s)]; }
   const Entry* entries_end(int s) const { return m_entries.data() + m_entry_offsets[at(s) + 1]; }
 
-  /// scalars in the factor, without and with the zeros that supernodes store
+  /// Number of scalars in the factor, without and with the explicit zeros of the supernodes
   std::int64_t factor_entries() const { return m_factor_entries; }
   std::int64_t stored_entries() const;
 
-  /// multiply-adds of scalars in one factorization: the sum of the squares of the column counts
+  /// Multiply-adds of scalars in one factorization: the sum of the squares of the column counts
   double operations() const { return m_operations; }
 
  private:

@@ -24,7 +24,7 @@ CGP_INLINE Supernodal_structure::Supernodal_structure(const Sparse_pattern& patt
   chain_kept(parent);
   renumber(graph, parent, std::vector<int>(order.size(), 0));
   std::vector<int> count = column_counts(graph, parent);
-  std::fill(count.end() - kept, count.end(), 0);  // true only of eliminated columns
+  std::fill(count.end() - kept, count.end(), 0);  // valid for eliminated columns only
   count = gathered(count, renumber(graph, parent, count));
   cut_kept(parent, count);
   count_operations(count);
@@ -56,7 +56,7 @@ CGP_INLINE std::vector<int> Supernodal_structure::gathered(const std::vector<int
   return result;
 }
 
-// Refines the ordering to a postorder of its tree, which is returned.
+// Refines the ordering to a postorder of its tree and returns that tree.
 CGP_INLINE std::vector<int> Supernodal_structure::renumber(Permuted_graph& graph,
                                                            std::vector<int>& parent,
                                                            const std::vector<int>& weight)
@@ -70,8 +70,8 @@ CGP_INLINE std::vector<int> Supernodal_structure::renumber(Permuted_graph& graph
   return post;
 }
 
-// The kept columns become a path above all others, as if they were a clique: any postorder leaves
-// them last and in their order. The counts of other columns do not depend on what is above them.
+// Chains the kept columns into a path above all others, as if they were a clique, so that any
+// postorder keeps them last and in their order. The counts of other columns are independent of it.
 CGP_INLINE void Supernodal_structure::chain_kept(std::vector<int>& parent) const
 {
   const int n = size_of_columns(), first_kept = n - m_kept;
@@ -80,7 +80,7 @@ CGP_INLINE void Supernodal_structure::chain_kept(std::vector<int>& parent) const
   for (int j = first_kept; j < n; ++j) parent[at(j)] = j + 1 < n ? j + 1 : -1;
 }
 
-// Only the other columns form supernodes.
+// Removes the kept columns, so that only the other columns form supernodes.
 CGP_INLINE void Supernodal_structure::cut_kept(std::vector<int>& parent,
                                                std::vector<int>& count) const
 {
@@ -99,7 +99,7 @@ CGP_INLINE void Supernodal_structure::count_operations(const std::vector<int>& c
   }
 }
 
-// The rows below a supernode are those below its last column, and so is its parent.
+// The rows below a supernode, and its parent, are those of its last column.
 CGP_INLINE void Supernodal_structure::find_tree(const std::vector<int>& parent,
                                                 const std::vector<int>& count)
 {
@@ -116,7 +116,7 @@ CGP_INLINE void Supernodal_structure::find_tree(const std::vector<int>& parent,
   find_children();
 }
 
-// Row i is in all supernodes on the paths of the tree from its entries up to its own.
+// Row i belongs to all supernodes on the tree paths from its entries to its own supernode.
 CGP_INLINE void Supernodal_structure::find_rows(const Graph_rows& graph)
 {
   m_rows.resize(static_cast<std::size_t>(m_row_offsets.back()));
@@ -147,7 +147,7 @@ CGP_INLINE void Supernodal_structure::find_children()
     if (parent(s) >= 0) m_depth[at(s)] = m_depth[at(parent(s))] + 1;
 }
 
-// Where the rows of the children, and the entries of the matrix, stand in the front.
+// Computes the positions of the children's rows, and of the matrix entries, in the front.
 CGP_INLINE void Supernodal_structure::find_places(const Permuted_graph& graph,
                                                   const Sparse_pattern& pattern)
 {

@@ -10,18 +10,18 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solves L L^H x = b for right-hand sides of four or eight numbers per row: so many real
-/// ones, half as many complex ones or a quarter of quaternions, which fill the registers equally
-/// well.
+/// \brief Solves L L^H x = b for right-hand sides with four or eight numbers per row: four or eight
+/// real ones, half as many complex ones, or a quarter of that in quaternions. These fill the vector
+/// registers equally well.
 ///
-/// The factor comes from memory, so eight numbers take little longer than four. A right-hand side
-/// has the same solution to the bit, whatever the others beside it and their number.
+/// The substitution is memory-bound, so eight numbers take little longer than four. The solution of
+/// a right-hand side is bitwise independent of the other right-hand sides and their number.
 ///
-/// Forward, each front hands the sums for the rows below to its parent, as the factorization does;
-/// backward, it reads the rows below. So subtrees are tasks for several threads, with the same
-/// results to the bit.
+/// In the forward substitution, each front passes the sums for the rows below to its parent, as in
+/// the factorization; in the backward substitution, it reads the rows below. Subtrees are
+/// therefore tasks for several threads, with bitwise the same results.
 ///
-/// The vector is stored [row][right-hand side][component], rows in the order of elimination.
+/// The vector is stored as [row][right-hand side][component], with rows in elimination order.
 ///
 /// \tparam numbers_ per row, 4 or 8
 template <class Scalar, class Real, int numbers_ = 4>
@@ -36,13 +36,14 @@ class Supernodal_substitution {
   /// \throw std::bad_alloc
   explicit Supernodal_substitution(const Factor& factor);
 
-  /// b, `numbers` * |V| of them, becomes x
+  /// Overwrites b, `numbers` * |V| numbers, by x
   void solve(Real* x);
 
-  /// \brief the first half: b becomes the right-hand side of the kept rows, and L^-1 b above.
+  /// \brief First half: computes L^-1 b on eliminated rows and the right-hand side of the kept
+  /// rows.
   void forward(Real* x);
 
-  /// \brief the second half, where the kept rows are solutions already.
+  /// \brief Second half: expects the solution on the kept rows.
   void backward(Real* x) const;
 
  private:

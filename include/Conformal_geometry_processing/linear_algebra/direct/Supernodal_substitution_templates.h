@@ -79,7 +79,7 @@ void Supernodal_substitution<Scalar, Real, numbers>::backward(int begin, int end
   for (int s = end - 1; s >= begin; --s) backward(s, x);
 }
 
-// What the children hand over goes to the rows of the front, and to those below.
+// Adds the contributions of the children to the rows of the front and to those below.
 template <class Scalar, class Real, int numbers>
 void Supernodal_substitution<Scalar, Real, numbers>::forward(int s, Real* x)
 {
@@ -110,7 +110,7 @@ Real* Supernodal_substitution<Scalar, Real, numbers>::rows_of(int s, Real* x) co
   return x + static_cast<std::int64_t>(S.first(s)) * numbers;
 }
 
-// The beginning of a panel that follows against the direction of the memory.
+// Prefetches the beginning of a panel, because panels are traversed against the memory order.
 template <class Scalar, class Real, int numbers>
 void Supernodal_substitution<Scalar, Real, numbers>::prefetch_panel(int s) const
 {

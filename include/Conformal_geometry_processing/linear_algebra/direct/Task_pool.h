@@ -16,29 +16,29 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief runs tasks, which may bring forth others, on several threads.
+/// \brief Runs tasks, which may spawn further tasks, on several threads.
 ///
-/// Tasks are numbers. A task may also share out a loop: threads without a task of their own help,
-/// so that the last and largest tasks of a tree keep all threads busy as well. Which thread does
-/// what is left to chance; what each piece of work computes must not depend on it.
+/// Tasks are numbers. A task may also distribute a loop: idle threads help, so that the last and
+/// largest tasks of a tree keep all threads busy as well. The assignment of work to threads is not
+/// deterministic; results must not depend on it.
 class Task_pool {
  public:
-  /// \param threads the caller of `run()` is one of them
+  /// \param threads number of threads, including the caller of `run()`
   explicit Task_pool(int threads) : m_threads((std::max)(1, threads)) {}
 
   Task_pool(const Task_pool&) = delete;
   Task_pool& operator=(const Task_pool&) = delete;
 
-  /// \brief calls `action(task)` for the tasks given, first ones first, and for those pushed
+  /// \brief Calls `action(task)` for the given tasks, in their order, and for those pushed
   /// meanwhile; returns when all are done.
-  /// \throw what an action threw first; tasks that have not begun by then are left out
+  /// \throw the first exception of an action; tasks that have not begun by then are skipped
   void run(std::vector<int> tasks, const std::function<void(int)>& action);
 
-  /// adds a task, which is begun before those that wait; called by an action
+  /// Adds a task, which precedes those that wait; to be called by an action
   void push(int task);
 
-  /// \brief calls `visit(i)` for 0 <= i < count, on this thread and those that have nothing else to
-  /// do; called by an action. \throw what a visit threw
+  /// \brief Calls `visit(i)` for 0 <= i < count, on this thread and idle ones; to be called by an
+  /// action. \throw the exceptions of `visit`
   template <class Visitor>
   void for_each(int count, const Visitor& visit)
   {
@@ -63,7 +63,7 @@ class Task_pool {
   }
 
  private:
-  struct Abandoned {};  ///< ends a task when another one, or a helper, has failed
+  struct Abandoned {};  ///< ends a task after another one, or a helper, has failed
 
   struct Loop {
     Loop(int count_, const std::function<void(int)>& visit_) : count(count_), visit(visit_) {}
@@ -72,7 +72,7 @@ class Task_pool {
     std::atomic<int> next{0}, helpers{0};
   };
 
-  static constexpr int patience = 200;  ///< looks around before a thread goes to sleep
+  static constexpr int patience = 200;  ///< number of polls before a thread goes to sleep
 
   void announce();
   void work();
@@ -99,12 +99,12 @@ class Task_pool {
   const std::function<void(int)>* m_action = nullptr;
   std::mutex m_mutex;
   std::condition_variable m_wake;
-  std::vector<int> m_tasks;  // that wait, the next one last
+  std::vector<int> m_tasks;  // waiting; the next one is last
   std::vector<Loop*> m_loops;
   int m_running = 0;
   std::exception_ptr m_failure;
   std::atomic<bool> m_has_failed{false};
-  std::atomic<std::int64_t> m_events{0};  // counts what may be news to a thread that waits
+  std::atomic<std::int64_t> m_events{0};  // number of events that may concern waiting threads
 };
 
 }  // namespace Conformal_geometry_processing

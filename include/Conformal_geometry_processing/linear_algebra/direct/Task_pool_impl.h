@@ -27,7 +27,7 @@ CGP_INLINE void Task_pool::run(std::vector<int> tasks, const std::function<void(
   std::vector<std::thread> helpers;
   try {
     for (int i = 1; i < m_threads; ++i) helpers.emplace_back([this] { work(); });
-  } catch (...) {  // fewer threads do the same
+  } catch (...) {  // continues with fewer threads
   }
   work();
   for (std::thread& t : helpers) t.join();
@@ -41,7 +41,7 @@ CGP_INLINE void Task_pool::push(int task)
   announce();
 }
 
-// All of the following but work_on() and fail() are called with the mutex locked.
+// All of the following except work_on() and fail() require a locked mutex.
 CGP_INLINE void Task_pool::announce()
 {
   ++m_events;
@@ -87,7 +87,7 @@ CGP_INLINE void Task_pool::help(Loop& loop, std::unique_lock<std::mutex>& lock)
   ++loop.helpers;
   lock.unlock();
   work_on(loop);
-  --loop.helpers;  // the loop may be gone now
+  --loop.helpers;  // the loop may be destroyed from here on
   lock.lock();
 }
 

@@ -9,7 +9,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// the ordering of approximate minimum degree (Amestoy, Davis and Duff 1996), by Eigen
+/// Computes an approximate minimum degree ordering (Amestoy, Davis and Duff 1996) with Eigen
 Ordering amd_ordering(const Sparse_pattern& pattern);
 
 }  // namespace Conformal_geometry_processing

@@ -12,7 +12,7 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-// The neighbours of every vertex, one list after the other.
+// Adjacency lists in compressed form.
 struct Neighbour_lists {
   std::vector<int> offsets, neighbours;
 };
@@ -20,11 +20,11 @@ struct Neighbour_lists {
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the vertices by their distance along edges from a vertex at an end of the mesh.
+/// \brief Orders the vertices by their distance along edges from a peripheral vertex.
 ///
 /// For distribution, not for factorization: consecutive vertices form slices of the mesh with short
-/// rims, so processes that take a range each have few neighbours to talk to. The components of the
-/// graph follow each other. O(|V| + |E|).
+/// boundaries, so processes that own a range each communicate with few others. Connected components
+/// are ordered one after the other. O(|V| + |E|).
 Ordering breadth_first_ordering(const Sparse_pattern& pattern);
 
 }  // namespace Conformal_geometry_processing

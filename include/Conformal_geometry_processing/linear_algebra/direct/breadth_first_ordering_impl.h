@@ -68,7 +68,7 @@ CGP_INLINE Ordering breadth_first_ordering(const Sparse_pattern& pattern)
     if (marks[static_cast<std::size_t>(v)] != 0) continue;
     trial.clear();
     internal::append_by_distance(lists, v, 1, marks, trial);
-    // The farthest vertex from any one lies at an end.
+    // The vertex farthest from an arbitrary one is peripheral.
     internal::append_by_distance(lists, trial.back(), 2, marks, order);
   }
   return order;

@@ -12,34 +12,34 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief what the choice of an ordering reckons with. Only ratios of the times matter, which
-/// differ little among machines.
+/// \brief Cost model for the choice of an ordering. Only ratios of the times matter, which vary
+/// little among machines.
 struct Ordering_costs {
-  /// of one operation of `Supernodal_structure::operations()` on quaternions: 16 multiplications
-  /// and additions at 40 Gflop/s
+  /// Time of one operation of `Supernodal_structure::operations()` on quaternions: 16
+  /// multiplications and additions at 40 Gflop/s
   double seconds_per_operation = 16 / 40e9;
 
-  /// of `sweep_nested_dissection()` and the analysis of what it finds
+  /// Time of `sweep_nested_dissection()` and of the symbolic analysis
   double seconds_per_vertex = 1.4e-6;
 
-  /// the same of minimum degree
+  /// Time of minimum degree ordering and of the symbolic analysis
   double seconds_per_vertex_by_degree = 0.4e-6;
 
-  /// the share of the operations that the better ordering saves where the other does badly
+  /// Share of the operations saved by the better ordering if the other one performs badly
   double expected_saving = 0.45;
 
-  /// the number of vertices from where on dissection comes first
+  /// Number of vertices from which on dissection is tried first
   int large = 12000;
 
-  /// the range of operations / n^1.5 of dissection (32 on a sphere) where minimum degree has not
-  /// been seen to do better. Below it are collections of long limbs, above it no surfaces, or
-  /// positions that mislead.
+  /// Range of operations / n^1.5 of dissection (32 on a sphere) in which minimum degree has not
+  /// been observed to be better. Smaller values indicate collections of long limbs; larger ones
+  /// indicate graphs that are not surfaces, or misleading positions.
   double compact = 18, not_a_surface = 60;
 };
 
 namespace internal {
 
-// The structures that `choose_structure()` weighs against each other.
+// The structures that `choose_structure()` compares.
 class Structure_choice {
   using Structure = std::shared_ptr<const Supernodal_structure>;
 
@@ -60,22 +60,22 @@ class Structure_choice {
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the structure of the factor for an ordering chosen automatically.
+/// \brief Computes the structure of the factor for an automatically chosen ordering.
 ///
-/// On small meshes minimum degree comes first: it takes a quarter of the time of anything else, its
-/// analysis tells exactly how many operations a factorization will take, and it is often as good as
-/// dissection. On large ones dissection comes first, which saves half the operations of a compact
-/// mesh. The other is tried only where it may save more than the trial costs, and the structure
-/// with fewer operations is kept.
-/// \param positions 3 x n, or null: without positions the answer is minimum degree
-/// \param factorizations how many are expected to follow, each of the costs given
+/// On small meshes minimum degree is tried first: it takes a quarter of the time of the
+/// alternatives, its analysis yields the exact number of operations of a factorization, and it is
+/// often as good as dissection. On large meshes dissection is tried first, which saves half the
+/// operations of a compact mesh. The other ordering is tried only if it may save more than the
+/// trial costs, and the structure with fewer operations is returned.
+/// \param positions 3 x n, or null: without positions minimum degree is used
+/// \param factorizations expected number of factorizations
 std::shared_ptr<const Supernodal_structure> choose_structure(const Sparse_pattern& pattern,
                                                              const Eigen::Matrix3Xd* positions,
                                                              int factorizations = 1,
                                                              const Ordering_costs& costs = {});
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the ordering of `choose_structure()`.
+/// \brief Returns the ordering of `choose_structure()`.
 Ordering choose_ordering(const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions,
                          int factorizations = 1, const Ordering_costs& costs = {});
 

@@ -33,7 +33,7 @@ CGP_INLINE Structure_choice::Structure Structure_choice::by_dissection(
       m_pattern, sweep_nested_dissection(m_pattern, positions));
 }
 
-// A trial that takes so long per vertex may save more than it costs.
+// Returns whether a trial of this duration may save more than it costs.
 CGP_INLINE bool Structure_choice::may_save(const Structure& other, double seconds_per_vertex) const
 {
   return m_costs.expected_saving * m_factorizations * other->operations() *

@@ -12,12 +12,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the graph of a Hermitian matrix after a permutation: for every column j its rows i > j,
+/// \brief The graph of a Hermitian matrix after a permutation: for every column j its rows i > j,
 /// in any order, with the position of the entry in the pattern.
 struct Permuted_graph {
   struct Entry {
     int row;
-    int source;  ///< position of the entry in the pattern, ~position if it stands transposed there
+    int source;  ///< position of the entry in the pattern, ~position if it is transposed there
   };
 
   std::vector<int> offsets;  ///< size + 1
@@ -25,7 +25,7 @@ struct Permuted_graph {
 
   Permuted_graph(const Sparse_pattern& pattern, const std::vector<int>& new_of_old);
 
-  /// the same graph with new numbers
+  /// Renumbers a graph
   /// \pre `place[i] > place[j]` for every row i of column j
   Permuted_graph(const Permuted_graph& graph, const std::vector<int>& place);
 
@@ -36,7 +36,8 @@ struct Permuted_graph {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-  // for_each_entry(action) calls action(column, entry) for all of them; twice, to count and to fill
+  // for_each_entry(action) calls action(column, entry) for each entry; called twice, to count and
+  // to fill
   template <class For_each>
   void fill(int columns, int count, For_each for_each_entry)
   {
@@ -50,7 +51,7 @@ struct Permuted_graph {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the same graph by rows: for every row i its columns j < i, ascending.
+/// \brief The graph by rows: for every row i its columns j < i, ascending.
 struct Graph_rows {
   std::vector<int> offsets;  ///< size + 1
   std::vector<int> columns;
@@ -66,23 +67,23 @@ struct Graph_rows {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the elimination tree: for each column of the Cholesky factor the row of its first entry
-/// below the diagonal, -1 at the roots (Liu 1990). Almost O(entries).
+/// \brief Computes the elimination tree: for each column of the Cholesky factor the row of its
+/// first entry below the diagonal, -1 at the roots (Liu 1990). Almost O(entries).
 std::vector<int> elimination_tree(const Graph_rows& graph);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief 0, ..., n - 1 sorted by keys in [0, n], equal ones in their order. O(n)
+/// \brief Returns 0, ..., n - 1 stably sorted by keys in [0, n]. O(n)
 std::vector<int> sorted_by(const std::vector<int>& key);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the nodes of a forest, children before parents and subtrees together; the heaviest of
-/// siblings stands last, next to the parent, where its supernode can be merged with the parent's.
+/// \brief Orders the nodes of a forest, children before parents and subtrees contiguously; the
+/// heaviest sibling is last, next to the parent, so that their supernodes can be merged.
 /// \param weight in [0, n]
 std::vector<int> postorder(const std::vector<int>& parent, const std::vector<int>& weight);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the number of entries in each column of the factor, diagonal included (Gilbert, Ng and
-/// Peyton 1994). Almost O(entries), without forming the factor.
+/// \brief Computes the number of entries in each column of the factor, including the diagonal
+/// (Gilbert, Ng and Peyton 1994). Almost O(entries), without forming the factor.
 /// \param parent the elimination tree of the graph
 /// \pre the numbering is a postorder: descendants of j are the numbers just below j
 std::vector<int> column_counts(const Permuted_graph& graph, const std::vector<int>& parent);

@@ -78,7 +78,7 @@ CGP_INLINE std::vector<int> postorder(const std::vector<int>& parent,
   const int n = static_cast<int>(parent.size());
   const std::vector<int> by_weight = sorted_by(weight);
   std::vector<int> child(parent.size(), -1), sibling(parent.size(), -1), order, path;
-  for (int k = n - 1; k >= 0; --k)  // the lightest ends up at the head of its list
+  for (int k = n - 1; k >= 0; --k)  // the lightest child becomes the head of its list
     if (const int j = by_weight[at(k)], p = parent[at(j)]; p >= 0) {
       sibling[at(j)] = child[at(p)];
       child[at(p)] = j;
@@ -118,13 +118,13 @@ CGP_INLINE std::vector<int> column_counts(const Permuted_graph& graph,
     while (set[at(j)] != j) j = set[at(j)] = set[at(set[at(j)])];
     return j;
   };
-  // Row i of the factor is a subtree with root i; its columns number as many as its leaves cover.
+  // Row i of the factor is a subtree with root i, determined by its leaves; counts the columns.
   for (int j = 0; j < n; ++j) {
     count[at(j)] += is_leaf[at(j)];
     if (parent[at(j)] >= 0) --count[at(parent[at(j)])];
     for (const auto* e = graph.begin(j); e != graph.end(j); ++e) {
       int& leaf = last_leaf[at(e->row)];
-      if (leaf >= first[at(j)]) continue;  // a descendant of j is a neighbour too: j is no leaf
+      if (leaf >= first[at(j)]) continue;  // a descendant of j is a neighbour too: j is not a leaf
       ++count[at(j)];
       if (leaf >= 0) --count[at(find(leaf))];  // counted twice from the common ancestor upward
       leaf = j;

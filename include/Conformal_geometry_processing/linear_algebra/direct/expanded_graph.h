@@ -9,8 +9,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the pattern of matrices whose entry (i, j) is a block of `width` x `width` numbers, where
-/// `pattern` is that of the blocks.
+/// \brief Returns the pattern of matrices with blocks of `width` x `width` numbers as entries,
+/// where `pattern` is the pattern of the blocks.
 ///
 /// For matrices on the vertices of a mesh that are real-linear but not quaternionic: of width 4,
 /// factored by `Supernodal_cholesky<double>` with the `expanded_ordering()`. Vertex i has the rows
@@ -18,9 +18,10 @@ namespace Conformal_geometry_processing {
 Sparse_pattern expanded_pattern(const Sparse_pattern& pattern, int width);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief an ordering of vertices as one of the rows of their blocks, which stay together.
+/// \brief Expands an ordering of vertices to the rows of their blocks, which stay contiguous.
 ///
-/// As good as an ordering of the larger graph, which takes `width` squared times as long to find.
+/// As good as an ordering of the larger graph, whose computation takes `width` squared times as
+/// long.
 Ordering expanded_ordering(const Ordering& order, int width);
 
 }  // namespace Conformal_geometry_processing

@@ -12,15 +12,15 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief orders the vertices of a small region by minimum degree, aware of the separator vertices
-/// around it that are eliminated later: they count as neighbours, but are not ordered.
+/// \brief Orders the vertices of a small region by minimum degree with halo: surrounding separator
+/// vertices, which are eliminated later, count as neighbours but are not ordered.
 ///
-/// The graph of elimination is a matrix of bits, so that eliminating a vertex is an OR of its row
-/// to those of its neighbours and degrees are exact. O(size^2) words of 64 bits at worst in time
-/// per 64 vertices, size^2 / 8 bytes. Keeps its arrays from one region to the next.
+/// The elimination graph is a bit matrix, so that eliminating a vertex combines its row with those
+/// of its neighbours by OR, and degrees are exact. At worst O(size^2) words of 64 bits in time per
+/// 64 vertices, size^2 / 8 bytes. Reuses its arrays for the next region.
 class Minimum_degree_with_halo {
  public:
-  /// the vertices of the region in the order of elimination, as numbers of the whole graph
+  /// Returns the vertices of the region in elimination order, as indices of the whole graph
   const std::vector<int>& operator()(const Graph_region& region);
 
  private:

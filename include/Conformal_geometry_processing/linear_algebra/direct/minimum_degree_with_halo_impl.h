@@ -14,7 +14,7 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// the number of ones
+/// Number of bits that are set
 CGP_INLINE int population_count(std::uint64_t x)
 {
   x -= (x >> 1) & 0x5555555555555555u;
@@ -43,7 +43,7 @@ CGP_INLINE const std::vector<int>& Minimum_degree_with_halo::operator()(const Gr
   return m_order;
 }
 
-// Columns are the vertices of the region, then those of the halo.
+// Columns are the vertices of the region, followed by those of the halo.
 CGP_INLINE void Minimum_degree_with_halo::build(const Graph_region& region)
 {
   m_halo.clear();
@@ -73,7 +73,7 @@ CGP_INLINE void Minimum_degree_with_halo::update_degree(int v)
   m_degree[at(v)] = degree;
 }
 
-// The neighbours of v become neighbours of each other.
+// Makes the neighbours of v adjacent to each other.
 CGP_INLINE void Minimum_degree_with_halo::eliminate(int v)
 {
   const int size = static_cast<int>(m_degree.size());

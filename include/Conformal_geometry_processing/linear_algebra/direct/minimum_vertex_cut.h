@@ -10,12 +10,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// where a vertex is after a separator has been taken out of a graph
+/// Location of a vertex relative to a vertex separator
 enum class Side : char { left, right, separator };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief a graph with vertices that must not end up right (sources) and that must not end up left
-/// (sinks).
+/// \brief A graph with vertices that must not be on the right (sources) and vertices that must not
+/// be on the left (sinks).
 struct Terminal_graph {
   std::vector<std::array<int, 2>> edges;
   std::vector<char> is_source, is_sink;  ///< one for each vertex; one vertex may be both
@@ -25,17 +25,18 @@ struct Terminal_graph {
 
 namespace internal {
 
-/// The greatest number of paths from sources to sinks without a common vertex, by Dinic's method
-/// (1970), without recursion.
+/// Computes a maximum set of vertex-disjoint paths from sources to sinks by Dinic's method (1970),
+/// without recursion.
 ///
-/// A search for another path meets a vertex in two states: 2v on entry, 2v + 1 on exit. Through a
-/// vertex of a path there is no way from entry to exit; but a search may go back along the path it
-/// entered, whose end is led elsewhere.
+/// A search for an augmenting path visits a vertex in two states: 2v on entry, 2v + 1 on exit. A
+/// vertex on a path cannot be passed from entry to exit; the search may instead follow that path
+/// backward and reroute its end.
 class Disjoint_paths {
  public:
   explicit Disjoint_paths(const Terminal_graph& graph);
 
-  /// left of the first cut that separates the sources from the sinks: what another path could reach
+  /// Side of the first cut that separates sources and sinks; vertices reachable by a further path
+  /// are left
   Side side(int v) const;
 
  private:
@@ -57,20 +58,20 @@ class Disjoint_paths {
   void update();
 
   const Terminal_graph& m_graph;
-  std::vector<int> m_offsets, m_targets;  // the neighbours of each vertex
-  std::vector<int> m_next, m_previous;    // on the path of a vertex
+  std::vector<int> m_offsets, m_targets;  // adjacency lists
+  std::vector<int> m_next, m_previous;    // on the path through a vertex
   std::vector<int> m_level, m_edge, m_queue, m_path;
 };
 
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief a smallest set of vertices without which no path leads from a source to a sink (Menger
-/// 1927); of all smallest ones the one nearest to the sources.
+/// \brief Finds a minimum vertex cut between sources and sinks (Menger 1927); if it is not unique,
+/// the one nearest to the sources.
 ///
-/// For sources and sinks that are the two sides of a bipartite graph it is a smallest vertex cover
+/// If sources and sinks are the two sides of a bipartite graph, it is a minimum vertex cover
 /// (Koenig 1931). O(edges sqrt(vertices)) at worst.
-/// \return the side of each vertex. A source is never right, a sink never left.
+/// \return the side of each vertex. Sources are never right, sinks never left.
 std::vector<Side> minimum_vertex_cut(const Terminal_graph& graph);
 
 }  // namespace Conformal_geometry_processing

@@ -56,14 +56,14 @@ CGP_INLINE void Disjoint_paths::find_neighbours()
   }
 }
 
-// The state to which alone an entry leads: the exit, or back along the path; none if there is no.
+// The only successor of an entry state: the exit, or backward along the path; none if there is none
 CGP_INLINE int Disjoint_paths::after_entry(int v) const
 {
   if (m_next[at(v)] == none) return 2 * v + 1;
   return m_previous[at(v)] >= 0 ? 2 * m_previous[at(v)] + 1 : none;
 }
 
-// Breadth first, as far as the first sink where a path may end; whether there is one.
+// Breadth-first search up to the first free sink; returns whether there is one.
 CGP_INLINE bool Disjoint_paths::find_levels()
 {
   std::fill(m_level.begin(), m_level.end(), -1);
@@ -93,7 +93,7 @@ CGP_INLINE void Disjoint_paths::reach(int state, int level)
   m_queue.push_back(state);
 }
 
-// Depth first along rising levels. A state without a way on is never tried again in a phase.
+// Depth-first search along increasing levels. Dead ends are visited only once per phase.
 CGP_INLINE void Disjoint_paths::augment(int root)
 {
   m_path.assign(1, 2 * root);
@@ -121,7 +121,7 @@ CGP_INLINE int Disjoint_paths::find_next(int state)
   return none;
 }
 
-// Leads the paths along the states found; vertices that are left backwards become free.
+// Updates the paths along the states found; vertices that are left backward become free.
 CGP_INLINE void Disjoint_paths::update()
 {
   int from = terminal;

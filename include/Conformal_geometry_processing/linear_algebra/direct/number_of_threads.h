@@ -8,18 +8,18 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief how many threads a call of this library may use; 1 if nobody has asked for more.
+/// \brief Returns the maximal number of threads of a call of this library; the default is 1.
 int number_of_threads();
 
 /// \ingroup PkgLinearAlgebra
-/// \brief lets every later call of this library, in the whole process, use up to `threads` threads;
-/// 0 or less stands for as many as the machine has.
+/// \brief Sets the maximal number of threads of all later calls of this library in the process; 0
+/// or less selects the number of hardware threads.
 ///
-/// The setting is one for the process where the compiled library is shared; where it is linked
-/// statically, or used header-only, each shared library of a program has its own.
+/// The setting is global if the library is compiled as a shared library; if it is linked
+/// statically, or used header-only, each shared library of a program has its own setting.
 ///
-/// Threads live no longer than the call, and calls too small to gain from them use none. Results
-/// are the same to the bit for any number of threads. May be called from any thread.
+/// Threads end with the call, and calls that are too small to benefit use one thread. Results are
+/// bitwise the same for any number of threads. May be called from any thread.
 void set_number_of_threads(int threads);
 
 }  // namespace Conformal_geometry_processing

@@ -18,7 +18,7 @@ constexpr bool can_release<Solver, std::void_t<decltype(std::declval<Solver&>().
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief gives back the memory of the solver's factor, if the solver has a member `release()`; its
+/// \brief Releases the memory of the solver's factor, if the solver has a member `release()`; its
 /// analysis stays.
 template <class Solver>
 void release_factor(Solver& solver)

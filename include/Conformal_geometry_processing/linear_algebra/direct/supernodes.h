@@ -8,24 +8,25 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// the widest supernode: a panel of so many quaternionic columns stays in the second-level cache
+/// Maximal width of a supernode: a panel of 64 quaternionic columns fits in the second-level cache
 constexpr int max_supernode_width = 64;
 
 namespace internal {
 
-/// Columns that have the same rows below: j and j + 1 if j + 1 is the parent of j, its only child,
-/// and has one row less. Returns the first column of each, and the number of columns at the end.
+/// Groups columns with the same rows below: j and j + 1 if j + 1 is the parent of j, its only
+/// child, and has one row less. Returns the first column of each group, and the number of columns
+/// at the end.
 std::vector<int> fundamental_supernodes(const std::vector<int>& parent,
                                         const std::vector<int>& count);
 
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief groups the columns of a Cholesky factor into supernodes, which are stored as dense
-/// panels; the first column of each, and the number of columns at the end.
+/// \brief Groups the columns of a Cholesky factor into supernodes, which are stored as dense
+/// panels; returns the first column of each, and the number of columns at the end.
 ///
-/// Fundamental supernodes are merged with the parent that follows them as long as the zeros this
-/// stores are worth it (Ashcraft and Grimes 1989), then cut to `max_supernode_width`.
+/// Merges fundamental supernodes with the parent that follows them as long as the additional zeros
+/// pay off (Ashcraft and Grimes 1989), then divides them to `max_supernode_width`.
 /// \param parent the elimination tree, numbered in postorder \param count `column_counts()`
 std::vector<int> relaxed_supernodes(const std::vector<int>& parent, const std::vector<int>& count);
 

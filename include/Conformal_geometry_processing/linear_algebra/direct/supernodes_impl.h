@@ -28,7 +28,7 @@ CGP_INLINE std::vector<int> fundamental_supernodes(const std::vector<int>& paren
   return first;
 }
 
-/// Whether a supernode of so many columns may have that share of zeros among its entries: the
+/// Returns whether a supernode of this width may have this share of zeros among its entries: the
 /// narrower it is, the more it gains from the dense kernels.
 CGP_INLINE bool is_worth_its_zeros(int width, double zeros)
 {
@@ -43,8 +43,7 @@ CGP_INLINE std::vector<int> relaxed_supernodes(const std::vector<int>& parent,
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const std::vector<int> first = internal::fundamental_supernodes(parent, count);
   const int size = static_cast<int>(first.size()) - 1;
-  // Of the group that begins with supernode s: its columns, the rows of its first column, its
-  // zeros.
+  // Of the group that begins with supernode s: number of columns, rows of the first column, zeros.
   std::vector<int> width(at(size)), height(at(size));
   std::vector<double> zeros(at(size), 0);
   std::vector<char> is_begin(at(size) + 1, 1);

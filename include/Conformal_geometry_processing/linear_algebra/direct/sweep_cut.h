@@ -15,16 +15,17 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief finds where to cut a region into two parts of similar size through few edges.
+/// \brief Finds a cut of a region into two parts of similar size through few edges.
 ///
 /// Sweeps a plane along several directions. Vertices are sorted into slabs; the number of edges cut
-/// between two slabs is a running sum of +1 where an edge begins and -1 where it ends. The slabs
-/// around the best plane are the thick separator in which a thin one is to be found. Keeps its
-/// arrays from one region to the next.
+/// between two slabs is a running sum of +1 at the begin of an edge and -1 at its end. The slabs
+/// around the best plane form a thick separator, which is to be thinned. Reuses its arrays for the
+/// next region.
 class Sweep_cut {
  public:
-  /// A side for each vertex, a quarter of them at least left, and right. Edges may join left and
-  /// right past the separator, which is empty where many vertices coincide. O(vertices + edges).
+  /// Returns a side for each vertex, at least a quarter of them left, and right. Edges may join
+  /// left and right without passing the separator, which is empty if many vertices coincide.
+  /// O(vertices + edges).
   /// \pre the region has two vertices or more
   const std::vector<Side>& operator()(const Graph_region& region);
 
@@ -40,8 +41,8 @@ class Sweep_cut {
   };
 
   // The share of the vertices that a thick separator takes from either side: three rows of them,
-  // for the least cut is rarely straight, and some more, for the best neck may be elsewhere. Twice
-  // as much makes the fill of scans 5 % less, but takes twice the time.
+  // because the minimum cut is rarely straight, and some more, because the best neck may be
+  // elsewhere. Twice as much reduces the fill of scans by 5 %, but takes twice the time.
   static float band_share(int size) { return 0.03f + 2.5f / std::sqrt(static_cast<float>(size)); }
 
   static std::vector<Eigen::Vector3f> directions(int size);

@@ -19,7 +19,7 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// the axes of inertia of a set of points, one per column, the longest first
+/// Returns the principal axes of inertia of a set of points, one per column, the longest first
 CGP_INLINE Eigen::Matrix3f principal_axes(const Eigen::Matrix<float, Eigen::Dynamic, 3>& points)
 {
   const Eigen::RowVector3f mean = points.colwise().mean();
@@ -46,8 +46,8 @@ CGP_INLINE const std::vector<Side>& Sweep_cut::operator()(const Graph_region& re
   return m_sides;
 }
 
-// In the frame of the axes of inertia. A long thin region is cut across its length; two
-// oblique planes each way find the necks of the others.
+// In the frame of the axes of inertia. A long thin region is cut across its length; for other
+// regions, two oblique planes per direction find necks.
 CGP_INLINE std::vector<Eigen::Vector3f> Sweep_cut::directions(int size)
 {
   constexpr float t = 0.7f;
@@ -55,7 +55,7 @@ CGP_INLINE std::vector<Eigen::Vector3f> Sweep_cut::directions(int size)
   return {{1, 0, 0}, {1, t, 0}, {1, -t, 0}, {1, 0, t}, {1, 0, -t}};
 }
 
-// Where the vertices are along the direction.
+// Computes the coordinates of the vertices along the direction.
 CGP_INLINE void Sweep_cut::set_keys(const Graph_region& region, const Eigen::Vector3f& direction)
 {
   m_key = (region.positions.col(0) * direction[0] + region.positions.col(1) * direction[1] +
@@ -63,7 +63,7 @@ CGP_INLINE void Sweep_cut::set_keys(const Graph_region& region, const Eigen::Vec
               .array();
 }
 
-// False where all vertices lie in one plane across the direction.
+// Returns false if all vertices lie in one plane orthogonal to the direction.
 CGP_INLINE bool Sweep_cut::sort_into_slabs(const Graph_region& region,
                                            const Eigen::Vector3f& direction)
 {
@@ -127,7 +127,7 @@ CGP_INLINE void Sweep_cut::take_slabs(const Graph_region& region)
                                             : Side::separator;
 }
 
-// Where many vertices coincide no plane will do: half of them, equal ones by number.
+// If many vertices coincide, no plane separates them: bisects them, ties by index.
 CGP_INLINE void Sweep_cut::halve(const Graph_region& region, const Eigen::Vector3f& direction)
 {
   set_keys(region, direction);

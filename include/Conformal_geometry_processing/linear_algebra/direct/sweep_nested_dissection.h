@@ -16,26 +16,26 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// regions of so many vertices are ordered by minimum degree
+/// Regions of at most this size are ordered by minimum degree
 constexpr int max_dissection_leaf = 120;
 
 namespace internal {
 
-/// A part of the graph, and the places of its vertices in the order.
+/// A part of the graph, and the positions of its vertices in the order.
 struct Dissection_part {
   Graph_region region;
-  int end = 0;  ///< the place after its last vertex
+  int end = 0;  ///< the position after its last vertex
 };
 
-/// Takes parts of a graph apart, each on its own: any order of the parts gives the same ordering.
+/// Dissects parts of a graph independently: the ordering does not depend on their sequence.
 class Dissection {
  public:
   explicit Dissection(Ordering& order) : m_order(order) {}
 
-  /// separator last, then the two parts
+  /// Places the separator last and returns the two parts
   std::array<Dissection_part, 2> cut(const Dissection_part& part);
 
-  /// all of it
+  /// Orders a part completely
   void finish(Dissection_part&& all);
 
  private:
@@ -47,15 +47,14 @@ class Dissection {
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the ordering of nested dissection (George 1973) with separators found from positions.
+/// \brief Nested dissection ordering (George 1973) with separators computed from positions.
 ///
-/// Cuts the graph in two by a slab between parallel planes (`Sweep_cut`), eliminates last the
-/// fewest vertices of the slab that keep the two parts asunder (`thin_separator()`), and goes on
-/// with the parts. On meshes the fill is that of METIS or less, in half its time or less: positions
-/// save the hierarchy of coarser graphs, and a smallest cut needs no refinement. Positions steer
-/// the cuts only: any give a valid ordering, good ones put neighbours close to each other. The same
-/// input gives the same ordering, for any number of threads.
-/// O((vertices + edges) log(vertices)) on meshes.
+/// Bisects the graph by a slab between parallel planes (`Sweep_cut`), eliminates a minimum set of
+/// vertices of the slab that separates the two parts last (`thin_separator()`), and recurses. On
+/// meshes the fill is at most that of METIS, in at most half its time: positions replace the
+/// hierarchy of coarser graphs, and a minimum cut needs no refinement. Positions affect the cuts
+/// only: any positions give a valid ordering, good ones place neighbours close to each other.
+/// Deterministic, for any number of threads. O((vertices + edges) log(vertices)) on meshes.
 /// \param positions 3 x n, finite, in any unit
 Ordering sweep_nested_dissection(const Sparse_pattern& pattern, const Eigen::Matrix3Xd& positions);
 

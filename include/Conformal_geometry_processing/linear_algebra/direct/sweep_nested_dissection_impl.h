@@ -50,7 +50,7 @@ CGP_INLINE void Dissection::finish(Dissection_part&& all)
   }
 }
 
-/// The first cuts make a tree of tasks: part t is cut into the parts 2t and 2t + 1.
+/// The first cuts form a binary tree of tasks: part t is cut into the parts 2t and 2t + 1.
 CGP_INLINE void dissect_in_parallel(Dissection_part&& all, int threads, Ordering& order)
 {
   constexpr int parts_at_most = 128, smallest = 1000;

@@ -11,7 +11,7 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-/// The vertices among which a separator is chosen, with numbers of their own.
+/// Candidate vertices of a separator, with local indices.
 struct Separator_band {
   std::vector<int> vertices, number;  // band to region; region to band, -1 outside
   Terminal_graph graph;
@@ -22,13 +22,13 @@ struct Separator_band {
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief makes a separator as small as can be: of its vertices, and of the ends of edges that join
-/// left to right past it, keeps the fewest without which no path leads from left to right.
+/// \brief Minimizes a separator: from its vertices, and the ends of edges that join left and right
+/// directly, selects a minimum set that separates left and right.
 ///
-/// Vertices of the other sides stay there. The separator leans to the greater side.
+/// The other vertices keep their sides. The separator is placed near the larger side.
 /// O(edges + edges of the separator * sqrt(vertices of the separator)) at worst.
-/// \param[in,out] sides one for each vertex; without a separator it is found between the ends of
-/// the edges that are cut
+/// \param[in,out] sides one for each vertex; if they contain no separator, it is chosen among the
+/// ends of cut edges
 void thin_separator(const Graph_region& region, std::vector<Side>& sides);
 
 }  // namespace Conformal_geometry_processing

@@ -23,7 +23,7 @@ CGP_INLINE void Separator_band::add(int v)
   graph.is_sink.push_back(0);
 }
 
-/// \param lighter_side the side where the sources are
+/// \param lighter_side the side of the sources
 CGP_INLINE Separator_band separator_band(const Graph_region& region, const std::vector<Side>& sides,
                                          Side lighter_side)
 {
@@ -32,7 +32,7 @@ CGP_INLINE Separator_band separator_band(const Graph_region& region, const std::
   band.number.assign(sides.size(), -1);
   for (int v = 0; v < region.size(); ++v)
     if (side(v) == Side::separator) band.add(v);
-  for (const auto& e : region.edges)  // edges too long for the band widen it
+  for (const auto& e : region.edges)  // edges that bypass the band are added to it
     if (side(e[0]) != side(e[1]) && side(e[0]) != Side::separator &&
         side(e[1]) != Side::separator) {
       band.add(e[0]);

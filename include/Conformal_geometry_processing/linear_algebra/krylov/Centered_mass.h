@@ -13,10 +13,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the quadratic form of x after some directions have been taken out of it: D - D C C^H D
-/// with a diagonal D >= 0 and columns C that are orthonormal under D.
+/// \brief The quadratic form D - D C C^H D, which ignores some directions of x: D >= 0 is diagonal,
+/// and the columns of C are D-orthonormal.
 ///
-/// With the constants in C, what remains measures how far x is spread, and not where it is.
+/// If C contains the constants, the form measures the variance of x, independently of its mean.
 /// Positive semidefinite. \tparam Scalar_ `double` or `std::complex<double>`
 template <class Scalar_>
 class Centered_mass {
@@ -25,7 +25,7 @@ class Centered_mass {
   using FT = typename Scalar_traits<Scalar>::FT;
 
   /// \param weights the diagonal of D
-  /// \param directions need not have length one
+  /// \param directions need not be normalized
   /// \pre the columns of `directions` are orthogonal under the weights, and not zero
   Centered_mass(const Vector<FT>& weights, Block<Scalar> directions)
       : m_weights(weights.template cast<Scalar>()), m_directions(std::move(directions))
@@ -36,7 +36,7 @@ class Centered_mass {
     }
   }
 
-  /// the diagonal of D
+  /// Diagonal of D
   const Vector<Scalar>& weights() const { return m_weights; }
 
   /// D x - D C C^H D x, column by column
@@ -48,12 +48,12 @@ class Centered_mass {
     return y;
   }
 
-  /// makes the columns of x orthonormal, each in what it adds to those before it
-  /// \pre they are linearly independent under this form
+  /// Makes the columns of x orthonormal by the Gram-Schmidt process
+  /// \pre they are linearly independent with respect to this form
   void orthonormalize(Block<Scalar>& x) const
   {
     for (Eigen::Index k = 0; k < x.cols(); ++k)
-      for (int pass = 0; pass < 2; ++pass) {  // the second one for what rounding left of the first
+      for (int pass = 0; pass < 2; ++pass) {  // the second pass reduces rounding errors
         const Vector<Scalar> y = *this * x.col(k);
         const Vector<Scalar> along = x.leftCols(k).adjoint() * y;
         x.col(k) -= x.leftCols(k) * along;

@@ -15,20 +15,21 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief watches an eigenvalue iteration: keeps the best iterate, and tells when to stop.
+/// \brief Monitors the convergence of an eigensolver: stores the best iterate and decides when to
+/// stop.
 ///
-/// At the rounding floor the iterates wander; an iteration that neither lowers the estimate nor the
-/// eigenvalue three times running has arrived there.
+/// At rounding level the iterates fluctuate; if three consecutive iterations reduce neither the
+/// estimate nor the eigenvalue, the iteration has stagnated.
 class Eigensolver_convergence {
  public:
-  /// \param function the name to report errors under
+  /// \param function the name of the function in error messages
   Eigensolver_convergence(std::string function, const Eigensolver_options& options,
                           const Block<Quaternion<double>>& x0);
 
-  /// the basis of the initial vectors, if there is one
+  /// Returns the basis of the initial vectors, if there is one
   Ritz_panel initial(Ritz_panel x) const;
 
-  /// \brief takes note of the iterate x with residual r and T r; true if it is the last one.
+  /// \brief Records the iterate x with residual r and T r; returns true if it is the last one.
   template <class GoFurther>
   bool is_last(const Ritz_panel& x, const Block<Quaternion<double>>& r,
                const Block<Quaternion<double>>& Tr, GoFurther&& go_further)
@@ -51,13 +52,13 @@ class Eigensolver_convergence {
   void count_iteration() { ++m_iterations; }
   void count_solve() { ++m_result.solves; }
 
-  /// there is no direction left to search
+  /// No search directions are left
   void stop() { m_result.stagnated = true; }
 
-  /// there is a Ritz value after those of the iterates; one never below the eigenvalue it bounds
+  /// Records the Ritz value after those of the iterates; it is an upper bound of its eigenvalue
   void note_next_value(double value) { m_next = (std::min)(m_next, value); }
 
-  /// the best iterate
+  /// Returns the best iterate
   Eigensolver_result result();
 
  private:

@@ -46,8 +46,8 @@ CGP_INLINE Eigensolver_result Eigensolver_convergence::result()
   return std::move(m_result);
 }
 
-// Of T r only the part orthogonal to x counts; along x there are but rounding errors, which a
-// nearly singular K would blow up.
+// Uses only the component of T r orthogonal to x; the component along x consists of rounding
+// errors, which a nearly singular K would amplify.
 CGP_INLINE Vector<double> Eigensolver_convergence::error_estimates(
     const Ritz_panel& x, const Block<Quaternion<double>>& r,
     const Block<Quaternion<double>>& Tr) const

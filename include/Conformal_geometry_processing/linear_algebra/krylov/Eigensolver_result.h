@@ -11,43 +11,43 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief when an eigenvalue solver stops.
+/// \brief Stopping criteria of an eigensolver.
 struct Eigensolver_options {
   int wanted = 1;            ///< how many of the smallest eigenpairs have to converge
-  int max_iterations = 100;  ///< gives up after as many
-  double tolerance = 1e-6;   ///< on `Eigensolver_result::estimates`
-  /// the square root of an eigenvalue of typical size, sqrt(4 pi / area) on a surface: makes the
-  /// error estimate a pure number
+  int max_iterations = 100;  ///< maximal number of iterations
+  double tolerance = 1e-6;   ///< bound on `Eigensolver_result::estimates`
+  /// Square root of a typical eigenvalue, sqrt(4 pi / area) on a surface; makes the error estimate
+  /// dimensionless
   double scale = 1;
-  /// of combinations of vectors; `reals` where the vectors are a space over the reals only
+  /// Coefficients of linear combinations; `reals` if the vectors form a space over the reals only
   Coefficients coefficients = Coefficients::quaternions;
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief what is reported before every iteration.
+/// \brief Progress reported before every iteration.
 struct Eigensolver_progress {
   int iteration;    ///< iterations done
-  double value;     ///< the smallest eigenvalue, so far
+  double value;     ///< current approximation of the smallest eigenvalue
   double estimate;  ///< the largest error estimate of the wanted vectors
-  const Block<Quaternion<double>>* vectors = nullptr;  ///< the iterates, if the solver shows them
+  const Block<Quaternion<double>>* vectors = nullptr;  ///< the iterates, if provided
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief goes on in any case: the default for the `go_further` of eigenvalue solvers.
+/// \brief Never cancels: the default for the `go_further` of eigensolvers.
 struct Always_go_further {
   bool operator()(const Eigensolver_progress&) const { return true; }
 };
 
 /// \ingroup PkgLinearAlgebra
-/// asked after every iteration; false cancels
+/// Called after every iteration; returns false to cancel
 using Go_further = std::function<bool(const Eigensolver_progress&)>;
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the smallest eigenpairs of K x = N x theta, with the evidence for them.
+/// \brief The smallest eigenpairs of K x = N x theta, with error estimates.
 ///
 /// `estimates` are sqrt(<r, T r>) / scale of the returned vectors, with r = K x - N x theta and T
-/// nearly the inverse of K: the error of x in the energy norm of K. The error of theta is about the
-/// square of it, so theta would look converged long before x is.
+/// approximately the inverse of K: the error of x in the energy norm of K. The error of theta is
+/// about the square of it, so theta appears to converge long before x.
 struct Eigensolver_result {
   Vector<double> values;              ///< ascending
   Block<Quaternion<double>> vectors;  ///< |V| x block size, X^H N X = 1
@@ -56,10 +56,10 @@ struct Eigensolver_result {
   int solves = 0;          ///< applications of T, to all columns at once
   bool converged = false;  ///< every wanted estimate is at most the tolerance
   bool stagnated = false;  ///< rounding errors keep the estimate above the tolerance
-  bool cancelled = false;  ///< `go_further` said no
+  bool cancelled = false;  ///< `go_further` returned false
   std::optional<double>
-      gap;  ///< theta_2 - theta_1, if the block has two columns or more; with one,
-            ///< the least upper bound met, if any: rough where the gap is wide
+      gap;  ///< theta_2 - theta_1, if the block has at least two columns; otherwise the smallest
+            ///< upper bound found, if any, which is rough for wide gaps
 };
 
 }  // namespace Conformal_geometry_processing

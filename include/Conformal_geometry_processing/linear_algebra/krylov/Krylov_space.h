@@ -14,11 +14,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the operator T = N^-1 K of a pencil K x = theta N x, with N positive definite:
+/// \brief The operator T = N^-1 K of a pencil K x = theta N x, with N positive definite:
 /// self-adjoint in the inner product of N.
 ///
-/// Each maps some vectors at once. On a space that `solve` projects to, K and N may be any that
-/// agree with them there.
+/// Each operator maps blocks of vectors. If `solve` projects to a subspace, K and N may be any
+/// operators that agree with those of the pencil on it.
 struct Pencil {
   using Operator = std::function<Block<Quaternion<double>>(const Block<Quaternion<double>>&)>;
 
@@ -28,13 +28,13 @@ struct Pencil {
 
 namespace internal {
 
-/// An N-orthonormal basis V of a Krylov space of T, with V^H K V, and the block that follows:
+/// An N-orthonormal basis V of a Krylov space of T, with V^H K V, and the next block:
 /// T V = V (V^H K V) + next * remainder * E^H, where E are the columns of the last block.
 class Krylov_space {
   using Vectors = Block<Quaternion<double>>;
 
  public:
-  /// \pre room for more columns than one block
+  /// \pre the capacity exceeds one block
   Krylov_space(const Pencil& pencil, Eigen::Index rows, Eigen::Index capacity);
 
   Eigen::Index size() const { return m_V.size(); }
@@ -42,11 +42,11 @@ class Krylov_space {
   bool has_room() const { return size() + m_next.cols() <= m_V.capacity(); }
   Eigen::Index rows() const { return m_V.rows(); }
 
-  /// \brief continues with other vectors: with what is left of them outside of the span of V.
+  /// \brief Continues with other vectors, after orthogonalization against V.
   /// \pre V is empty, or its columns are eigenvectors
   void begin_with(Block<Quaternion<double>> v) { orthonormalize(std::move(v)); }
 
-  /// \brief takes the next block in, and finds the one after it: one product with K and one
+  /// \brief Appends the next block and computes the one after it: one product with K and one
   /// solution for each of its columns.
   /// \pre has_next() and has_room()
   void extend();
@@ -54,10 +54,10 @@ class Krylov_space {
   /// V^H K V
   Vectors projection() const { return m_projection.topLeftCorner(size(), size()); }
 
-  /// \brief the norms of T V y - V y theta for the eigenpairs of the projection.
+  /// \brief Returns the norms of T V y - V y theta for the eigenpairs of the projection.
   Vector<double> residuals(const Vectors& y) const;
 
-  /// \brief replaces V by V y; the next block stays, and T V lies in their span as before.
+  /// \brief Replaces V by V y; the next block stays, and T V lies in their span as before.
   /// \param y eigenvectors of the projection \param theta its eigenvalues
   void restart(const Vectors& y, const Vector<double>& theta);
 
@@ -65,8 +65,8 @@ class Krylov_space {
   Vectors combination(const Vectors& y) const { return m_V.combination(y); }
 
  private:
-  /// Makes `m_next` an N-orthonormal basis of what w adds to the span of V, and `m_remainder` such
-  /// that w = V * something + next * remainder.
+  /// Sets `m_next` to an N-orthonormal basis of the components of w orthogonal to V, and
+  /// `m_remainder` such that w = V * something + next * remainder.
   void orthonormalize(Vectors w);
 
   const Pencil& m_pencil;

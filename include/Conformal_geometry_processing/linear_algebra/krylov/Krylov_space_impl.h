@@ -63,7 +63,7 @@ CGP_INLINE void Krylov_space::restart(const Vectors& y, const Vector<double>& th
 
 CGP_INLINE void Krylov_space::orthonormalize(Vectors w)
 {
-  const double lost = 1e-10;  // of the length of the longest column: mostly rounding errors
+  const double lost = 1e-10;  // relative to the longest column: below it, mostly rounding errors
   double longest = 0;
   for (int pass = 0; pass < 2; ++pass) {
     const Vectors Nw = m_pencil.N(w);

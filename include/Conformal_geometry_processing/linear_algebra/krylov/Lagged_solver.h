@@ -17,24 +17,23 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solves systems with a matrix that changes little from one `factorize()` to the next, as
-/// in the steps of a flow: keeps the old factor for as long as that pays.
+/// \brief Solves systems with a matrix that changes little from one `factorize()` to the next, as
+/// in the steps of a flow: reuses the old factor as long as that is cheaper.
 ///
-/// The first `factorize()` factors; later ones may just take the values. Then `solve()` runs
-/// conjugate gradients on the *present* matrix, preconditioned by the old factor, up to an
-/// estimated error of `tolerance()` in the energy norm. When to factor anew is decided by counted
-/// solves
-/// (`Refactorization_rule`), `solve()` and `precondition()` included, so that no step costs more
-/// than twice what it would with a new factor; the results are the same bits every time.
+/// The first `factorize()` factors the matrix; later ones may only store its values. Then `solve()`
+/// runs conjugate gradients on the *current* matrix, preconditioned by the old factor, up to an
+/// estimated error of `tolerance()` in the energy norm. `Refactorization_rule` decides when to
+/// refactor by counting solves, those of `solve()` and `precondition()`, such that no step costs
+/// more than twice as much as with a new factor. Results are bitwise reproducible.
 ///
 /// The Laplacian of a surface does not change under conformal maps, so one factor serves a whole
 /// flow with two iterations per system.
 ///
-/// An indefinite matrix is always found out by a factorization, but not always in `factorize()`:
+/// An indefinite matrix is always detected by a factorization, but not always in `factorize()`:
 /// `solve()` and `precondition()` may return `Solver_status::not_positive_definite` as well.
-/// Keeps a copy of the values of the matrix.
+/// Stores a copy of the values of the matrix.
 ///
-/// \tparam Solver_ a model of `SparseHermitianSolver`, which does the factorizations
+/// \tparam Solver_ a model of `SparseHermitianSolver`, which computes the factorizations
 /// \cgalModels{SparseHermitianSolver}
 template <class Solver_>
 class Lagged_solver {
@@ -63,48 +62,48 @@ class Lagged_solver {
 
   const Ordering& ordering() const { return m_solver.ordering(); }
 
-  /// takes the values; factors them where that is cheaper than to go on with the old factor
+  /// Stores the values; factors them if that is cheaper than to reuse the old factor
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift);
 
-  /// the exact solution where the factor is that of the present matrix, else one to `tolerance()`
+  /// Solves directly if the factor is current, otherwise iteratively up to `tolerance()`
   Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;
 
-  /// \brief one application of the factor at hand, old or new.
+  /// \brief Applies the factor once, whether it is current or not.
   ///
-  /// Its matrix may be replaced by the present one between two calls.
+  /// The factor may be renewed between two calls.
   Solver_status precondition(const Block<Scalar>& b, Block<Scalar>& x) const;
 
-  /// gives back the memory of the factor, if `Solver_` can; the next `factorize()` makes a new one
+  /// Releases the memory of the factor, if `Solver_` supports it; the next `factorize()` refactors
   void release();
 
-  /// the cost of a factorization; the memory includes that of the values
+  /// Cost of a factorization; the memory includes the values of the matrix
   Solver_statistics statistics() const;
 
-  /// the estimated relative error of `solve()` in the energy norm, 1e-9 if not set
+  /// Estimated relative error of `solve()` in the energy norm, 1e-9 by default
   FT tolerance() const { return m_tolerance; }
   void set_tolerance(FT tolerance) { m_tolerance = tolerance; }
 
-  /// the solver that holds the factor, which may be older than the matrix
+  /// The solver that holds the factor, which may be older than the matrix
   const Solver_& factor() const { return m_solver; }
 
-  /// whether the factor is that of the present matrix
+  /// Returns whether the factor is that of the current matrix
   bool is_current() const { return m_is_current; }
 
-  /// how often a factorization has been tried since `analyze()`
+  /// Number of factorizations, including failed ones, since `analyze()`
   int factorizations() const { return m_factorizations; }
 
-  /// how many iterations of conjugate gradients the last `solve()` took, 0 if it was direct
+  /// Number of conjugate gradient iterations of the last `solve()`, 0 if it was direct
   int iterations() const { return m_iterations; }
 
  private:
   static constexpr int planes = Scalar_planes<Scalar>::size;
 
-  // A pass through the factor solves for four numbers per row at once. With products, sums and
-  // inner products an iteration takes about a fifth more than its pass.
+  // A pass through the factor solves for four numbers per row at once. Including products, sums and
+  // inner products, an iteration takes about 20 % longer than its pass.
   static constexpr double work_per_pass = 1.2;
 
-  // An iteration of an eigenvalue solver, which calls `precondition()`, takes twice its pass: more
-  // products, and Gram matrices of three vectors.
+  // An iteration of an eigensolver, which calls `precondition()`, takes twice its pass, because of
+  // more products and Gram matrices of three vectors.
   static constexpr double work_per_preconditioned_pass = 2;
 
   static double passes(const Block<Scalar>& b);
@@ -120,10 +119,10 @@ class Lagged_solver {
   bool iterate(const Block<Scalar>& b, Block<Scalar>& x) const;
 
   int m_entries = 0;
-  Hermitian_sparse_matrix<Scalar> m_A;  // the present matrix, shift included
+  Hermitian_sparse_matrix<Scalar> m_A;  // the current matrix, including the shift
   Vector<FT> m_shift;
   FT m_tolerance = FT(1e-9);
-  // A solve may find that the factor has to be replaced.
+  // Mutable, because a solve may have to replace the factor.
   mutable Solver_ m_solver;
   mutable Refactorization_rule m_rule;
   mutable bool m_has_factor = false, m_is_ready = false, m_is_current = false;
@@ -131,7 +130,7 @@ class Lagged_solver {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief lagged solvers for all scalars, for flows.
+/// \brief Lagged solvers for all scalars, for flows.
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \cgalModels{SparseHermitianSolverTraits}
 template <class SolverTraits = Default_solver_traits>

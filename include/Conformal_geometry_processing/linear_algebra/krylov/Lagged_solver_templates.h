@@ -115,7 +115,7 @@ Solver_status Lagged_solver<Solver_>::adopt(const Sparse_pattern& pattern, Solve
   return status;
 }
 
-// Returns false where a value is not finite.
+// Returns false if a value is not finite.
 template <class Solver_>
 bool Lagged_solver<Solver_>::add_shift()
 {
@@ -136,7 +136,7 @@ int Lagged_solver<Solver_>::diagonal_position(Eigen::Index j) const
   return m_A.pattern().offsets[static_cast<std::size_t>(j)];
 }
 
-// Where it has not, no iteration is needed to see that the matrix is not definite.
+// A diagonal entry that is not positive shows without iterations that the matrix is not definite.
 template <class Solver_>
 bool Lagged_solver<Solver_>::has_positive_diagonal() const
 {
@@ -167,8 +167,9 @@ Solver_status Lagged_solver<Solver_>::renew_in_the_midst() const
   return status;
 }
 
-// A shift guards against rounding, and may turn out too small for that. The caller would have
-// heard of it in factorize(), and taken a larger one; to a preconditioner that is open now, too.
+// A shift that guards against rounding may turn out too small. factorize() would have failed, and
+// the caller would have retried with a larger shift; as a preconditioner, a factor with a larger
+// shift is still valid.
 template <class Solver_>
 Solver_status Lagged_solver<Solver_>::renew_preconditioner() const
 {
@@ -177,7 +178,7 @@ Solver_status Lagged_solver<Solver_>::renew_preconditioner() const
   return renew(9 * m_shift);
 }
 
-// Conjugate gradients, for as long as they are cheaper than a factorization and a direct solve.
+// Conjugate gradients, as long as they are cheaper than a factorization and a direct solve.
 template <class Solver_>
 bool Lagged_solver<Solver_>::iterate(const Block<Scalar>& b, Block<Scalar>& x) const
 {

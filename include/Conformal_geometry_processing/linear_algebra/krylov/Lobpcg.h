@@ -18,17 +18,17 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-// The search space of the iteration, [x, w, p] in columns that are N-orthonormal, and in memory
-// that is used again by every iteration.
+// The search space of the iteration, [x, w, p] with N-orthonormal columns. All iterations use the
+// same memory.
 struct Lobpcg_space {
   using Vectors = Block<Quaternion<double>>;
 
-  Ritz_panel x, w, p;  // iterates; preconditioned residuals; the steps before
+  Ritz_panel x, w, p;  // iterates; preconditioned residuals; previous steps
 
   std::array<const Ritz_panel*, 3> panels() const { return {&x, &w, &p}; }
   Eigen::Index size_of_directions() const { return w.size() + p.size(); }
 
-  // Turns w into directions orthogonal to x and to each other, and p with it.
+  // Orthonormalizes w and p against x and each other.
   template <class K, class N>
   void orthonormalize_directions(const K& apply_k, const N& apply_n)
   {
@@ -44,7 +44,7 @@ struct Lobpcg_space {
   void advance(const Vectors& C);
 };
 
-// y = f(x), of whatever type it is: the iteration is compiled once and not for every operator.
+// Type-erased y = f(x), so that the iteration is compiled once and not for every operator.
 using Block_function =
     std::function<void(const Block<Quaternion<double>>&, Block<Quaternion<double>>&)>;
 
@@ -64,23 +64,23 @@ Eigensolver_result lobpcg(const Block_function& apply_k, const Block_function& a
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the smallest eigenpairs of K x = N x theta by locally optimal block preconditioned
-/// conjugate gradients over the quaternions.
+/// \brief Computes the smallest eigenpairs of K x = N x theta by locally optimal block
+/// preconditioned conjugate gradients over the quaternions.
 ///
-/// Every iteration minimises the Rayleigh quotients over the span of the iterates x, of w = T r
-/// (the preconditioned residuals) and of p (the steps before), with quaternionic coefficients:
-/// each eigenvalue is met once, not four times as in real numbers. On a space over the reals only
+/// Every iteration minimizes the Rayleigh quotients over the span of the iterates x, of w = T r
+/// (the preconditioned residuals) and of p (the previous steps), with quaternionic coefficients:
+/// each eigenvalue occurs once, not four times as in the real form. On a space over the reals only
 /// (`Eigensolver_options::coefficients`) the coefficients are real. With T the inverse of K plus a
-/// small shift, 3 to 8 iterations give 1e-6 where the inverse power method needs 4 to 60.
+/// small shift, 3 to 8 iterations reach 1e-6, where the inverse power method needs 4 to 60.
 /// Deterministic. Cost per iteration: one T, two K and two N on the block.
 ///
 /// \param apply_k, apply_n, precondition callables that map a `Block<Quaternion<double>>` to one
 ///   of the same shape: K Hermitian, N Hermitian positive definite, T an approximation of the
 ///   inverse of K, Hermitian positive definite. See `block_operators.h`.
-/// \param x0 the initial vectors; their number is the block size. More columns than wanted speed
-///   up where eigenvalues are close, and tell the gap.
+/// \param x0 the initial vectors; their number is the block size. More columns than wanted
+///   accelerate the convergence for close eigenvalues, and yield the gap.
 /// \param go_further called with `Eigensolver_progress` before every iteration; false cancels
-/// \returns the best iterate; look at `converged`
+/// \returns the best iterate; check `converged`
 /// \throws Precondition_error if the columns of x0 are dependent, or fewer than wanted
 /// \throws Solver_error if an operator returns values that are not finite
 template <class K, class N, class T, class GoFurther = Always_go_further>
@@ -94,7 +94,7 @@ Eigensolver_result lobpcg(const K& apply_k, const N& apply_n, const T& precondit
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief `lobpcg()` for matrices: the default eigenvalue solver.
+/// \brief `lobpcg()` for matrices: the default eigensolver.
 /// \cgalModels{SparseHermitianEigensolverTraits}
 struct Lobpcg_eigensolver_traits {
   /// \param N the masses, or a Hermitian positive definite matrix

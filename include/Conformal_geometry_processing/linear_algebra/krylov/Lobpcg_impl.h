@@ -33,7 +33,7 @@ CGP_INLINE Lobpcg_space::Vectors Lobpcg_space::projection() const
   return G;
 }
 
-// Moves x to [x, w, p] C. Of x only the vectors: K and N are applied to them anew.
+// Moves x to [x, w, p] C. Updates only the vectors of x: K and N are applied to them again.
 CGP_INLINE void Lobpcg_space::advance(const Vectors& C)
 {
   const Vectors c_x = C.topRows(x.size()), c_w = C.middleRows(x.size(), w.size()),
@@ -59,7 +59,7 @@ lobpcg(const Block_function& apply_k, const Block_function& apply_n,
   const Vectors first = hermitian_jacobi(x.gram(x.v, x.kv)).vectors;
   for (Vectors* part : x.parts()) *part = combination(*part, first);
   while (true) {
-    Vectors& r = w.kv;  // until K w takes its place
+    Vectors& r = w.kv;  // overwritten by K w later
     x.residual(r);
     apply_operator(precondition, r, w.v);
     convergence.count_solve();
@@ -73,7 +73,7 @@ lobpcg(const Block_function& apply_k, const Block_function& apply_n,
     const auto ritz = hermitian_jacobi(space.projection());
     convergence.note_next_value(ritz.values[x.size()]);
     space.advance(ritz.vectors.leftCols(x.size()));
-    // Anew, so that the residual is the true one and not that of accumulated combinations.
+    // Recomputed, so that the residual is the true one and not that of accumulated combinations.
     apply_operators(apply_k, apply_n, x);
     convergence.count_iteration();
   }

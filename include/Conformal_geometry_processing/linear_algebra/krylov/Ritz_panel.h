@@ -14,29 +14,29 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief some vectors V together with K V and N V: what an eigenvalue iteration for
-/// K x = N x theta combines, so that K and N are not applied again to combinations.
+/// \brief Some vectors V together with K V and N V, which an eigensolver for K x = N x theta
+/// combines linearly, so that K and N are not applied again to combinations.
 struct Ritz_panel {
   Block<Quaternion<double>> v, kv, nv;
   Coefficients coefficients = Coefficients::quaternions;
 
   Eigen::Index size() const { return v.cols(); }
 
-  /// A^H B, in which combinations are sought
+  /// A^H B, reduced to the type of the coefficients
   Block<Quaternion<double>> gram(const Block<Quaternion<double>>& A,
                                  const Block<Quaternion<double>>& B) const;
 
   std::array<Block<Quaternion<double>>*, 3> parts() { return {&v, &kv, &nv}; }
 
-  /// the Rayleigh quotient of column j
+  /// Rayleigh quotient of column j
   double value(Eigen::Index j) const;
 
-  /// sets the columns of r to K x - N x theta, with theta the Rayleigh quotient of x
+  /// Sets the columns of r to K x - N x theta, with theta the Rayleigh quotient of x
   void residual(Block<Quaternion<double>>& r) const;
 };
 
 /// \relates Ritz_panel
-/// finds what K and N make of p.v, in the memory that the panel has
+/// Computes K p.v and N p.v, in the memory of the panel
 template <class K, class N>
 void apply_operators(const K& apply_k, const N& apply_n, Ritz_panel& p)
 {
@@ -45,7 +45,7 @@ void apply_operators(const K& apply_k, const N& apply_n, Ritz_panel& p)
 }
 
 /// \relates Ritz_panel
-/// V with what K and N make of it
+/// Makes a panel of v, K v and N v
 template <class K, class N>
 Ritz_panel make_panel(const K& apply_k, const N& apply_n, Block<Quaternion<double>> v,
                       Coefficients coefficients = Coefficients::quaternions)
@@ -56,21 +56,21 @@ Ritz_panel make_panel(const K& apply_k, const N& apply_n, Block<Quaternion<doubl
 }
 
 /// \relates Ritz_panel
-/// \brief p = p C + q D, in place
+/// \brief Computes p = p C + q D, in place
 void replace_by_combination(Ritz_panel& p, const Block<Quaternion<double>>& C, const Ritz_panel& q,
                             const Block<Quaternion<double>>& D);
 
 /// \relates Ritz_panel
-/// \brief takes off p what lies in the span of the N-orthonormal columns of `base`.
+/// \brief Projects p to the N-orthogonal complement of the N-orthonormal columns of `base`.
 ///
-/// Twice: what rounding leaves the first time may be all that remains of p.
+/// Projects twice, because rounding errors of the first pass may dominate the rest of p.
 void project_out(Ritz_panel& p, const Ritz_panel& base);
 
 /// \relates Ritz_panel
-/// \brief makes the columns of p N-orthonormal by the method of Gram and Schmidt.
+/// \brief Makes the columns of p N-orthonormal by the Gram-Schmidt process.
 ///
-/// Drops columns that depend on those before: of squared sine below 1e-11 to their span. Below
-/// this, a direction is mostly rounding errors, and may lead to another eigenpair.
+/// Drops columns that depend on the previous ones, with a squared sine below 1e-11 to their span.
+/// Below this, a direction consists mostly of rounding errors and may lead to another eigenpair.
 void orthonormalize(Ritz_panel& p);
 
 }  // namespace Conformal_geometry_processing

@@ -10,11 +10,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief many quaternionic vectors of n entries, stored entry by entry, so that inner products and
-/// combinations of all of them are products of *real* matrices: several times faster than vector by
-/// vector, where there are hundreds.
+/// \brief Many quaternionic vectors of n entries, stored row by row, so that inner products and
+/// combinations are products of *real* matrices: for hundreds of vectors, several times faster than
+/// one vector at a time.
 ///
-/// Has a capacity, and columns in use from the left.
+/// Has a capacity; the leading columns are in use.
 class Row_major_multivector {
  public:
   using Vectors = Block<Quaternion<double>>;
@@ -25,19 +25,19 @@ class Row_major_multivector {
   Eigen::Index size() const { return m_size; }
   Eigen::Index capacity() const { return m_numbers.cols() / 4; }
 
-  /// \pre there is room for the columns of v
+  /// \pre the capacity suffices for the columns of v
   void append(const Vectors& v);
 
-  /// columns first .. first + count - 1
+  /// Returns the columns first .. first + count - 1
   Vectors columns(Eigen::Index first, Eigen::Index count) const;
 
-  /// \brief this^H w, size() x w.cols()
+  /// \brief Returns this^H w, size() x w.cols()
   Vectors gram(const Vectors& w, Coefficients coefficients) const;
 
-  /// \brief this C
+  /// \brief Returns this C
   Vectors combination(const Vectors& C) const;
 
-  /// \brief replaces the columns by their combinations with C, some rows at a time.
+  /// \brief Replaces the columns by their combinations with C, some rows at a time.
   void combine(const Vectors& C);
 
  private:

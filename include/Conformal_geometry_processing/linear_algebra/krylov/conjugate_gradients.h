@@ -23,14 +23,14 @@ struct Conjugate_gradients_options {
 template <class FT>
 struct Conjugate_gradients_result {
   bool converged = false;
-  bool indefinite = false;  ///< K or T has shown a direction of curvature zero or less
+  bool indefinite = false;  ///< a direction of curvature <= 0 of K or T was found
   int iterations = 0;
   Vector<FT> estimates;  ///< of the relative errors in the energy norm, one for each column
 };
 
 namespace internal {
 
-// The state of one run. Columns with an estimate below the tolerance rest.
+// The state of one run. Columns with an estimate below the tolerance are not updated.
 template <class Scalar, class K, class T>
 class Conjugate_gradients {
  public:
@@ -55,7 +55,7 @@ class Conjugate_gradients {
         require_positive(m_first[c]);
   }
 
-  // One step along p. Returns false where there is nothing more to do.
+  // Takes one step along p. Returns false if the iteration is over.
   bool step()
   {
     if (is_over()) return false;
@@ -68,7 +68,7 @@ class Conjugate_gradients {
     return !is_over();
   }
 
-  // The next direction, from a preconditioned residual.
+  // Computes the next direction from a preconditioned residual.
   void turn()
   {
     Vectors& z = m_image;
@@ -111,9 +111,9 @@ class Conjugate_gradients {
     return is_positive;
   }
 
-  // r^H T r measures the error before the step. What the step has gained is seen without another T
-  // by the length of r, which says little of errors of low frequency; so the gain counts for no
-  // more than that of the step before, which is known in the right norm.
+  // r^H T r estimates the error before the step. Without another T, the gain of the step is
+  // estimated from |r|, which is insensitive to low-frequency errors; it is therefore bounded by
+  // the gain of the previous step, which is known in the right norm.
   void move(Eigen::Index c, FT length, const Vectors& kp)
   {
     m_x.col(c) += m_p.col(c) * length;
@@ -138,19 +138,19 @@ class Conjugate_gradients {
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solves K x = b for all columns of b by preconditioned conjugate gradients, from x = 0.
+/// \brief Solves K x = b for all columns of b by preconditioned conjugate gradients, from x = 0.
 ///
-/// The columns advance together, so that K and T act on blocks, each with coefficients of its own.
-/// Those are real for complex and quaternionic matrices as well. Deterministic. The errors are
-/// measured by r^H T r, which is the square of the energy norm of the error as far as T is the
-/// inverse of K: an estimate that is wrong by no more than the root of the condition number of T K.
-/// Where T is the exact inverse of a nearby matrix, i iterations cost i K and i T.
+/// The columns advance together, so that K and T act on blocks, but each has its own coefficients,
+/// which are real for complex and quaternionic matrices as well. Deterministic. The errors are
+/// measured by r^H T r, which is the square of the energy norm of the error if T is the inverse of
+/// K; otherwise the estimate is wrong by at most the square root of the condition number of T K. If
+/// T is the exact inverse of a nearby matrix, i iterations cost i K and i T.
 ///
 /// \param apply_k, precondition callables that map a `Block<Scalar>` to one of the same shape, see
 ///   `apply_operator()`: K Hermitian positive definite, T an approximation of its inverse,
 ///   Hermitian positive definite
-/// \param x gets the last iterate, converged or not. Where K or T turns out not to be definite, or
-///   a value not finite, the run ends there.
+/// \param x receives the last iterate, converged or not. The run ends if K or T turns out not to be
+///   definite, or a value is not finite.
 template <class K, class T, class Scalar>
 Conjugate_gradients_result<typename Scalar_traits<Scalar>::FT> conjugate_gradients(
     const K& apply_k, const T& precondition, const Block<Scalar>& b, Block<Scalar>& x,

@@ -13,16 +13,16 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the smallest eigenpair of K x = N x theta by the inverse power method,
+/// \brief Computes the smallest eigenpair of K x = N x theta by the inverse power method,
 /// K x_i = N x_(i-1) followed by normalization [CGP 5.5, Algorithm 1].
 ///
-/// For the reproduction of published results; `lobpcg()` converges where this one crawls. The mass
-/// matrix on the right hand side, missing in the printed algorithm, makes it solve the generalized
+/// For the reproduction of published results; `lobpcg()` converges faster. The mass matrix on the
+/// right-hand side, which is missing in the printed algorithm, makes it solve the generalized
 /// problem. Converges by the factor theta_1 / theta_2 per iteration. Tolerance 0 gives the fixed
-/// number `options.max_iterations`. With several columns, the basis is made orthonormal after
+/// number `options.max_iterations`. With several columns, the basis is orthonormalized after
 /// every step. Two solves per iteration: one for the step, one for the error estimate.
 ///
-/// \param invert b -> the solution of K x = b; the other parameters, and errors, as `lobpcg()` has
+/// \param invert maps b to the solution of K x = b; for other parameters and errors see `lobpcg()`
 template <class K, class N, class T, class GoFurther = Always_go_further>
 Eigensolver_result inverse_power_method(const K& apply_k, const N& apply_n, const T& invert,
                                         Block<Quaternion<double>> x0,

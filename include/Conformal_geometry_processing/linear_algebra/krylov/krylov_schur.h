@@ -13,48 +13,48 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// how many eigenpairs, and when to stop
+/// Number of eigenpairs, and stopping criteria
 struct Krylov_options {
   int wanted = 1;
-  double tolerance = 1e-9;  ///< on `Krylov_result::residuals`
+  double tolerance = 1e-9;  ///< bound on `Krylov_result::residuals`
   int max_restarts = 100;
 };
 
 /// \ingroup PkgLinearAlgebra
-/// what is reported before every restart
+/// Progress reported before every restart
 struct Krylov_progress {
   int restart;    ///< restarts done
   int converged;  ///< eigenpairs found
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief eigenpairs of K x = theta N x of the largest |theta|, with the evidence for them.
+/// \brief Eigenpairs of K x = theta N x of the largest |theta|, with their residuals.
 struct Krylov_result {
   Vector<double> values;              ///< descending in modulus, of either sign
   Block<Quaternion<double>> vectors;  ///< n x wanted, X^H N X = 1
-  Vector<double> residuals;  ///< |N^-1 K x - theta x| / |theta| in the norm of N, computed anew
+  Vector<double> residuals;  ///< |N^-1 K x - theta x| / |theta| in the norm of N, recomputed
   int restarts = 0;
   bool converged = false;
   bool cancelled = false;
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the eigenpairs of K x = theta N x whose theta is largest in modulus, K being indefinite:
-/// the Krylov-Schur method (a Lanczos method with restarts) in blocks, over the quaternions.
+/// \brief Computes the eigenpairs of K x = theta N x with the largest |theta|, for indefinite K, by
+/// the block Krylov-Schur method (a Lanczos method with restarts) over the quaternions.
 ///
-/// With N = (A - s)^2 and K = A - s those are the eigenvalues s + 1/theta of A next to s. Every
-/// vector is orthogonalised against all others, which lets several copies of an eigenvalue be
-/// found: as many as a block has columns, at least sqrt(wanted) + 2, and the others by beginning
-/// anew with noise when all seem to be there, until that changes nothing any more. Deterministic,
-/// if `noise` is.
+/// With N = (A - s)^2 and K = A - s those are the eigenvalues s + 1/theta of A next to s. Full
+/// orthogonalization makes it possible to find multiple eigenvalues: as many copies as a block has
+/// columns, at least sqrt(wanted) + 2; further copies are found by restarts from random vectors
+/// when all pairs have converged, until these find nothing new. Deterministic, if `noise` is.
 ///
 /// Costs one K, one solution and about 100 (wanted + 6 sqrt(wanted)) n operations for each of the
 /// vectors; the memory of 3 wanted + 12 sqrt(wanted) of them.
 ///
 /// \param rows n
-/// \param noise called with a number of columns: that many vectors in the space, new ones each time
+/// \param noise called with a number of columns: returns that many vectors in the space, new ones
+/// each time
 /// \param go_further called with `Krylov_progress` before every restart; false cancels
-/// \throw Precondition_error if not even one is wanted, or more than there are
+/// \throw Precondition_error if `wanted` is less than one or exceeds the number of eigenpairs
 /// \throw Solver_error if an operator returns values that are not finite
 Krylov_result krylov_schur(const Pencil& pencil, Eigen::Index rows,
                            const std::function<Block<Quaternion<double>>(Eigen::Index)>& noise,

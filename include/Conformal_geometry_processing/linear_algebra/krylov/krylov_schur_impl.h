@@ -21,7 +21,7 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// Eigenpairs of the projection, descending in modulus.
+/// Sorts eigenpairs of the projection by decreasing modulus.
 CGP_INLINE Hermitian_eigen_decomposition<Quaternion<double>> dominant_first(
     Hermitian_eigen_decomposition<Quaternion<double>> pairs)
 {
@@ -39,7 +39,7 @@ CGP_INLINE Hermitian_eigen_decomposition<Quaternion<double>> dominant_first(
   return sorted;
 }
 
-/// How many of the first pairs have converged.
+/// Number of leading pairs that have converged.
 CGP_INLINE Eigen::Index converged_pairs(const Vector<double>& values,
                                         const Vector<double>& residuals, double tolerance)
 {

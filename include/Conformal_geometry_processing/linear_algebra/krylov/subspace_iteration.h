@@ -16,39 +16,39 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// when `subspace_iteration()` ends
+/// Stopping criteria of `subspace_iteration()`
 struct Subspace_options {
-  double tolerance = 1e-6;  ///< of `Subspace_result::residual`
+  double tolerance = 1e-6;  ///< bound on `Subspace_result::residual`
   int maximum_number_of_iterations = 100;
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the smallest eigenvalue of a pencil, its vector, and the evidence.
+/// \brief The smallest eigenvalue of a pencil, its eigenvector, and error estimates.
 template <class Scalar>
 struct Subspace_result {
-  Vector<Scalar> vector;  ///< of length one under the mass; rounding decides how much it has of
-                          ///< what neither the mass nor A sees, the constants
+  Vector<Scalar> vector;  ///< normalized under the mass; its component in the common kernel of the
+                          ///< mass and A, the constants, is determined by rounding
   double eigenvalue = 0;  ///< of the vector
-  double next_eigenvalue = 0;  ///< an upper bound, sharp where it is well separated
-  double residual = HUGE_VAL;  ///< estimated error of the vector before, relative, in the norm of A
+  double next_eigenvalue = 0;  ///< an upper bound, sharp if it is well separated
+  double residual = HUGE_VAL;  ///< estimated relative error of the previous vector, A-norm
   int iterations = 0;
   bool converged = false;
   Solver_status status = Solver_status::success;  ///< of the solves
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief finds the smallest eigenvalue of A x = mu B x by inverse iteration of several vectors and
-/// the Rayleigh-Ritz method.
+/// \brief Computes the smallest eigenvalue of A x = mu B x by inverse subspace iteration with the
+/// Rayleigh-Ritz method.
 ///
-/// The error shrinks in each step by about mu / mu_k for k vectors and the k-th other eigenvalue,
-/// so an eigenvalue that is double, or nearly, does no harm. One block solve and one product with A
-/// per step; the same bits for the same input.
+/// For k vectors, each step reduces the error by about mu / mu_k, where mu_k is the k-th other
+/// eigenvalue, so that double or clustered eigenvalues do not slow down the convergence. One block
+/// solve and one product with A per step; deterministic to the bit.
 ///
 /// \param A Hermitian positive semidefinite
 /// \param B the mass, of which the weights D are the diagonal part
-/// \param solver has factorized A + shift D. A shift by the mass, not by the identity, leaves the
-/// eigenvectors as they are.
-/// \param x where to start, one vector a column
+/// \param solver has factorized A + shift D. A shift by the mass, not by the identity, does not
+/// change the eigenvectors.
+/// \param x initial vectors, one per column
 template <class Solver, class Scalar>
 Subspace_result<Scalar> subspace_iteration(const Hermitian_sparse_matrix<Scalar>& A,
                                            const Centered_mass<Scalar>& B, double shift,
@@ -74,7 +74,7 @@ Subspace_result<Scalar> subspace_iteration(const Hermitian_sparse_matrix<Scalar>
     const Vector<Scalar> v = x * turn.col(0), correction = mu * (y * turn.col(0)) - v;
     const Vector<Scalar> defect =
         mu * (b * turn.col(0)) - A * v - Scalar(shift) * B.weights().cwiseProduct(v);
-    // |correction|^2 in the norm of A + shift D, by that of v
+    // |correction|^2 in the norm of A + shift D, relative to that of v
     const double error = Scalar_traits<Scalar>::real(correction.dot(defect)) / mu;
     x = y * turn;
     B.orthonormalize(x);

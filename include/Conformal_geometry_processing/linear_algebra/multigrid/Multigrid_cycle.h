@@ -16,26 +16,27 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief how a hierarchy is built.
+/// \brief Parameters of a multigrid hierarchy.
 struct Multigrid_options {
-  /// connections below this share of the diagonal do not count
+  /// Connections below this share of the diagonal are ignored
   double strength = 0.03;
 
-  /// the weight of the Jacobi step that smooths the prolongation
+  /// Weight of the Jacobi step that smooths the prolongation
   double smoothing = 0.9;
 
-  /// levels of at most so many vertices are solved exactly. Where that is the second level already,
-  /// a fifth of the iterations is saved, but the factor takes as much memory as all the rest.
+  /// Levels of at most this number of vertices are solved exactly. If this is already the second
+  /// level, it saves a fifth of the iterations, but the factor takes as much memory as all the
+  /// rest.
   int coarsest_size = 16000;
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief one V-cycle of smoothed aggregation for a real or quaternionic matrix A: a fixed
-/// Hermitian positive definite operator, close to the inverse of A.
+/// \brief One V-cycle of smoothed aggregation for a real or quaternionic matrix A: a fixed
+/// Hermitian positive definite approximation of the inverse of A.
 ///
-/// Aggregates and prolongations are real, made from the real part of A; the matrices of all levels
-/// have the entries of A. All in single precision, the exact solution on the coarsest level as
-/// well.
+/// Aggregates and prolongations are real and computed from the real part of A; the matrices of all
+/// levels have the entries of A. All computations, including the exact solution on the coarsest
+/// level, use single precision.
 ///
 /// \tparam Entry `float` or `Quaternion<float>`
 template <class Entry>
@@ -45,22 +46,21 @@ class Multigrid_cycle {
   using Level = Multigrid_level<Entry>;
   using Coarsest = Supernodal_cholesky<Entry, float>;
 
-  /// builds at least one level and the coarsest one
-  /// \returns `not_positive_definite` where a diagonal entry or a pivot is not positive on some
-  /// level
+  /// Builds at least one level and the coarsest one
+  /// \returns `not_positive_definite` if a diagonal entry or a pivot is not positive on some level
   Solver_status build(Matrix A, const Multigrid_options& options = {});
 
-  /// gives the memory back
+  /// Releases the memory
   void release();
 
-  /// the levels that are smoothed, the finest first; the coarsest is not among them
+  /// The levels with smoothing, the finest first; excludes the coarsest one
   const std::vector<Level>& levels() const { return m_levels; }
   const Coarsest& coarsest() const { return m_coarsest; }
   int coarsest_size() const { return static_cast<int>(m_solution.rows()); }
 
-  /// \brief one V-cycle.
+  /// \brief Applies one V-cycle.
   /// \param load load(i, c) writes the four numbers of the right-hand side at vertex i to c
-  /// \param store store(i, c) takes the four numbers of the result
+  /// \param store store(i, c) receives the four numbers of the result
   template <class Load, class Store>
   Solver_status apply(Load load, Store store)
   {
@@ -68,7 +68,7 @@ class Multigrid_cycle {
     if (!std::isfinite(scale)) return Solver_status::numerical_issue;
     Level& finest = m_levels.front();
     double c[4];
-    // Single precision has a small range, a right-hand side may have any size.
+    // Scales the right-hand side, because the range of single precision is small.
     const double inverse = scale > 0 ? 1 / scale : 0;
     for (int i = 0; i < finest.size(); ++i) {
       load(i, c);
@@ -83,7 +83,7 @@ class Multigrid_cycle {
     return status;
   }
 
-  /// the entries of all levels and of the factor, the operations of a `build()` and all memory
+  /// Entries of all levels and of the factor, operations of a `build()`, and total memory
   Solver_statistics statistics() const;
 
  private:
@@ -101,7 +101,7 @@ class Multigrid_cycle {
     for (int i = 0; i < m_levels.front().size(); ++i) {
       load(i, c);
       for (int q = 0; q < 4; ++q) greatest = (std::max)(greatest, std::abs(c[q]));
-      sum += (c[0] + c[1]) + (c[2] + c[3]);  // max() loses what is not a number
+      sum += (c[0] + c[1]) + (c[2] + c[3]);  // propagates NaN, unlike max()
     }
     return std::isfinite(sum) ? greatest : sum;
   }
@@ -109,7 +109,7 @@ class Multigrid_cycle {
   float* below(std::size_t l, int I);
   Solver_status descend(std::size_t l);
 
-  // Columns of real systems, and components of quaternions.
+  // Columns of real systems, or components of quaternions.
   static float& component(Block<float>& x, int i, int q) { return x(i, q); }
   static float& component(Block<Quaternion<float>>& x, int i, int q) { return (&x(i, 0).w)[q]; }
 
@@ -118,7 +118,7 @@ class Multigrid_cycle {
   std::vector<Level> m_levels;
   Coarsest m_coarsest;
   Block<Entry> m_solution;        // on the coarsest level
-  Aligned_array<float> m_coarse;  // the same, with four numbers per vertex
+  Aligned_array<float> m_coarse;  // likewise, with four numbers per vertex
 };
 
 }  // namespace Conformal_geometry_processing

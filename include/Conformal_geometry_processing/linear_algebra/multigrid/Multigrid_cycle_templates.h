@@ -46,7 +46,7 @@ Solver_statistics Multigrid_cycle<Entry>::statistics() const
     const double weights = static_cast<double>(level.prolongation().columns.size());
     s.factor_entries += level.matrix().pattern().size_of_entries();
     s.bytes += static_cast<double>(level.bytes());
-    // Every entry is multiplied by the weights of its two rows.
+    // Every entry is multiplied by the weights of its row and its column.
     s.flops += 2 * Scalar_planes<Entry>::size * entries * std::pow(weights / level.size(), 2);
   }
   return s;
@@ -77,8 +77,8 @@ Solver_status Multigrid_cycle<Entry>::factorize_coarsest(const Matrix& A)
   Solver_status status = m_coarsest.analyze(A.pattern());
   if (status == Solver_status::success) status = m_coarsest.factorize(A, {});
   if (status != Solver_status::not_positive_definite) return status;
-  // Rounding spoils definiteness where A is nearly singular. A diagonal larger by a millionth
-  // mends that, and makes little difference to a preconditioner.
+  // If A is nearly singular, rounding may destroy its definiteness. Increasing the diagonal by a
+  // relative 1e-6 restores it and hardly affects the preconditioner.
   Vector<float> more(A.size());
   for (int i = 0; i < A.size(); ++i) more[i] = 1e-6f * A.diagonal(i);
   return m_coarsest.factorize(A, more);

@@ -14,13 +14,13 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief one level of a multigrid hierarchy: a matrix A, the prolongation from the next coarser
-/// level, and smoothing by Gauss-Seidel before and after the coarse correction.
+/// \brief One level of a multigrid hierarchy: a matrix A, the prolongation from the next coarser
+/// level, and Gauss-Seidel smoothing before and after the coarse-grid correction.
 ///
 /// The two sweeps run in opposite directions, so that for every Hermitian positive definite coarse
-/// correction the whole is Hermitian, and positive definite as long as the diagonal of A is
-/// positive (even where rounding has made A indefinite). Each sweep passes once over the lower
-/// triangle, which is all that is stored, and uses every entry for its mirror image as well.
+/// correction the cycle is Hermitian, and positive definite as long as the diagonal of A is
+/// positive (even if rounding has made A indefinite). Only the lower triangle is stored; each sweep
+/// traverses it once and uses every entry for its conjugate transpose as well.
 ///
 /// Vectors have four numbers per vertex (`Vertex_lanes`).
 /// \tparam Entry `float` or `Quaternion<float>`
@@ -36,15 +36,15 @@ class Multigrid_level {
   const Matrix& matrix() const { return m_matrix; }
   const Prolongation& prolongation() const { return m_prolongation; }
 
-  /// the four numbers of vertex i: the right-hand side before the cycle, the solution after it
+  /// The four numbers of vertex i: the right-hand side before the cycle, the solution after it
   float* vector(int i) { return m_vectors.data() + std::ptrdiff_t(stride) * i; }
   const float* vector(int i) const { return m_vectors.data() + std::ptrdiff_t(stride) * i; }
 
-  /// x = (D + L^H)^-1 b, in the place of b, and the residual r = b - A x = -L x; L is the strictly
-  /// lower triangle
+  /// Computes x = (D + L^H)^-1 b, which overwrites b, and the residual r = b - A x = -L x; L is the
+  /// strictly lower triangle
   void smooth_first();
 
-  /// visit(I, c) with the four numbers c of (P^T r)_I, in parts that are to be added
+  /// Calls visit(I, c) with contributions c to the four numbers of (P^T r)_I, which are to be added
   template <class Visitor>
   void restrict_residual(Visitor visit)
   {
@@ -56,8 +56,9 @@ class Multigrid_level {
     }
   }
 
-  /// \brief x + P c, where c(I) points to the four numbers of the correction at I, smoothed by the
-  /// sweep adjoint to the first: x := (D + L)^-1 (b - L^H (x + P c)) = (D + L)^-1 (D x - L^H P c).
+  /// \brief Adds the coarse-grid correction, x + P c, where c(I) points to its four numbers at I,
+  /// and smooths by the adjoint sweep: x := (D + L)^-1 (b - L^H (x + P c)) = (D + L)^-1 (D x - L^H
+  /// P c).
   template <class Correction>
   void correct_and_smooth(Correction c)
   {
@@ -81,7 +82,7 @@ class Multigrid_level {
  private:
   using Lanes = Vertex_lanes<float>;
   using Register = Lanes::Register;
-  static constexpr int stride = 8;  // vector and residual side by side: both are fetched together
+  static constexpr int stride = 8;  // vector and residual are adjacent, to be loaded together
 
   int begin(int j) const { return m_matrix.pattern().offsets[static_cast<std::size_t>(j)]; }
   int row(int k) const { return m_matrix.pattern().indices[static_cast<std::size_t>(k)]; }
@@ -91,7 +92,7 @@ class Multigrid_level {
 
   Matrix m_matrix;
   Prolongation m_prolongation;
-  Aligned_array<float> m_vectors;  // per vertex 4 + 4 numbers
+  Aligned_array<float> m_vectors;  // 4 + 4 numbers per vertex
 };
 
 }  // namespace Conformal_geometry_processing

@@ -52,7 +52,7 @@ std::int64_t Multigrid_level<Entry>::bytes() const
          static_cast<std::int64_t>(m_prolongation.bytes());
 }
 
-// From D x in `vector` and the correction e in `residual`: (D + L)^-1 (D x - L^H e).
+// Computes (D + L)^-1 (D x - L^H e), with D x in `vector` and the correction e in `residual`.
 template <class Entry>
 void Multigrid_level<Entry>::smooth_last()
 {

@@ -11,19 +11,19 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solves by smoothed aggregation multigrid: for meshes so large that the factor of a direct
+/// \brief Solves by smoothed aggregation multigrid; for large meshes, where the factor of a direct
 /// solver takes too much time or memory.
 ///
 /// One V-cycle, the preconditioner, costs two passes over the matrix in single precision, and a
 /// sixth of that on the coarser levels. `solve()` runs conjugate gradients with it, in double
-/// precision. The number of iterations depends on how thin the triangles are and not on how many
-/// there are; 10 to 30 on smooth meshes, several times as many on hard scans.
+/// precision. The number of iterations depends on the aspect ratios of the triangles but not on
+/// their number: 10 to 30 on smooth meshes, several times as many on difficult scans.
 ///
-/// Matrices of at most `direct_size` rows are factorized, and solved to rounding. For larger ones
-/// positive definiteness is checked only as far as it is seen: on the diagonals of all levels, in
-/// the factor of the coarsest one, and in the curvatures that conjugate gradients meets.
+/// Matrices of at most `direct_size` rows are factorized, and solved up to rounding. For larger
+/// ones positive definiteness is only partially checked: on the diagonals of all levels, in the
+/// factor of the coarsest one, and by the curvatures in conjugate gradients.
 ///
-/// Of the matrix it keeps two halves in single precision (`Rounding_remainder`), and shares the
+/// Stores the matrix as two parts in single precision (`Rounding_remainder`), and shares the
 /// pattern. Memory: 240 bytes per vertex of a triangle mesh for quaternionic matrices, 110 for real
 /// ones.
 ///
@@ -35,29 +35,30 @@ class Multigrid_solver {
   using Scalar = Scalar_;
   using FT = typename Scalar_traits<Scalar>::FT;
 
-  /// so many rows are not worth a hierarchy
+  /// Matrices of at most this size are factorized directly
   static constexpr int direct_size = 500;
 
-  /// of the error that `solve()` leaves, relative to the solution, in the energy norm
+  /// Relative error of `solve()` in the energy norm
   static constexpr double tolerance = 1e-10;
 
-  /// after which `solve()` gives up
+  /// Maximal number of iterations of `solve()`
   static constexpr int max_iterations = 500;
 
   explicit Multigrid_solver(const Multigrid_options& options = {}) : m_options(options) {}
   Multigrid_solver(const Multigrid_solver&) = delete;
   Multigrid_solver& operator=(const Multigrid_solver&) = delete;
 
-  /// keeps the order of the rows, but for matrices that will be factorized directly
+  /// Keeps the order of the rows, except for matrices that will be factorized directly
   Solver_status analyze(const Sparse_pattern& pattern);
 
-  /// \param order is what `ordering()` tells then; large matrices stay in the order of their rows
+  /// \param order is returned by `ordering()`; large matrices are processed in the order of their
+  /// rows
   Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order);
 
-  /// positions are of no use
+  /// Ignores the positions
   Solver_status analyze_with_positions(const Sparse_pattern& pattern, const Eigen::Matrix3Xd&);
 
-  /// takes over the ordering
+  /// Copies the ordering
   template <class OtherSolver>
   Solver_status analyze_like(const Sparse_pattern& pattern, const OtherSolver& other)
   {
@@ -66,29 +67,30 @@ class Multigrid_solver {
 
   const Ordering& ordering() const { return m_ordering; }
 
-  /// builds the levels anew: aggregates follow the values
+  /// Rebuilds the levels, because aggregates depend on the values
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift);
 
-  /// gives the memory of the levels back; the analysis stays
+  /// Releases the memory of the levels; the analysis stays
   void release();
 
-  /// \brief x = T b for every column, where T is one V-cycle: a fixed Hermitian positive definite
-  /// operator close to the inverse of the factorized matrix.
-  /// \param x may be b; is written in its memory, if it has the size
+  /// \brief Computes x = T b for every column, where T is one V-cycle: a fixed Hermitian positive
+  /// definite approximation of the inverse of the factorized matrix.
+  /// \param x may be b; its memory is reused if it has the right size
   Solver_status precondition(const Block<Scalar>& b, Block<Scalar>& x) const;
 
-  /// \returns `numerical_issue` where `max_iterations` do not lead to `tolerance` as well
+  /// \returns `numerical_issue` also if `max_iterations` do not reach the `tolerance`
   Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;
 
-  /// of the last `solve()` that succeeded; zero if it was direct
+  /// Number of iterations of the last successful `solve()`; zero if it was direct
   int iterations() const { return m_iterations; }
 
-  /// the levels; empty if the solver is direct
+  /// The levels; empty if the solver is direct
   const Multigrid_cycle<typename Rounding_remainder<Scalar>::Entry>& cycle() const;
 
-  /// \brief the entries of all levels and of the factor of the coarsest one.
+  /// \brief Counts the entries of all levels and of the factor of the coarsest one.
   ///
-  /// As they depend on the values, only those of the matrix itself are known before `factorize()`.
+  /// The levels depend on the values; before `factorize()` only the entries of the matrix are
+  /// known.
   Solver_statistics statistics() const;
 
  private:
@@ -109,13 +111,13 @@ class Multigrid_solver {
   int m_entries = 0;
   Supernodal_cholesky<Scalar> m_direct;
   Rounding_remainder<Scalar> m_remainder;
-  // Holds the vectors of the cycle, which nobody sees from outside.
+  // Mutable work vectors of the cycle, which are not part of the visible state.
   mutable Multigrid_cycle<typename Rounding_remainder<Scalar>::Entry> m_cycle;
   mutable int m_iterations = 0;
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief multigrid for real and quaternionic matrices; header-only.
+/// \brief Multigrid for real and quaternionic matrices; header-only.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Multigrid_solver_traits {
   template <class Scalar>

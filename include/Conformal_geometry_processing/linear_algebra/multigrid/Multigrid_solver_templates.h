@@ -165,7 +165,7 @@ Solver_status Multigrid_solver<Scalar_>::iterate(const Block<Scalar>& b, Block<S
   return Solver_status::success;
 }
 
-// Vertex i of columns c, c + 1, ...: as many as fill four numbers, zero where there is none.
+// Loads vertex i of columns c, c + 1, ..., up to four numbers, padded with zeros.
 template <class Scalar_>
 void Multigrid_solver<Scalar_>::load(const Block<Scalar>& b, int i, Eigen::Index c, double* to)
 {

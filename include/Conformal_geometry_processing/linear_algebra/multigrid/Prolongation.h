@@ -11,18 +11,18 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief a sparse real matrix P, row by row, that carries vectors from a coarse level to a fine
-/// one; its transpose carries residuals back.
+/// \brief A sparse real matrix P, row by row, that interpolates vectors from a coarse to a fine
+/// level; its transpose restricts residuals.
 struct Prolongation {
   std::vector<int> offsets;    ///< number of fine vertices + 1
   std::vector<int> columns;    ///< coarse vertices
-  std::vector<float> weights;  ///< beside `columns`
+  std::vector<float> weights;  ///< parallel to `columns`
   int coarse_size = 0;
 
   int fine_size() const { return static_cast<int>(offsets.size()) - 1; }
   std::size_t bytes() const;
 
-  /// calls visit(I, P_iI) for the entries of row i
+  /// Calls visit(I, P_iI) for the entries of row i
   template <class Visitor>
   void for_each_in_row(int i, Visitor visit) const
   {
@@ -33,12 +33,13 @@ struct Prolongation {
 };
 
 /// \relates Prolongation
-/// \brief piecewise constant on the aggregates, then smoothed by one step of weighted Jacobi along
-/// the connections: row i is (1 - omega) e(i) + omega sum_j w_ij e(j) / sum_j w_ij, with e(j) the
-/// unit vector of the aggregate of j.
+/// \brief Computes a prolongation that is piecewise constant on the aggregates, smoothed by one
+/// step of weighted Jacobi along the connections: row i is
+/// (1 - omega) e(i) + omega sum_j w_ij e(j) / sum_j w_ij, with e(j) the unit vector of the
+/// aggregate of j.
 ///
-/// Rows have no negative entries and sum to one, so constants are carried over exactly; rows of
-/// vertices without connections are empty, for smoothing alone solves those.
+/// Rows have no negative entries and sum to one, so constants are reproduced exactly; rows of
+/// vertices without connections are empty, because smoothing solves for these.
 Prolongation smoothed_prolongation(const Connection_graph& graph, const Aggregation& a,
                                    double omega);
 

@@ -22,10 +22,10 @@ Quaternion<double> to_double(const Quaternion<float>& s);
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief what rounding to single precision takes from a matrix.
+/// \brief The remainder of a matrix after rounding to single precision.
 ///
-/// The rounded matrix serves by itself in preconditioners; together with the remainder, itself in
-/// single precision, it is the matrix to 14 digits. Both take half of the memory that a copy in
+/// The rounded matrix is used by preconditioners; its sum with the remainder, also in single
+/// precision, represents the matrix to 14 digits. Both take half of the memory that a copy in
 /// double precision beside the rounded matrix would take.
 ///
 /// \tparam Scalar `double` or `Quaternion<double>`
@@ -36,7 +36,7 @@ class Rounding_remainder {
   using Entry = std::conditional_t<std::is_same_v<Scalar, double>, float, Quaternion<float>>;
   using Rounded = Hermitian_sparse_matrix<Entry>;
 
-  /// \brief A + diag(shift), rounded, on the pattern of A, which is shared; keeps the remainder.
+  /// \brief Returns A + diag(shift), rounded, on the shared pattern of A; stores the remainder.
   /// \param shift one number per row, or empty
   Rounded split(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
   {
@@ -56,16 +56,16 @@ class Rounding_remainder {
     return rounded;
   }
 
-  /// whether all values of the last matrix, and their roundings, were finite
+  /// Returns whether all values of the last matrix, and their roundings, were finite
   bool is_finite() const { return m_is_finite; }
 
-  /// y = A x, where `rounded` is what `split(A)` has given; in the memory of y
+  /// Computes y = A x in the memory of y, where `rounded` was returned by `split(A)`
   void multiply(const Rounded& rounded, const Block<Scalar>& x, Block<Scalar>& y) const
   {
     y.resize(x.rows(), x.cols());
     const int* const offsets = rounded.pattern().offsets.data();
     const int* const rows = rounded.pattern().indices.data();
-    // Downwards, so that y_i is there before the columns left of i add to it.
+    // Backward, so that y_i is assigned before the columns left of i add to it.
     for (Eigen::Index c = 0; c < x.cols(); ++c)
       for (int j = rounded.size() - 1; j >= 0; --j) {
         Scalar sum = value(rounded, offsets[j]) * x(j, c);
@@ -80,7 +80,7 @@ class Rounding_remainder {
 
   double bytes() const { return static_cast<double>(sizeof(Entry)) * double(m_values.size()); }
 
-  /// gives the memory back
+  /// Releases the memory
   void release() { m_values.resize(0); }
 
  private:
@@ -92,7 +92,7 @@ class Rounding_remainder {
     return internal::to_double(rounded.value(k)) + internal::to_double(m_values[k]);
   }
 
-  Vector<Entry> m_values;  // beside those of the rounded matrix
+  Vector<Entry> m_values;  // parallel to those of the rounded matrix
   bool m_is_finite = true;
 };
 

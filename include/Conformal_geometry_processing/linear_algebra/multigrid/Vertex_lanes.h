@@ -11,11 +11,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the four numbers that a vector has at one vertex: the components w, x, y, z of a
-/// quaternion, or one number for each of four right-hand sides of a real system.
+/// \brief The four numbers of a vector at one vertex: the components w, x, y, z of a quaternion, or
+/// one number for each of four right-hand sides of a real system.
 ///
-/// Both kinds of systems then run through the same loops. Registers are passed by reference:
-/// without AVX, four doubles have no calling convention of their own.
+/// Both kinds of systems share the same loops. Registers are passed by reference, because without
+/// AVX there is no calling convention for four doubles.
 template <class Real>
 struct Vertex_lanes {
   static constexpr int size = 4;
@@ -34,7 +34,7 @@ struct Vertex_lanes {
     *reinterpret_cast<Aliasing*>(p) = v;
   }
 
-  /// v becomes i v, j v and k v
+  /// Replaces v by i v, j v and k v
   static CGP_ALWAYS_INLINE void multiply_by_i(Register& v)
   {
     exchange<1, 0, 3, 2>(Register{-1, 1, -1, 1}, v);
@@ -59,7 +59,7 @@ struct Vertex_lanes {
   using Aliasing = Register;
 #endif
 
-  // v becomes its lanes a, b, c, d, times the signs
+  // Replaces v by its lanes a, b, c, d, times the signs
   template <int a, int b, int c, int d>
   static CGP_ALWAYS_INLINE void exchange(const Register& signs, Register& v)
   {
@@ -74,10 +74,10 @@ struct Vertex_lanes {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the sum of conjugate(a) x over some entries a of a column; `value()` at the end.
+/// \brief The sum of conjugate(a) x over some entries a of a column; `value()` returns it.
 ///
-/// A quaternionic sum is kept apart by the components of a, so that components are exchanged once
-/// per column and not once per entry.
+/// A quaternionic sum is accumulated separately for each component of a, so that components are
+/// permuted once per column instead of once per entry.
 template <class Entry>
 class Conjugate_sum {
   using Lanes = Vertex_lanes<Entry>;

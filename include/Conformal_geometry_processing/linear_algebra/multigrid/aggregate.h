@@ -10,18 +10,18 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief a partition of the vertices of a graph into connected groups.
+/// \brief A partition of the vertices of a graph into connected groups.
 struct Aggregation {
-  std::vector<int> aggregate_of;  ///< per vertex; -1 where it has no connection at all
+  std::vector<int> aggregate_of;  ///< per vertex; -1 for isolated vertices
   int size = 0;                   ///< number of aggregates
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief groups every vertex with its neighborhood: about nine vertices each on a triangle mesh.
+/// \brief Groups vertices with their neighborhoods: about nine vertices each on a triangle mesh.
 ///
-/// Vertices with free neighborhoods become centres, in the order of their numbers; a vertex that is
-/// left over joins the neighborhood to which its connection is strongest (there is one, for else it
-/// would have become a centre). Every aggregate has at least two vertices. Linear time.
+/// Vertices with free neighborhoods become centres, in the order of their numbers; each remaining
+/// vertex joins the neighborhood with the strongest connection (one exists, because otherwise the
+/// vertex would be a centre). Every aggregate has at least two vertices. Linear time.
 Aggregation aggregate(const Connection_graph& graph);
 
 }  // namespace Conformal_geometry_processing

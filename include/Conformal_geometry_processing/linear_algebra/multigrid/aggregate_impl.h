@@ -33,7 +33,7 @@ CGP_INLINE Aggregation aggregate(const Connection_graph& graph)
   Aggregation a;
   a.aggregate_of.assign(static_cast<std::size_t>(graph.size()), -1);
   internal::seed_aggregates(graph, a);
-  // By the neighborhoods alone, so that aggregates stay round.
+  // Considers the initial neighborhoods only, so that aggregates stay round.
   const std::vector<int> seeded = a.aggregate_of;
   for (int i = 0; i < graph.size(); ++i) {
     if (seeded[static_cast<std::size_t>(i)] >= 0) continue;

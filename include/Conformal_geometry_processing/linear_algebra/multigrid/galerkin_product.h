@@ -16,7 +16,7 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-/// entries (row, column, value), row by row, columns in any order
+/// Entries (row, column, value), row by row, columns in any order
 template <class Scalar>
 struct Sparse_rows {
   std::vector<int> offsets, columns;
@@ -34,7 +34,7 @@ struct Sparse_rows {
         visit(i, columns[static_cast<std::size_t>(k)], values[static_cast<std::size_t>(k)]);
   }
 
-  /// makes room for the entries that were counted in offsets[row + 1]; returns where rows begin
+  /// Allocates the entries that were counted in offsets[row + 1]; returns the begin of each row
   std::vector<int> allocate()
   {
     for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
@@ -44,10 +44,10 @@ struct Sparse_rows {
   }
 };
 
-/// P^T, row by row
+/// Returns P^T, row by row
 Sparse_rows<float> transpose(const Prolongation& P);
 
-/// P^T (D / 2 + U) P, where D is the diagonal and U the strictly upper triangle of A
+/// Returns P^T (D / 2 + U) P, where D is the diagonal and U the strictly upper triangle of A
 template <class Scalar>
 Sparse_rows<Scalar> half_galerkin_product(const Hermitian_sparse_matrix<Scalar>& A,
                                           const Prolongation& P)
@@ -85,7 +85,7 @@ Sparse_rows<Scalar> half_galerkin_product(const Hermitian_sparse_matrix<Scalar>&
   return S;
 }
 
-/// the lower triangle of S + S^H, column by column, in which an entry may occur twice in a row
+/// Returns the lower triangle of S + S^H, column by column; entries may occur twice in succession
 template <class Scalar>
 Sparse_rows<Scalar> folded_to_lower_triangle(const Sparse_rows<Scalar>& S)
 {
@@ -94,7 +94,7 @@ Sparse_rows<Scalar> folded_to_lower_triangle(const Sparse_rows<Scalar>& S)
     ++by_row.offsets[static_cast<std::size_t>((std::max)(i, j)) + 1];
     ++by_column.offsets[static_cast<std::size_t>((std::min)(i, j)) + 1];
   });
-  // Sorted by rows first and stably by columns then, the rows of every column ascend.
+  // Sorting by rows, then stably by columns, makes the rows of every column ascend.
   std::vector<int> next = by_row.allocate();
   S.for_each_entry([&](int i, int j, const Scalar& s) {
     const std::size_t k =
@@ -114,10 +114,10 @@ Sparse_rows<Scalar> folded_to_lower_triangle(const Sparse_rows<Scalar>& S)
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the Galerkin matrix P^T A P of the coarse level, on a pattern of its own.
+/// \brief Computes the Galerkin matrix P^T A P of the coarse level, with its own pattern.
 ///
-/// Hermitian with a real diagonal, and positive definite if A is and P has full rank. Uses nothing
-/// but counting sorts; cost: some ten multiplications of an entry by a number per entry of A on a
+/// Hermitian with a real diagonal, and positive definite if A is and P has full rank. Uses only
+/// counting sorts; costs about ten multiplications of an entry by a number per entry of A on a
 /// triangle mesh.
 /// \pre every column of P has an entry
 template <class Scalar>

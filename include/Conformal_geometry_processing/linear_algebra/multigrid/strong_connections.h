@@ -12,11 +12,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief an undirected graph with positive weights: every edge is in the lists of both its ends.
+/// \brief An undirected graph with positive weights: every edge is in the lists of both its ends.
 struct Connection_graph {
   std::vector<int> offsets;    ///< size() + 1 positions in `neighbors`
   std::vector<int> neighbors;  ///< ascending for each vertex
-  std::vector<float> weights;  ///< beside `neighbors`
+  std::vector<float> weights;  ///< parallel to `neighbors`
 
   int size() const { return static_cast<int>(offsets.size()) - 1; }
   int begin(int i) const { return offsets[static_cast<std::size_t>(i)]; }
@@ -26,12 +26,11 @@ struct Connection_graph {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the pairs of rows whose entries hold them together: i and j are connected, with weight
+/// \brief Finds the strongly connected pairs of rows: i and j are connected, with weight
 /// w = -Re A_ij, if w > threshold sqrt(A_ii A_jj).
 ///
-/// Where A is a Laplacian, or close to one in its real part, an error that smoothing cannot remove
-/// varies slowly along these connections. Positive entries (opposite obtuse angles) connect
-/// nothing.
+/// If the real part of A is approximately a Laplacian, errors that smoothing cannot reduce vary
+/// slowly along these connections. Positive entries (opposite obtuse angles) are ignored.
 /// \pre the diagonal of A is positive
 template <class Scalar>
 Connection_graph strong_connections(const Hermitian_sparse_matrix<Scalar>& A, double threshold)

@@ -11,11 +11,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solves with R = B^T (X + diag(shift)) B as a sparse real matrix, with a solver for real
-/// matrices. Simple, and the choice where most of the vertices lie on the boundary.
+/// \brief Solves with R = B^T (X + diag(shift)) B as a sparse real matrix, with a solver for real
+/// matrices. Simple, and the best choice if most of the vertices lie on the boundary.
 ///
-/// The n-vertex graph is ordered; its order is handed over with the coordinates of each vertex side
-/// by side. For all functions see `Reduced_hermitian_solver`.
+/// The n-vertex graph is ordered; its ordering is expanded such that the coordinates of each vertex
+/// are adjacent. For all functions see `Reduced_hermitian_solver`.
 /// \tparam RealSolver a model of SparseHermitianSolver for real numbers
 template <class RealSolver = Supernodal_cholesky<double>>
 class Real_reduced_solver {
@@ -30,7 +30,7 @@ class Real_reduced_solver {
   Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;
   void release();
 
-  /// of the real factor
+  /// Cost of the real factor
   Solver_statistics statistics() const { return m_solver.statistics(); }
 
  private:

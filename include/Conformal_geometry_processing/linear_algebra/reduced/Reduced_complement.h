@@ -15,11 +15,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the dense real matrix of the reduced rows that is left when all others are eliminated:
+/// \brief The dense real Schur complement of the reduced rows after elimination of all others:
 /// B^T S B with the quaternionic Schur complement S, two coordinates for every row.
 ///
-/// Filled by `assemble()`, then by `add()`; rows in the order of elimination. The quaternionic
-/// complement stays where the elimination has left it.
+/// Filled by `assemble()`, then by `add()`; rows are in elimination order. The quaternionic
+/// complement is read from the updates of the factor, without a copy.
 class Reduced_complement {
   using Scalar = Quaternion<double>;
 
@@ -40,7 +40,7 @@ class Reduced_complement {
       }
   }
 
-  /// sets the matrix to the entries of B^T (X + diag(shift)) B
+  /// Sets the matrix to the entries of B^T (X + diag(shift)) B
   void assemble(const Hermitian_sparse_matrix<Scalar>& X, const Eigen::VectorXd& shift,
                 const Reduced_basis<double>& basis)
   {
@@ -59,7 +59,7 @@ class Reduced_complement {
       for (int k = 0; k < size; ++k) m_matrix(k, k) += shift[m_kept[at(k / 2)]];
   }
 
-  /// adds what the elimination of all other rows leaves
+  /// Adds the contribution of the elimination of all other rows
   void add(const Supernodal_factor<Scalar, double>& factor)
   {
     for (int s = 0; s < factor.structure().size(); ++s)
@@ -69,10 +69,10 @@ class Reduced_complement {
   /// \returns whether the matrix is positive definite
   bool factorize() { return m_matrix.factorize(); }
 
-  /// gives back the memory of the matrix and its factor
+  /// Releases the memory of the matrix and its factor
   void release() { m_matrix.release(); }
 
-  /// the last rows of y, in the order of elimination: from right-hand sides to solutions
+  /// Replaces the last rows of y, in elimination order: right-hand sides by solutions
   void solve(Vector<Scalar>& y) const
   {
     if (m_kept.empty()) return;
@@ -103,7 +103,7 @@ class Reduced_complement {
   }
 
  private:
-  // Position in the pattern, and which rows of the matrix; column <= row is not yet sure.
+  // Position in the pattern, and the rows of the matrix; column > row is possible at this stage.
   struct Entry {
     int source, row, column;
   };
@@ -114,7 +114,7 @@ class Reduced_complement {
     return static_cast<Eigen::Index>(2 * k + p);
   }
 
-  // The lower triangle of the update that a supernode leaves.
+  // Adds the lower triangle of the update of a supernode.
   void add(const Supernodal_factor<Scalar, double>& factor, int s)
   {
     const Panel_layout& layout = factor.layout();
@@ -129,7 +129,7 @@ class Reduced_complement {
       }
   }
 
-  // The block of two real rows and columns; of those on the diagonal the upper part is not used.
+  // Adds a block of two real rows and columns; the upper part of diagonal blocks is not used.
   void add(int row, int column, const Scalar& x)
   {
     const auto &from = m_planes[at(column)], &to = m_planes[at(row)];

@@ -11,16 +11,17 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief how a reduced system is factored: all of it as a real matrix, or the unreduced rows as
-/// quaternions and then the Schur complement of the others as a real matrix; and in which order.
+/// \brief Strategy for the factorization of a reduced system, and its ordering: either the whole
+/// system as a real matrix, or the unreduced rows as quaternions and the Schur complement of the
+/// others as a real matrix.
 struct Reduced_form {
   bool is_real = false;
-  Ordering order;   ///< of all rows; with the reduced ones last where they are to be
-  double cost = 0;  ///< floating point operations, those that run slower counted more
+  Ordering order;   ///< of all rows; the reduced ones are last if the form requires it
+  double cost = 0;  ///< floating-point operations, weighted by their speed
 };
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the ordering with the reduced rows moved to its end.
+/// \brief Moves the reduced rows to the end of the ordering.
 Ordering reduced_last(Ordering order, const Reduced_rows& rows);
 
 namespace internal {
@@ -30,12 +31,12 @@ double operations_of_real_form(const Supernodal_structure& S, const Reduced_rows
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the cheaper form for an ordering; the same on every machine.
+/// \brief Chooses the cheaper form for an ordering; independent of the machine.
 ///
-/// A quaternionic product does four operations for every number it loads, and so takes about half
-/// the time of as many real ones; the dense complement is nearly as fast. Measured by
+/// A quaternionic product performs four operations per loaded number, and therefore takes about
+/// half the time of as many real ones; the dense complement is nearly as fast. Measured by
 /// benchmark/reduced_solver.cpp, one thread, AVX-512, processor time of the numeric factorization
-/// in units of the quaternionic one of the same X with nothing reduced:
+/// in units of the quaternionic one of the same X without reduction:
 ///
 /// | mesh                    | reduced / all  | real form | complement | CHOLMOD, real form |
 /// |-------------------------|----------------|-----------|------------|--------------------|
@@ -49,13 +50,14 @@ double operations_of_real_form(const Supernodal_structure& S, const Reduced_rows
 /// | annulus, radii 1.5, 2   | 1 440 / 43 920 |       4.9 |        7.8 |                 14 |
 /// | strip of 400 x 16       |   832 /  6 817 |       5.3 |         27 |                 24 |
 ///
-/// A solution takes 1.2 to 2.2 times that without reduced rows by the complement, where that is the
-/// choice, and 3 to 4.5 times by the real form; memory is half of that of the real form on disks.
+/// A solution takes 1.2 to 2.2 times as long as without reduced rows if the complement is chosen,
+/// and 3 to 4.5 times as long with the real form; the complement takes half the memory of the real
+/// form on disks.
 Reduced_form choose_reduced_form(const Sparse_pattern& pattern, const Reduced_rows& rows,
                                  const Ordering& order);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the cheaper form, for an ordering chosen as `choose_structure()` does.
+/// \brief Chooses the cheaper form, with an ordering as in `choose_structure()`.
 /// \param positions 3 x n, or null
 Reduced_form choose_reduced_form(const Sparse_pattern& pattern, const Reduced_rows& rows,
                                  const Eigen::Matrix3Xd* positions, int factorizations,

@@ -25,7 +25,8 @@ CGP_INLINE Ordering reduced_last(Ordering order, const Reduced_rows& rows)
 
 namespace internal {
 
-// Of the real factor: those of the graph, in the ratio of the fronts with and without coordinates.
+// Operations of the real factor: those of the graph, scaled by the ratio of the front sizes with
+// and without coordinates.
 CGP_INLINE double operations_of_real_form(const Supernodal_structure& S, const Reduced_rows& rows)
 {
   const auto dimension = [&](int k) {

@@ -14,16 +14,16 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solves systems with the real symmetric matrix R = B^T (X + diag(shift)) B, where X is
+/// \brief Solves systems with the real symmetric matrix R = B^T (X + diag(shift)) B, where X is
 /// quaternionic and Hermitian and some of the unknowns lie in planes of H: boundary vertices with
 /// prescribed directions [CGP 5.7].
 ///
 /// Right-hand sides and solutions are quaternionic vectors: b is restricted, x = B R^-1 B^T b lies
-/// in the reduced space. b -> x is symmetric over the real numbers, and linear over them only.
-/// Two ways of factorization, `Schur_reduced_solver` and `Real_reduced_solver`, have the same
-/// functions; this one takes the cheaper, see `choose_reduced_form()`. As with the models of
-/// SparseHermitianSolver failure is a status and never an exception, and a call that does not fit
-/// the earlier ones returns `Solver_status::wrong_state`.
+/// in the reduced space. b -> x is symmetric and linear over the real numbers only.
+/// `Schur_reduced_solver` and `Real_reduced_solver` factor in different ways, with the same
+/// interface; this class chooses the cheaper one, see `choose_reduced_form()`. As for the models of
+/// SparseHermitianSolver, failures are reported as a status and never as an exception, and a call
+/// that does not fit the earlier ones returns `Solver_status::wrong_state`.
 class Reduced_hermitian_solver {
  public:
   using FT = double;
@@ -33,37 +33,37 @@ class Reduced_hermitian_solver {
   Reduced_hermitian_solver(const Reduced_hermitian_solver&) = delete;
   Reduced_hermitian_solver& operator=(const Reduced_hermitian_solver&) = delete;
 
-  /// \brief prepares for matrices X on a pattern that are reduced at given rows.
+  /// \brief Prepares for matrices X with this pattern that are reduced at the given rows.
   Solver_status analyze(const Sparse_pattern& pattern, const Reduced_rows& rows);
 
-  /// the same, with a hint: column i of `positions`, 3 x n, is where vertex i is in space
+  /// Likewise, with the position of vertex i in column i of `positions`, 3 x n, as a hint
   Solver_status analyze_with_positions(const Sparse_pattern& pattern, const Reduced_rows& rows,
                                        const Eigen::Matrix3Xd& positions);
 
-  /// the same with a given ordering of all rows
+  /// Likewise, with a given ordering of all rows
   Solver_status analyze(const Sparse_pattern& pattern, const Reduced_rows& rows,
                         const Ordering& order);
 
-  /// whether the whole matrix is factored as a real one
+  /// Returns whether the whole matrix is factored as a real one
   bool has_real_form() const { return std::holds_alternative<Real_reduced_solver<>>(m_solver); }
 
-  /// \brief factorizes R.
+  /// \brief Factorizes R.
   ///
   /// \param shift one number per row of X, or empty
   /// \param basis has the rows of the analysis
-  /// \returns `Solver_status::not_positive_definite` where R is not, even if X is not either
+  /// \returns `Solver_status::not_positive_definite` if R is not positive definite
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& X, const Vector<FT>& shift,
                           const Reduced_basis<FT>& basis);
 
-  /// \brief x = B R^-1 B^T b, for all columns of b.
+  /// \brief Computes x = B R^-1 B^T b, for all columns of b.
   ///
-  /// \param x is resized; stays as it is unless the status is `Solver_status::success`
+  /// \param x is resized; unchanged unless the status is `Solver_status::success`
   Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;
 
-  /// gives back the memory of the factor; the analysis stays, and `factorize()` must come next
+  /// Releases the memory of the factor; the analysis stays, and `factorize()` must come next
   void release();
 
-  /// the cost of the factorization, entries counted as real numbers; zeros before `analyze()`
+  /// Cost of the factorization, entries counted as real numbers; zeros before `analyze()`
   Solver_statistics statistics() const;
 
  private:

@@ -18,19 +18,19 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief solves with R = B^T (X + diag(shift)) B by eliminating the unreduced rows first, as
+/// \brief Solves with R = B^T (X + diag(shift)) B by eliminating the unreduced rows first, as
 /// quaternions, and the reduced ones last, as real numbers.
 ///
 /// The Schur complement of the reduced rows is a dense quaternionic matrix; restricted to their
-/// planes it becomes a dense real one of twice their number, which is factored as such. The choice
-/// where the boundary is short, as that of a disk is. For all functions see
+/// planes it becomes a dense real one of twice their number, which is factored as such. The best
+/// choice if the boundary is short, as for a disk. For all functions see
 /// `Reduced_hermitian_solver`.
 class Schur_reduced_solver {
  public:
   using FT = double;
   using Scalar = Quaternion<FT>;
 
-  /// \param order of all rows; the reduced ones among them are taken out and put last
+  /// \param order of all rows; the reduced ones are moved to its end
   Solver_status analyze(const Sparse_pattern& pattern, const Reduced_rows& rows,
                         const Ordering& order)
   {
@@ -97,7 +97,7 @@ class Schur_reduced_solver {
     if (m_complement) m_complement->release();
   }
 
-  /// of both factors, in real numbers
+  /// Cost of both factors, in real numbers
   Solver_statistics statistics() const
   {
     Solver_statistics s;

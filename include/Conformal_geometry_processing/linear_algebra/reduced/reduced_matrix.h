@@ -14,21 +14,21 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the pattern of B^T X B for quaternionic matrices X on a pattern: four real rows for every
-/// row, two for a reduced one. O(entries)
+/// \brief Returns the pattern of B^T X B for quaternionic matrices X with the given pattern: four
+/// real rows for every row, two for a reduced one. O(entries)
 std::shared_ptr<const Sparse_pattern> reduced_pattern(const Sparse_pattern& pattern,
                                                       const Reduced_rows& rows);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief R = B^T X B, a real symmetric matrix: entries <u, X_ij v> for all basis vectors u of row
-/// i and v of row j [CGP 5.7]. Writes in place, O(entries).
-/// \param R a matrix on `reduced_pattern(X.pattern(), B.rows())`; its values are replaced
+/// \brief Assembles R = B^T X B, a real symmetric matrix with entries <u, X_ij v> for all basis
+/// vectors u of row i and v of row j [CGP 5.7]. In place, O(entries).
+/// \param R a matrix with `reduced_pattern(X.pattern(), B.rows())`; its values are replaced
 template <class FT>
 void assemble_reduced_matrix(const Hermitian_sparse_matrix<Quaternion<FT>>& X,
                              const Reduced_basis<FT>& B, Hermitian_sparse_matrix<FT>& R)
 {
   const Reduced_rows& rows = B.rows();
-  std::array<int, 4> next{};  // where the columns of row j go on
+  std::array<int, 4> next{};  // next entry in each column of row j
   X.for_each_entry([&, last = -1](int i, int j, const Quaternion<FT>& x) mutable {
     if (j != last)
       for (int c = 0; c < rows.dimension(j); ++c)
@@ -44,7 +44,7 @@ void assemble_reduced_matrix(const Hermitian_sparse_matrix<Quaternion<FT>>& X,
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief one number per row, for each of its coordinates; the diagonal of B^T diag(m) B.
+/// \brief Repeats one number per row for each of its coordinates: the diagonal of B^T diag(m) B.
 template <class FT>
 Vector<FT> reduced_diagonal(const Vector<FT>& m, const Reduced_rows& rows)
 {
@@ -55,7 +55,7 @@ Vector<FT> reduced_diagonal(const Vector<FT>& m, const Reduced_rows& rows)
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief an ordering of the rows as an ordering of their coordinates, which stay together.
+/// \brief Expands an ordering of the rows to their coordinates, which stay adjacent.
 Ordering reduced_ordering(const Ordering& order, const Reduced_rows& rows);
 
 }  // namespace Conformal_geometry_processing

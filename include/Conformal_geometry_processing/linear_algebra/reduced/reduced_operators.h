@@ -9,10 +9,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief x -> B B^T A x for all columns of x at once: the matrix B^T A B as an operator on the
-/// quaternionic vectors of the reduced space, which it does not leave. Keeps references.
+/// \brief The operator x -> B B^T A x for all columns of x at once: the matrix B^T A B as an
+/// operator on quaternionic vectors, with values in the reduced space. Stores references.
 ///
-/// With `inverse_operator()` of a reduced solver an eigenvalue iteration can run on such vectors,
+/// With `inverse_operator()` of a reduced solver an eigensolver can iterate on such vectors,
 /// provided that it combines them with *real* coefficients: its inner products are those of
 /// `real_gram_matrix()`.
 template <class FT>
@@ -25,7 +25,7 @@ auto reduced_operator(const Hermitian_sparse_matrix<Quaternion<FT>>& A,
 }
 
 /// \ingroup PkgLinearAlgebra
-/// \brief Re A^H C: the inner products over the real numbers of the columns of A with those of C.
+/// \brief Returns Re A^H C: the real inner products of the columns of A with those of C.
 template <class FT>
 Block<FT> real_gram_matrix(const Block<Quaternion<FT>>& A, const Block<Quaternion<FT>>& C)
 {

@@ -12,12 +12,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief adds the update that a child leaves to the front of its parent: some columns belong to
-/// the panel of the parent, the others to its own update (see `Panel_layout`).
+/// \brief Extend-add operation: adds the update of a child to the front of its parent. Some columns
+/// belong to the panel of the parent, the others to its own update (see `Panel_layout`).
 ///
-/// Rows of the child become rows of the front by a list of places, so every number goes its own
-/// way. Only the rows of the front between two bounds are served, so that parts of a front can be
-/// added to at the same time: each number is the same sum whatever the parts.
+/// A list of positions maps rows of the child to rows of the front, so numbers are scattered
+/// individually. Only rows of the front between two bounds are processed, so that parts of a front
+/// can be updated concurrently: each number is the same sum for any partition.
 template <class Unit, class Real, int planes>
 class Extend_add {
   static constexpr Panel_layout layout = Simd_lanes<Unit, Real>::layout(planes);
@@ -57,20 +57,20 @@ class Extend_add {
   }
 
  private:
-  // Some rows of the child, whose places are looked up at once for all columns.
+  // Some rows of the child, whose positions are looked up once for all columns.
   struct Rows {
     static constexpr int most = 256;
     int first, count;
     int source[most], target[most];
   };
 
-  // Within a block column of tiles rows are this far from where row 0 would be.
+  // Offset of a row within a block column of tiles, relative to row 0.
   static CGP_ALWAYS_INLINE int tile_row(int row)
   {
     return layout.block(row) * (lanes * cell) + layout.lane(row);
   }
 
-  // Where row 0 of a column would be, had its tiles above the diagonal been stored.
+  // Virtual position of row 0 of a column, as if its tiles above the diagonal were stored.
   static CGP_ALWAYS_INLINE std::int64_t tile_column(int blocks, int column)
   {
     const int b = layout.block(column);
@@ -78,7 +78,7 @@ class Extend_add {
            layout.lane(column) * cell;
   }
 
-  // The first row of the child at that place of the front or after it.
+  // Returns the first row of the child at or after that position of the front.
   static int find(const Child& child, int place)
   {
     int first = 0, count = child.rows;
@@ -91,7 +91,7 @@ class Extend_add {
     return first;
   }
 
-  // The group of rows that begins at its first one.
+  // Looks up the group of rows that begins at `rows.first`.
   static CGP_ALWAYS_INLINE void look_up(Rows& rows, int last)
   {
     rows.count = internal::least(Rows::most, last - rows.first);

@@ -8,10 +8,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief a register for compilers that have no types of registers: an array, whose loops they may
-/// put into registers.
+/// \brief A register type for compilers without vector types: an array, whose loops the compiler
+/// may vectorize.
 ///
-/// \tparam Unit keeps the names of what is compiled for different units apart
+/// \tparam Unit makes the names of instances for different units distinct
 template <class Unit, class Real, int size>
 struct Lane_array {
   Real lanes[size];

@@ -10,11 +10,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the elimination of one front by one vector unit, for scalars of so many real components:
-/// what `Front_kernels` tells of the functions.
+/// \brief Elimination of one front by one vector unit, for scalars of `planes` real components;
+/// implements functions of `Front_kernels`.
 ///
-/// All of it is one microkernel: registers of several columns minus a panel times the conjugate of
-/// another.
+/// All functions use one microkernel: registers of several columns minus a panel times the
+/// conjugate of another.
 template <class Unit, class Real, int planes>
 class Panel_kernels {
   using Simd = Simd_lanes<Unit, Real>;
@@ -25,8 +25,8 @@ class Panel_kernels {
   static constexpr int lanes = Simd::size;
   static constexpr int cell = planes * lanes;  ///< numbers per row block and column
 
-  /// \brief replaces the panel A = (A11; A21) by L11 with A11 = L11 L11^H and L21 = A21 L11^-H.
-  /// \param row_blocks of the panel; with those of the triangle alone, `solve_below()` does the
+  /// \brief Replaces the panel A = (A11; A21) by L11 with A11 = L11 L11^H and L21 = A21 L11^-H.
+  /// \param row_blocks of the panel; if only those of the triangle, `solve_below()` computes the
   /// rest \returns the first column whose pivot is not positive, -1 if all are
   static int factor_panel(Real* panel, int columns, int row_blocks)
   {
@@ -47,7 +47,7 @@ class Panel_kernels {
     return -1;
   }
 
-  /// \brief the same for the row blocks begin <= block < end below a triangle that is factored.
+  /// \brief Computes L21 in the row blocks begin <= block < end below a factored triangle.
   static void solve_below(Real* panel, int columns, int begin, int end)
   {
     for (int j = 0; j < columns; j += group) {
@@ -58,7 +58,8 @@ class Panel_kernels {
     }
   }
 
-  /// \brief update = -L21 L21^H in the row blocks begin <= block < end of its lower triangle.
+  /// \brief Computes update = -L21 L21^H in the row blocks begin <= block < end of its lower
+  /// triangle.
   /// \param below the row blocks of the panel under its triangle
   static void set_outer_product(Real* update, const Real* below, int columns, int rows, int begin,
                                 int end)
@@ -84,7 +85,7 @@ class Panel_kernels {
     return (static_cast<std::int64_t>(block) * columns + column) * cell;
   }
 
-  // Subtracts what the columns before j contribute to the row block.
+  // Subtracts the contributions of the columns before j to the row block.
   static CGP_ALWAYS_INLINE void subtract_earlier(Register (&acc)[group][planes], const Real* panel,
                                                  int columns, int block, int j)
   {
@@ -92,7 +93,7 @@ class Panel_kernels {
                       panel + place(columns, j / lanes, 0) + j % lanes, j);
   }
 
-  // Columns j, j + 1, ... of the row blocks begin <= block < end.
+  // Solves columns j, j + 1, ... of the row blocks begin <= block < end.
   static CGP_ALWAYS_INLINE void solve_columns(Real* panel, int columns, int j,
                                               const Triangle& triangle, int begin, int end)
   {
@@ -125,7 +126,7 @@ class Panel_kernels {
     }
   }
 
-  /// the microkernel: acc_c -= sum over the first `count` columns p of A_p conjugate(B_p,c), where
+  /// The microkernel: acc_c -= sum over the first `count` columns p of A_p conjugate(B_p,c), where
   /// B points to the lane of the first of the `group` rows of B
   static CGP_ALWAYS_INLINE void subtract_products(Register (&acc)[group][planes], const Real* A,
                                                   const Real* B, int count)

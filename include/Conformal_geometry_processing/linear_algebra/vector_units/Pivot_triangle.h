@@ -10,7 +10,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the Cholesky factor of a diagonal block of at most `group` columns
+/// \brief Cholesky factor of a diagonal block of at most `group` columns
 template <class Unit, class Real, int planes>
 class Pivot_triangle {
   using Simd = Simd_lanes<Unit, Real>;
@@ -25,7 +25,7 @@ class Pivot_triangle {
       internal::least(lanes, internal::greatest(1, Unit::registers / 2 / planes));
   static_assert(lanes % group == 0);
 
-  /// takes the block from the lanes of the accumulators; returns the first bad pivot, -1 if none
+  /// Factors the block in the lanes of the accumulators; returns the first bad pivot, -1 if none
   int factor(const Register (&acc)[group][planes], int lane, int width)
   {
     for (int c = 0; c < width; ++c)
@@ -45,7 +45,7 @@ class Pivot_triangle {
     return -1;
   }
 
-  /// takes the block from where `write()` has put it
+  /// Reads a block that `write()` has stored
   void read(const Real* from, int lane, int width)
   {
     for (int c = 0; c < width; ++c) {
@@ -55,7 +55,7 @@ class Pivot_triangle {
     }
   }
 
-  /// acc <- acc L^-H, for the rows below
+  /// Computes acc <- acc L^-H, for the rows below
   CGP_ALWAYS_INLINE void solve(Register (&acc)[group][planes], int width) const
   {
     for (int c = 0; c < width; ++c) {
@@ -64,7 +64,7 @@ class Pivot_triangle {
     }
   }
 
-  /// writes the block into its row block: exact, with zeros above the diagonal
+  /// Stores the block in its row block: exact, with zeros above the diagonal
   void write(Real* to, int lane, int width) const
   {
     for (int c = 0; c < width; ++c)

@@ -8,11 +8,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief products of scalars that are arrays of their real components: 1 of a real number, 2 of a
-/// complex one, 4 of a quaternion. One dense kernel serves all three.
+/// \brief Products of scalars that are arrays of their real components: 1 of a real number, 2 of a
+/// complex one, 4 of a quaternion. The same dense kernels are used for all three.
 ///
 /// In all products `a` and `c` may be vectors of several scalars (one register per component) and b
-/// one scalar, or the other way round.
+/// one scalar, or vice versa.
 template <int planes>
 struct Plane_products;
 

@@ -10,10 +10,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the dense work on one row block of a supernodal factor and as many rows of right-hand
-/// sides, for scalars of so many real components.
+/// \brief Dense kernels for one row block of a supernodal factor and the same number of rows of
+/// right-hand sides, for scalars of `planes` real components.
 ///
-/// A row block of the right-hand sides is stored [number][lane], as the accumulators are, a row
+/// A row block of the right-hand sides is stored [number][lane], like the accumulators, a row
 /// [number]. \tparam numbers per row: components of all right-hand sides
 template <class Unit, class Real, int planes, int numbers>
 class Row_block_kernels {
@@ -29,7 +29,7 @@ class Row_block_kernels {
   static constexpr int wide = numbers * lanes;      ///< numbers in a row block
   static_assert(columns * planes == numbers);
 
-  /// how many row blocks at once keep their sums to half of the registers
+  /// Number of row blocks whose accumulators fit in half of the registers
   static constexpr int blocks_at_once = internal::greatest(1, Unit::registers / 2 / numbers);
 
   using Accumulators = Register[columns][planes];
@@ -74,14 +74,14 @@ class Row_block_kernels {
     for (int i = 0; i < numbers; ++i) y[i] = (y[i] - totals[i / lanes][i % lanes]) * inverse;
   }
 
-  /// puts a row into its lane
+  /// Inserts a row in its lane
   static CGP_ALWAYS_INLINE void set_lane(Accumulators& z, int lane, const Real* values)
   {
     CGP_UNROLL(8)
     for (int i = 0; i < numbers; ++i) Simd::set_lane(z[i / planes][i % planes], lane, values[i]);
   }
 
-  /// The factor is read once, so it comes from memory: each cell asks for one further on.
+  /// Prefetches further cells: the factor is read only once, so it is not in the cache.
   static CGP_ALWAYS_INLINE void prefetch(const Real* L)
   {
     CGP_UNROLL(4)

@@ -10,14 +10,14 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief so many numbers side by side as one register of the unit holds; arithmetic acts on each.
+/// \brief A register of the unit, with elementwise arithmetic.
 ///
 /// \tparam Unit one of the file unit_tags.h
 template <class Unit, class Real>
 struct Simd_lanes {
   static constexpr int size = Unit::bytes / static_cast<int>(sizeof(Real));
 
-  /// of panels with a row block for every register
+  /// Layout of panels with a row block for every register
   static CGP_ALWAYS_INLINE constexpr Panel_layout layout(int planes)
   {
     return {planes, log2(size)};
@@ -26,7 +26,7 @@ struct Simd_lanes {
 #ifdef CGP_HAS_VECTOR_EXTENSIONS
   typedef Real Register __attribute__((vector_size(Unit::bytes)));
 
-  // Memory is aligned to registers wherever these two are used.
+  // Memory must be aligned to registers for `load()` and `store()`.
   static CGP_ALWAYS_INLINE Register load(const Real* p)
   {
     return *reinterpret_cast<const Aliasing*>(p);
@@ -36,7 +36,7 @@ struct Simd_lanes {
     *reinterpret_cast<Aliasing*>(p) = v;
   }
 
-  /// sets one lane, without a way through memory
+  /// Sets one lane, without a store to memory
   static CGP_ALWAYS_INLINE void set_lane(Register& v, int lane, Real value)
   {
     Register indices;

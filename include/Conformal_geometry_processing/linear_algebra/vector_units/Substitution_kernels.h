@@ -11,8 +11,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the substitution of one front by one vector unit: what `Front_substitution` tells of the
-/// functions.
+/// \brief Substitution of one front by one vector unit; implements `Front_substitution`.
 ///
 /// \tparam numbers per row of the vector: components of all right-hand sides
 template <class Unit, class Real, int planes, int numbers>
@@ -68,9 +67,9 @@ class Substitution_kernels {
     for (int i = 0; i < numbers; ++i) to[i] += from[i];
   }
 
-  // Below the triangle two row blocks are done at a time if the registers hold them: each
+  // Below the triangle two row blocks are processed at a time if the registers suffice: each
   // right-hand side is loaded half as often, and latencies overlap. The order of operations is the
-  // same one by one.
+  // same as one by one.
   static CGP_ALWAYS_INLINE const Real* rows_below(const Front& front)
   {
     const std::int64_t triangle = (front.columns + lanes - 1) / lanes;
@@ -148,7 +147,7 @@ class Substitution_kernels {
     const int triangle = (k + lanes - 1) / lanes;
     alignas(64) Real block[most_blocks * wide];
     for (int own = triangle - 1; own >= 0; --own) {
-      Accumulators z = {};  // the row block of column j, as far as it is solved
+      Accumulators z = {};  // the solved part of the row block of column j
       for (int j = internal::least(k, (own + 1) * lanes) - 1; j >= own * lanes; --j) {
         Accumulators acc, later;
         Kernels::load(sums + j * wide, acc);

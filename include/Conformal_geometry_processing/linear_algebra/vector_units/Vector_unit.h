@@ -8,27 +8,27 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the name of the unit on this architecture, such as "SSE2".
+/// \brief Returns the name of the unit on this architecture, such as "SSE2".
 const char* to_string(Vector_unit unit);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief whether the library has kernels for the unit and the machine can run them.
+/// \brief Returns whether the library has kernels for the unit and the machine supports it.
 ///
-/// The compiled library has all of its architecture. Used header-only there is one: the widest for
-/// which the including file is compiled.
+/// The compiled library has kernels for all units of its architecture; header-only, there is one
+/// unit: the widest for which the including file is compiled.
 bool has_vector_unit(Vector_unit unit);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the unit that factors made from now on use: the widest there is, unless
-/// `set_vector_unit()` has asked for another one.
+/// \brief Returns the unit for factors created from now on: the widest one available, unless
+/// `set_vector_unit()` has selected another one.
 Vector_unit vector_unit();
 
 /// \ingroup PkgLinearAlgebra
-/// \brief lets every solver that is analyzed from now on, in the whole process, use the unit.
+/// \brief Selects the unit for every solver that is analyzed from now on, in the whole process.
 ///
-/// For tests, and for results that are the same to the bit on different machines: those of
-/// different units differ in roundings. Solvers keep the unit they have begun with. May be called
-/// from any thread. \returns false, and changes nothing, if `has_vector_unit()` is false
+/// For tests, and for bitwise reproducible results on different machines: results of different
+/// units differ by rounding. Existing solvers keep their unit. May be called from any thread.
+/// \returns false, and changes nothing, if `has_vector_unit()` is false
 bool set_vector_unit(Vector_unit unit);
 
 }  // namespace Conformal_geometry_processing

@@ -11,7 +11,7 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-// Whether the machine, and its operating system, can run the unit.
+// Returns whether the machine and its operating system support the unit.
 CGP_INLINE bool machine_has(Vector_unit unit)
 {
 #ifdef CGP_HAS_X86_UNITS

@@ -9,8 +9,8 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-// The kernels that the compiled library has for other units than that of every machine. No
-// templates: nobody but the file that is compiled for a unit may instantiate them.
+// The kernels of the compiled library for units other than the baseline. Not templates, because
+// only the file that is compiled for a unit may instantiate them.
 Front_kernels<double> compiled_kernels(Avx2_unit, double, int planes);
 Front_kernels<float> compiled_kernels(Avx2_unit, float, int planes);
 Front_kernels<double> compiled_kernels(Avx512_unit, double, int planes);

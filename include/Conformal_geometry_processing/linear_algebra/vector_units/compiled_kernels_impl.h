@@ -3,9 +3,9 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_COMPILED_KERNELS_IMPL_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_COMPILED_KERNELS_IMPL_H
 
-// The kernels of one vector unit. A file of the library that is compiled for the unit defines
-// CGP_VECTOR_UNIT, the name of its tag, and includes nothing but this: no Eigen, and of the
-// standard library nothing that has functions. A linker could take them for those of other files.
+// The kernels of one vector unit. A source file of the library that is compiled for the unit
+// defines CGP_VECTOR_UNIT, the name of its tag, and includes only this file: no Eigen, and no
+// standard headers that define functions, which a linker could merge with those of other files.
 
 #ifdef CGP_VECTOR_UNIT
 

@@ -3,12 +3,12 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_COMPILER_HINTS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_COMPILER_HINTS_H
 
-// What the dense kernels ask of a compiler, where it has it. This file, and all that a kernel
-// includes, define no function that could be called from a file compiled for another vector unit:
-// of two such functions with one name a linker keeps any.
+// Compiler-specific hints for the dense kernels. This file, and all that a kernel includes, must
+// not define functions that could be called from a file compiled for another vector unit: the
+// linker keeps an arbitrary one of several functions with the same name.
 
 #if defined(__GNUC__) && !defined(CONFORMAL_GEOMETRY_PROCESSING_NO_VECTOR_EXTENSIONS)
-#define CGP_HAS_VECTOR_EXTENSIONS  // types of registers
+#define CGP_HAS_VECTOR_EXTENSIONS  // vector types
 #endif
 
 #define CGP_PRAGMA(text) _Pragma(#text)

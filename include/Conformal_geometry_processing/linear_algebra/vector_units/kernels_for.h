@@ -9,7 +9,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the kernels for scalars of 1, 2 or 4 real components.
+/// \brief Returns the kernels for scalars of 1, 2 or 4 real components.
 ///
 /// \tparam Real the numbers stored, `double` or `float`
 /// \pre `has_vector_unit(unit)`

@@ -12,7 +12,7 @@ namespace internal {
 template <int... lane>
 struct Lane_list {};
 
-/// \cond a recursion that Doxygen takes for an error
+/// \cond a recursion that Doxygen reports as an error
 // 0, 1, ..., count - 1
 template <int count, int... lane>
 struct Lanes_up_to : Lanes_up_to<count - 1, count - 1, lane...> {};
@@ -22,7 +22,7 @@ struct Lanes_up_to<0, lane...> {
 };
 /// \endcond
 
-// The lanes first, first + 2, ... of a and then of b, by one instruction where compilers have it.
+// Lanes first, first + 2, ... of a and then of b, by one instruction if the compiler supports it.
 template <int first, class Register, int... lane>
 CGP_ALWAYS_INLINE Register every_other(const Register& a, const Register& b, Lane_list<lane...>)
 {
@@ -37,8 +37,8 @@ CGP_ALWAYS_INLINE Register every_other(const Register& a, const Register& b, Lan
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief sets lane i of a, counted through all registers, to the sum of the lanes of a[i]: the
-/// lanes are added in pairs, the pairs in pairs, and so on.
+/// \brief Sets lane i of a, counted through all registers, to the sum of the lanes of a[i], by
+/// pairwise summation.
 ///
 /// \tparam count a power of two
 template <class Unit, class Real, int count>

@@ -9,7 +9,7 @@
 #include <math.h>
 #endif
 
-// What the kernels need of <algorithm> and <cmath>, whose functions are not always inline.
+// Replacements for functions of <algorithm> and <cmath>, which are not always inlined.
 
 namespace Conformal_geometry_processing {
 namespace internal {

@@ -32,9 +32,10 @@ Front_kernels<Real> unit_kernels_of()
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the kernels of a vector unit for scalars of 1, 2 or 4 real components, compiled here.
+/// \brief Returns the kernels of a vector unit for scalars of 1, 2 or 4 real components, compiled
+/// in the including file.
 ///
-/// Only for a unit that the including file is compiled for; `kernels_for()` has those of others.
+/// Only for a unit that the including file is compiled for; for others see `kernels_for()`.
 template <class Unit, class Real>
 Front_kernels<Real> unit_kernels(int planes)
 {

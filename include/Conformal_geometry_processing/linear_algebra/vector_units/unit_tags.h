@@ -6,25 +6,25 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief the kinds of registers that the dense kernels of the factorizations are compiled for,
+/// \brief The vector units for which the dense kernels of the factorizations are compiled,
 /// narrowest first.
 enum class Vector_unit {
-  baseline,  ///< 16 bytes, which every machine of the target has: SSE2, NEON
+  baseline,  ///< 16 bytes, available on every machine of the target: SSE2, NEON
   avx2,      ///< 32 bytes: AVX2 and FMA
   avx512     ///< 64 bytes: AVX-512 F, VL, DQ and BW
 };
 
 /// \ingroup PkgLinearAlgebra
 /// \name Vector units
-/// Types that stand for the vector units. All code that depends on the width of a register has one
-/// as its template parameter, so that what is compiled for different units has different names.
+/// Tag types of the vector units. All code that depends on the width of a register has one as a
+/// template parameter, so that instances for different units have different names.
 /// @{
 
 /// 16 bytes
 struct Baseline_unit {
   static constexpr Vector_unit unit = Vector_unit::baseline;
   static constexpr int bytes = 16;      ///< in a register
-  static constexpr int registers = 16;  ///< that a kernel may fill
+  static constexpr int registers = 16;  ///< available to a kernel
 };
 
 /// 32 bytes
@@ -41,8 +41,8 @@ struct Avx512_unit {
   static constexpr int registers = 32;
 };
 
-/// the widest for which this file is compiled: a wider kernel would be spilled to memory, several
-/// times slower than a narrow one
+/// The widest unit for which this file is compiled: a wider kernel would spill to memory and be
+/// several times slower than a narrow one
 #if defined(__AVX512F__)
 using Target_unit = Avx512_unit;
 #elif defined(__AVX2__)
@@ -51,7 +51,7 @@ using Target_unit = Avx2_unit;
 using Target_unit = Baseline_unit;
 #endif
 
-/// what the library has where it does not have several
+/// The unit of the library if it does not contain several
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 using Library_unit = Target_unit;
 #else
