@@ -10,9 +10,10 @@
 ///
 /// Meshes have the area 4 pi. The first 15 % of the longest extent are fixed; the last 15 % are
 /// bent towards the second longest, like the end of a rod of constant curvature, or twisted.
-/// or twisted.
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/nearest_spin_transform.h>
+
+#include <Eigen/Geometry>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

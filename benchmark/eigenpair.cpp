@@ -1,6 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
+
+#include <cmath>
+#include <utility>
 
 #include "stage.h"
 
@@ -9,15 +13,21 @@ static void eigenpair(benchmark::State& state)
 {
   using namespace cgp_benchmark;
   const Mesh_view mesh = mesh_of(state);
-  CGP::Dirac_eigenproblem<> problem(mesh);
-  CGP::Dirac_solution::Seconds seconds;
-  problem.set_potential(potential_of(mesh), seconds);
+  CGP::Dirac_system<> system(mesh);
+  CGP::Dirac_evidence::Seconds seconds;
+  system.set_potential(potential_of(mesh), seconds);
   const auto one =
       CGP::Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0}).eval();
+  CGP::Eigensolver_options options;
+  options.tolerance = CGP::Dirac_options().tolerance;
+  options.max_iterations = 200;
+  options.scale = std::sqrt(system.unit());
   CGP::Eigensolver_result result;
   run_stage(state, mesh, [&] {
-    result = problem.smallest(problem.start(one, 0), 1, CGP::Dirac_options().tolerance, 200,
-                              CGP::Always_go_further());
+    CGP::Block<CGP::Quaternion<double>> start(one.size(), 2);
+    start << one, system.noise(1, 0);
+    result = CGP::Lobpcg_eigensolver_traits()(system.matrix(), system.areas(), system.solver(),
+                                              std::move(start), options, CGP::Always_go_further());
   });
   if (!result.converged) state.SkipWithError("no convergence");
   state.counters["eigen_iterations"] = result.iterations;

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 
 #include <optional>
@@ -12,10 +12,10 @@ static void poisson_factor(benchmark::State& state)
 {
   using namespace cgp_benchmark;
   const Mesh_view mesh = mesh_of(state);
-  const CGP::Dirac_eigenproblem<> problem(mesh);
+  const CGP::Dirac_system<> system(mesh);
   std::optional<CGP::Poisson_reconstruction<>> reconstruction;
   run_stage(state, mesh, [&] {
-    reconstruction.emplace(mesh, problem.matrix().shared_pattern(), problem.solver());
+    reconstruction.emplace(mesh, system.matrix().shared_pattern(), system.solver());
   });
   count_factor_entries(state, reconstruction->statistics());
 }

@@ -7,6 +7,9 @@
 /// \brief where a flow of curvature leads: the rate at which the curvature of a surface should
 /// change. Constraints, filter and step size are the business of the flow.
 ///
+/// The parameter may be a `Surface_ref` instead, to which a mesh converts: then flows with
+/// mollification take the direction on their triangulation, in its unit of length.
+///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Willmore_direction`}
 /// \cgalHasModelsEnd

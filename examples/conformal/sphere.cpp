@@ -64,7 +64,7 @@ void tell(const CGP::Spin_result& result, const CGP::Mesh_view& mesh, Session& s
   };
   tell_number("eigenvalue", "eigenvalue", result.report.eigenvalue);
   tell_number("willmore_energy", "Willmore energy, in 4 pi",
-              CGP::willmore_energy({result.positions, mesh.corners()}) / (4 * pi));
+              CGP::willmore_energy(CGP::Mesh_view(result.positions, mesh.corners())) / (4 * pi));
   tell_number("closure_residual", "closure, relative", result.report.closure_residual);
   const auto& Q = result.report.conformality.quasi_conformal;
   tell_number("quasi_conformal/mean", "quasi-conformal error, mean", Q.mean);

@@ -4,6 +4,7 @@
 #include <Conformal_geometry_processing/flow/Flow_balance.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>
 
@@ -17,10 +18,6 @@ namespace {
 using namespace cgp_test;
 using CGP::Balance;
 using CGP::Balancing;
-
-const auto no_laplacian = []() -> const CGP::Grounded_solver<>& {
-  throw std::logic_error("the Laplacian is not needed");
-};
 
 CGP::Flow_options options_for(Balance balance, Balancing balancing = Balancing::inversion)
 {
@@ -40,14 +37,10 @@ double greatest_log_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& 
   return (a.array() / a.sum() / (b.array() / b.sum())).log().abs().maxCoeff();
 }
 
-/// Balance with its own Laplacian
 CGP::Flow_balance balance_of(const Mesh_view& mesh, const CGP::Flow_options& options)
 {
-  const auto pattern = CGP::vertex_graph(mesh);
-  CGP::Grounded_solver<> laplacian(pattern);
-  laplacian.factorize(CGP::cotan_laplacian(mesh, pattern));
-  const auto factored = [&]() -> const CGP::Grounded_solver<>& { return laplacian; };
-  return {mesh, options, factored, "f"};
+  CGP::Spin_transformation<> transformation(mesh);
+  return {mesh, options, transformation, "f"};
 }
 
 std::string refusal(const Mesh_view& mesh, const CGP::Flow_options& options)
@@ -65,7 +58,7 @@ std::string refusal(const Mesh_view& mesh, const CGP::Flow_options& options)
 TEST(Flow_balance, does_nothing_unless_it_is_asked_for)
 {
   const Mesh_view mesh = icosphere(1);
-  const CGP::Flow_balance balance(mesh, {}, no_laplacian, "f");
+  const CGP::Flow_balance balance = balance_of(mesh, {});
   EXPECT_FALSE(balance.is_by_inversion());
   EXPECT_EQ(balance.potential(mesh), Eigen::VectorXd::Zero(42));
 }
@@ -73,7 +66,7 @@ TEST(Flow_balance, does_nothing_unless_it_is_asked_for)
 TEST(Flow_balance, undoes_an_inversion_of_the_surface_it_started_from)
 {
   const Mesh_view mesh = torus(2, 1, 32, 24), moved = inverted_torus();
-  const CGP::Flow_balance balance(mesh, options_for(Balance::initial), no_laplacian, "f");
+  const CGP::Flow_balance balance = balance_of(mesh, options_for(Balance::initial));
   ASSERT_TRUE(balance.is_by_inversion());
   EXPECT_EQ(balance.potential(moved), Eigen::VectorXd::Zero(mesh.size_of_vertices()));
   const Mesh_view back(balance.inverted(moved), mesh.corners());
@@ -87,7 +80,7 @@ TEST(Flow_balance, leads_to_prescribed_areas_the_same)
   const Mesh_view mesh = torus(2, 1, 32, 24), moved = inverted_torus();
   CGP::Flow_options options = options_for(Balance::prescribed);
   options.target_areas = 7 * CGP::vertex_areas(mesh);  // only their ratios count
-  const CGP::Flow_balance balance(moved, options, no_laplacian, "f");
+  const CGP::Flow_balance balance = balance_of(moved, options);
   const Mesh_view back(balance.inverted(moved), mesh.corners());
   EXPECT_LT(greatest_log_difference(CGP::vertex_areas(back), CGP::vertex_areas(mesh)), 0.01);
 }
@@ -104,8 +97,8 @@ TEST(Flow_balance, finds_the_torus_of_revolution_by_its_canonical_metric)
 TEST(Flow_balance, is_a_change_of_curvature_along_one_direction_or_nothing)
 {
   const Mesh_view mesh = torus(2, 1, 32, 24), moved = inverted_torus();
-  const CGP::Flow_balance balance(mesh, options_for(Balance::initial, Balancing::potential),
-                                  no_laplacian, "f");
+  const CGP::Flow_balance balance =
+      balance_of(mesh, options_for(Balance::initial, Balancing::potential));
   EXPECT_FALSE(balance.is_by_inversion());
   EXPECT_LT(balance.potential(mesh).norm(), 1e-12);
   const Points N = CGP::vertex_normals(moved, CGP::Normal_weight::angle);

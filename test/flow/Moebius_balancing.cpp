@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/measure/length_cross_ratio.h>
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 

@@ -66,6 +66,7 @@ TEST(Willmore_direction, has_an_energy_and_others_need_not)
   EXPECT_TRUE(CGP::internal::Has_energy<CGP::Willmore_direction>::value);
   EXPECT_FALSE(CGP::internal::Has_energy<Only_a_direction>::value);
   const Mesh_view mesh = bumpy_sphere(2);
-  EXPECT_EQ(CGP::internal::energy_of(Only_a_direction(), mesh), CGP::willmore_energy(mesh));
-  EXPECT_EQ(CGP::internal::energy_of(CGP::Willmore_direction(), mesh), CGP::willmore_energy(mesh));
+  EXPECT_EQ(CGP::internal::energy_of(Only_a_direction(), mesh, mesh), CGP::willmore_energy(mesh));
+  EXPECT_EQ(CGP::internal::energy_of(CGP::Willmore_direction(), mesh, mesh),
+            CGP::willmore_energy(mesh));
 }

@@ -3,12 +3,12 @@
 #ifndef TEST_FORMS_EXACTNESS_TOOLS_H
 #define TEST_FORMS_EXACTNESS_TOOLS_H
 
-#include <Conformal_geometry_processing/forms/Dirac_energy_solver.h>
-#include <Conformal_geometry_processing/forms/Exactness_constraints.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
+#include <Conformal_geometry_processing/forms/exactness_functions.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/weighted_orthonormalization.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
-#include <Conformal_geometry_processing/spin/Dirac_equation.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <cmath>
@@ -27,14 +27,16 @@ using On = CGP::Curvature_potential::On;
 struct Exactness_case {
   Mesh_view mesh;
   CGP::Hodge_decomposition<> hodge{mesh};
-  CGP::Dirac_energy_solver<> inverse{mesh};
+  CGP::Dirac_system<> system{mesh};
 
-  explicit Exactness_case(Mesh_view mesh_) : mesh(std::move(mesh_)) {}
+  explicit Exactness_case(Mesh_view mesh_) : mesh(std::move(mesh_)) { system.prepare_response(); }
   Exactness_case(const Exactness_case&) = delete;
 
   Eigen::MatrixXd constraints(On on, CGP::Exactness version = CGP::Exactness::adjoint) const
   {
-    return CGP::exactness_constraints(mesh, hodge.harmonic_basis(), inverse, on, version);
+    return CGP::exactness_functions(
+        mesh, hodge.harmonic_basis(), [this](const auto& c) { return system.response(c); }, on,
+        CGP::Coefficients::quaternions, version);
   }
 
   Eigen::VectorXd areas(On on) const
@@ -68,7 +70,8 @@ struct Exactness_case {
   {
     CGP::Dirac_options options;
     options.tolerance = 1e-11;
-    const auto solution = CGP::Dirac_equation<>(mesh).solve({on, rho}, options);
+    CGP::Dirac_system<> own(mesh);
+    const auto solution = CGP::solve_dirac_equation(own, {on, rho}, options);
     return CGP::transformed_edges(mesh, solution.lambda);
   }
 

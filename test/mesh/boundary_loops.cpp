@@ -89,9 +89,3 @@ TEST(Boundary_vertices, of_a_closed_surface_are_none)
 {
   for (char is_boundary : CGP::boundary_vertices(tetrahedron())) EXPECT_FALSE(is_boundary);
 }
-
-TEST(Boundary_vertices, are_found_also_where_faces_are_oriented_against_each_other)
-{
-  const Mesh_view mesh(Points::Zero(3, 4), {{0, 1, 2}, {0, 1, 3}});
-  for (char is_boundary : CGP::boundary_vertices(mesh)) EXPECT_TRUE(is_boundary);
-}

@@ -5,6 +5,7 @@
 #include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/mesh/mollified_lengths.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,7 @@
 namespace {
 
 using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
 using Conformal_geometry_processing::Common_subdivision;
 using Conformal_geometry_processing::Delaunay_view;
 using Conformal_geometry_processing::edge_lengths;
@@ -31,17 +33,17 @@ Mesh_view stretched_sphere()
                 [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), 5 * p.y(), p.z()); });
 }
 
-Eigen::Vector3d normal(const Delaunay_view::Sheet& sheet)
+Eigen::Vector3d normal(const CGP::Sheet& sheet)
 {
-  return sheet.edges.col(0).cross(sheet.edges.col(1)).normalized();
+  const Eigen::Vector3d e = sheet.vectors.col(0);
+  return e.cross(sheet.vectors.col(1)).normalized();
 }
 
 /// the area of each face that the sheets of all triangles have together
 Eigen::VectorXd areas_by_sheets(const Delaunay_view& view, int faces)
 {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(faces);
-  for (const auto& sheet : view.sheets())
-    areas[sheet.face] += sheet.share * view.area(sheet.triangle);
+  for (const auto& sheet : view.sheets()) areas[sheet.face] += sheet.share * sheet.area;
   return areas;
 }
 
@@ -55,12 +57,14 @@ TEST(Delaunay_view, of_a_Delaunay_mesh_has_its_faces_for_sheets)
   ASSERT_EQ(view.sheets().size(), at(mesh.size_of_faces()));
   for (int f = 0; f < mesh.size_of_faces(); ++f) {
     const auto& sheet = view.sheets()[at(f)];
-    EXPECT_EQ(view.corners(f), mesh.corners(f));
+    EXPECT_EQ(sheet.corners, mesh.corners(f));
+    for (int c = 0; c < 3; ++c)
+      EXPECT_EQ(view.ends(sheet.edges[at(c)]), mesh.ends(mesh.edge(3 * f + c)));
     EXPECT_EQ(sheet.face, f);
     EXPECT_EQ(sheet.triangle, f);
     EXPECT_EQ(sheet.share, 1);
     for (int c = 0; c < 3; ++c)
-      EXPECT_LT((sheet.edges.col(c) - mesh.vector(3 * f + c)).norm(), 1e-14);
+      EXPECT_LT((sheet.vectors.col(c) - mesh.vector(3 * f + c)).norm(), 1e-14);
   }
 }
 
@@ -72,10 +76,10 @@ TEST(Delaunay_view, lays_each_triangle_out_in_the_planes_of_the_faces_that_it_pa
   EXPECT_GT(view.sheets().size(), at(view.size_of_triangles() + 50));
   for (const auto& sheet : view.sheets()) {
     EXPECT_GT(sheet.share, 0);
-    EXPECT_LT(sheet.edges.rowwise().sum().norm(), 1e-13);
+    EXPECT_LT(sheet.vectors.rowwise().sum().norm(), 1e-13);
     EXPECT_LT((normal(sheet) - mesh.double_area_vector(sheet.face).normalized()).norm(), 1e-11);
-    const double twice = sheet.edges.col(0).cross(sheet.edges.col(1)).norm();
-    EXPECT_NEAR(twice / 2, view.area(sheet.triangle), 1e-13);
+    const double twice = sheet.vectors.col(0).cross(sheet.vectors.col(1)).norm();
+    EXPECT_NEAR(twice / 2, sheet.area, 1e-13);
   }
 }
 
@@ -104,8 +108,8 @@ TEST(Delaunay_view, has_opposite_edges_that_close_up_around_each_vertex_in_the_m
   double largest = 0;  // of one triangle alone
   for (const auto& sheet : view.sheets())
     for (int c = 0; c < 3; ++c) {
-      sum.col(view.corners(sheet.triangle)[at(c)]) += sheet.share * sheet.edges.col(c);
-      largest = std::max(largest, sheet.share * sheet.edges.col(c).norm());
+      sum.col(sheet.corners[at(c)]) += sheet.share * sheet.vectors.col(c);
+      largest = std::max(largest, sheet.share * sheet.vectors.col(c).norm());
     }
   EXPECT_GT(largest, .1);
   EXPECT_LT(sum.cwiseAbs().maxCoeff(), 1e-11);
@@ -153,10 +157,10 @@ TEST(Delaunay_view, of_points_that_coincide_has_numbers_all_the_same)
   mesh.set_positions(p);
   const Delaunay_view view(mesh);
   for (const auto& sheet : view.sheets()) {
-    EXPECT_TRUE(sheet.edges.allFinite());
+    EXPECT_TRUE(sheet.vectors.allFinite());
     EXPECT_TRUE(std::isfinite(sheet.share));
-    EXPECT_GT(view.area(sheet.triangle), 0);
-    for (int c = 0; c < 3; ++c) EXPECT_TRUE(std::isfinite(view.cotangent(sheet.triangle, c)));
+    EXPECT_GT(sheet.area, 0);
+    for (int c = 0; c < 3; ++c) EXPECT_TRUE(std::isfinite(CGP::cotangent(sheet, c)));
   }
 }
 
@@ -167,9 +171,9 @@ TEST(Delaunay_view, moves_along_with_the_mesh)
   const Eigen::Matrix3d R = Random(2).rotation();
   const Delaunay_view after(Mesh_view(3 * R * mesh.positions(), mesh.corners()));
   ASSERT_EQ(after.sheets().size(), before.sheets().size());
-  for (int t = 0; t < before.size_of_triangles(); ++t) {
-    ASSERT_EQ(after.corners(t), before.corners(t));
-    EXPECT_NEAR(after.area(t), 9 * before.area(t), 1e-8);
+  for (std::size_t s = 0; s < before.sheets().size(); ++s) {
+    ASSERT_EQ(after.sheets()[s].corners, before.sheets()[s].corners);
+    EXPECT_NEAR(after.sheets()[s].area, 9 * before.sheets()[s].area, 1e-8);
   }
   // the mean normal of each triangle; those of its sheets alone are any that cancel out
   Points normals = Points::Zero(3, before.size_of_triangles()), turned = normals;
@@ -210,18 +214,21 @@ TEST(Delaunay_view, splits_caps_along_the_boundary_at_their_height)
   p << 0, 1, .25, 0, 0, 1e-3, 0, 0, 0;
   const Delaunay_view view(Mesh_view(p, {{0, 1, 2}}));
   ASSERT_EQ(view.size_of_triangles(), 2);
-  EXPECT_NEAR(view.area(0), .25 * 1e-3 / 2, 1e-13);
-  EXPECT_NEAR(view.area(1), .75 * 1e-3 / 2, 1e-13);
-  EXPECT_EQ(view.corners(0), (std::array<int, 3>{0, 2, 2}));
-  EXPECT_EQ(view.corners(1), (std::array<int, 3>{2, 1, 2}));
+  const CGP::Sheet left = view.sheet(0), right = view.sheet(1);
+  EXPECT_NEAR(left.area, .25 * 1e-3 / 2, 1e-13);
+  EXPECT_NEAR(right.area, .75 * 1e-3 / 2, 1e-13);
+  EXPECT_EQ(left.corners, (std::array<int, 3>{0, 2, 2}));
+  EXPECT_EQ(right.corners, (std::array<int, 3>{2, 1, 2}));
+  EXPECT_EQ(left.edges[0], -1);
+  EXPECT_EQ(right.edges[1], -1);
   ASSERT_EQ(view.size_of_edges(), 2);  // the long one has no weight, and is gone
   for (int k = 0; k < 2; ++k) {
     EXPECT_EQ(view.ends(k)[1], 2);
     const double length = view.ends(k)[0] == 0 ? .25 : .75;
-    EXPECT_NEAR(view.cotan_weights()[k], 1e-3 / length / 2, 1e-10);
+    EXPECT_NEAR(CGP::cotan_weights(view)[k], 1e-3 / length / 2, 1e-10);
   }
   for (const auto& sheet : view.sheets()) {
     EXPECT_NEAR(normal(sheet).z(), 1, 1e-12);
-    EXPECT_LT(sheet.edges.rowwise().sum().norm(), 1e-15);
+    EXPECT_LT(sheet.vectors.rowwise().sum().norm(), 1e-15);
   }
 }

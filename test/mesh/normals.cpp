@@ -41,26 +41,26 @@ TEST(Face_normals, do_not_under_or_overflow)
 TEST(Corner_angle, of_the_half_square_is_90_45_45_degrees)
 {
   const Mesh_view mesh = unit_square();  // corner 1 of face 0 is the right angle
-  EXPECT_NEAR(CGP::corner_angle(mesh, 0, 0), pi / 4, 1e-15);
-  EXPECT_NEAR(CGP::corner_angle(mesh, 0, 1), pi / 2, 1e-15);
-  EXPECT_NEAR(CGP::corner_angle(mesh, 0, 2), pi / 4, 1e-15);
+  EXPECT_NEAR(CGP::corner_angle(mesh.sheet(0), 0), pi / 4, 1e-15);
+  EXPECT_NEAR(CGP::corner_angle(mesh.sheet(0), 1), pi / 2, 1e-15);
+  EXPECT_NEAR(CGP::corner_angle(mesh.sheet(0), 2), pi / 4, 1e-15);
 }
 
 TEST(Corner_angle, is_accurate_where_the_face_is_a_sliver)
 {
   const double thin = 1e-9;  // tan of both small angles
   const Mesh_view mesh(points({{0, 0, 0}, {2, 0, 0}, {1, thin, 0}}), {{0, 1, 2}});
-  EXPECT_NEAR(CGP::corner_angle(mesh, 0, 0) / thin, 1, 1e-14);
-  EXPECT_NEAR(CGP::corner_angle(mesh, 0, 1) / thin, 1, 1e-14);
-  EXPECT_NEAR(CGP::corner_angle(mesh, 0, 2), pi - 2 * thin, 1e-14);
+  EXPECT_NEAR(CGP::corner_angle(mesh.sheet(0), 0) / thin, 1, 1e-14);
+  EXPECT_NEAR(CGP::corner_angle(mesh.sheet(0), 1) / thin, 1, 1e-14);
+  EXPECT_NEAR(CGP::corner_angle(mesh.sheet(0), 2), pi - 2 * thin, 1e-14);
 }
 
 TEST(Corner_angle, adds_up_to_pi_in_every_face)
 {
   const Mesh_view mesh = perturbed(icosphere(1), .2);
   for (int f = 0; f < mesh.size_of_faces(); ++f)
-    EXPECT_NEAR(CGP::corner_angle(mesh, f, 0) + CGP::corner_angle(mesh, f, 1) +
-                    CGP::corner_angle(mesh, f, 2),
+    EXPECT_NEAR(CGP::corner_angle(mesh.sheet(f), 0) + CGP::corner_angle(mesh.sheet(f), 1) +
+                    CGP::corner_angle(mesh.sheet(f), 2),
                 pi, 1e-14);
 }
 

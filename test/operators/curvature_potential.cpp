@@ -15,15 +15,15 @@ using CGP::Curvature_potential;
 TEST(Curvature_potential, on_faces_is_the_same_at_the_three_corners)
 {
   const auto rho = Curvature_potential::on_faces(Eigen::Vector2d(5, 7));
-  EXPECT_EQ(rho.at_corners(unit_square(), 0), Eigen::Vector3d(5, 5, 5));
-  EXPECT_EQ(rho.at_corners(unit_square(), 1), Eigen::Vector3d(7, 7, 7));
+  EXPECT_EQ(rho.at_corners(unit_square().sheet(0)), Eigen::Vector3d(5, 5, 5));
+  EXPECT_EQ(rho.at_corners(unit_square().sheet(1)), Eigen::Vector3d(7, 7, 7));
 }
 
 TEST(Curvature_potential, on_vertices_follows_the_corners)
 {
   const auto rho = Curvature_potential::on_vertices(Eigen::Vector4d(2, 3, 5, 7));
-  EXPECT_EQ(rho.at_corners(unit_square(), 0), Eigen::Vector3d(2, 3, 5));
-  EXPECT_EQ(rho.at_corners(unit_square(), 1), Eigen::Vector3d(2, 5, 7));
+  EXPECT_EQ(rho.at_corners(unit_square().sheet(0)), Eigen::Vector3d(2, 3, 5));
+  EXPECT_EQ(rho.at_corners(unit_square().sheet(1)), Eigen::Vector3d(2, 5, 7));
 }
 
 TEST(Potential_matrix, on_faces_averages_and_then_multiplies)

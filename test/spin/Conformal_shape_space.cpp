@@ -1,8 +1,9 @@
 // Tests include/Conformal_geometry_processing/spin/Conformal_shape_space.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Conformal_shape_space.h>
-#include <Conformal_geometry_processing/spin/Dirac_equation.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
 #include <gtest/gtest.h>
 
@@ -57,9 +58,11 @@ TEST(Conformal_shape_space, tells_the_first_and_second_order_of_the_eigenvalue)
     const Mesh_view mesh = bumpy_sphere(level);
     const CGP::Conformal_shape_space<> space(mesh);
     const Eigen::VectorXd rho = rho_of_section_3_on_vertices(mesh);
-    CGP::Dirac_equation<> equation(mesh);
+    CGP::Dirac_system<> system(mesh);
     const auto gamma = [&](double s) {
-      return equation.solve(CGP::Curvature_potential::on_vertices(s * rho), options).eigenvalue;
+      return CGP::solve_dirac_equation(system, CGP::Curvature_potential::on_vertices(s * rho),
+                                       options)
+          .eigenvalue;
     };
     const double plus = gamma(t), minus = gamma(-t), second = space.second_order(rho);
     EXPECT_NEAR((plus - minus) / (2 * t), space.first_order(rho), 1e-4);

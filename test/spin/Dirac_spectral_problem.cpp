@@ -1,15 +1,16 @@
-// Tests spin/Dirac_spectral_problem.h, spin/Dirac_pencil.h
+// Tests include/Conformal_geometry_processing/spin/Dirac_spectral_problem.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/algebra/random_quaternions.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
-#include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
+#include "spin/branch_tools.h"
 #include "support/bounded_meshes.h"
 #include "support/spheres.h"
 
@@ -100,12 +101,11 @@ TEST(Standard_problem, mixes_the_signs_that_the_spectrum_tells_apart)
 {
   // X has the eigenvalue n^2 with the multiplicities of n and -n together: 2 n.
   const Mesh_view sphere = geodesic_sphere(20);
-  CGP::Dirac_eigenproblem<> problem(sphere);
-  CGP::Dirac_solution::Seconds seconds;
-  problem.set_potential(CGP::no_potential(sphere), seconds);
+  CGP::Dirac_system<> system(sphere);
+  CGP::Dirac_evidence::Seconds seconds;
+  system.set_potential(CGP::no_potential(sphere), seconds);
   const CGP::Eigensolver_result r =
-      problem.smallest(CGP::random_quaternions(sphere.size_of_vertices(), 9, 1), 7, 1e-6, 100,
-                       CGP::Always_go_further());
+      smallest(system, CGP::random_quaternions(sphere.size_of_vertices(), 9, 1), 7, 1e-6, 100);
   ASSERT_TRUE(r.converged);
   std::vector<double> found;
   for (int k = 0; k < 7; ++k) found.push_back(std::sqrt(std::max(r.values[k], 0.)));
@@ -213,22 +213,6 @@ TEST(Dirac_spectrum_of_the_disk, next_to_a_shift_is_that_of_the_specification)
 {
   const CGP::Dirac_spectrum s = spectrum(disk(16), 3, 2.1, CGP::Boundary_condition::binormals());
   expect_eigenvalues(s, 0.2, {{1.84008, 2}, {2.41176, 1}}, 1e-5);
-}
-
-TEST(Dirac_pencil, scales_spins_with_prescribed_directions_to_a_mean_square_of_one)
-{
-  const Mesh_view mesh = scaled(disk(4), 2);
-  const CGP::Dirac_pencil<CGP::Default_solver_traits> pencil(
-      mesh, CGP::Boundary_condition::binormals(), "f");
-  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
-  const CGP::Quaternion_vector<double> v = CGP::random_quaternions(areas.size(), 1, 5).col(0),
-                                       u = pencil.normalized(v);
-  double square = 0;
-  for (Eigen::Index i = 0; i < areas.size(); ++i) {
-    square += areas[i] / areas.sum() * squared_norm(u[i]);
-    EXPECT_LT(norm(norm(v[0]) * u[i] - norm(u[0]) * v[i]), 1e-13);
-  }
-  EXPECT_NEAR(square, 1, 1e-12);
 }
 
 TEST(Dirac_spectrum, stops_when_told)

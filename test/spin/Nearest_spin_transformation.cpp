@@ -118,7 +118,7 @@ TEST(Nearest_spin_transformation, scales_lengths_where_it_is_told_to)
   EXPECT_LT(near.potential().values.cwiseAbs().maxCoeff(), 1e-12);
   Eigen::VectorXd factor(mesh.size_of_vertices());
   for (int v = 0; v < factor.size(); ++v) factor[v] = std::exp(0.3 * mesh.position(v).z());
-  near.scale_lengths(mesh, factor);
+  near.scale_lengths(factor);
   for (int v = 0; v < factor.size(); ++v)
     EXPECT_NEAR(squared_norm(near.target_spins()[v]), factor[v], 1e-12);
   EXPECT_TRUE(near.transform().report);
@@ -136,8 +136,8 @@ TEST(Nearest_spin_transformation, refuses_targets_that_do_not_fit)
   EXPECT_THROW(Near(mesh, target), CGP::Precondition_error);
   EXPECT_THROW(Near(mesh, CGP::Quaternion_vector<double>(3)), CGP::Precondition_error);
   Near near(mesh, mesh.positions());
-  EXPECT_THROW(near.scale_lengths(mesh, Eigen::VectorXd::Ones(4)), CGP::Precondition_error);
-  EXPECT_THROW(near.scale_lengths(mesh, Eigen::VectorXd::Zero(mesh.size_of_vertices())),
+  EXPECT_THROW(near.scale_lengths(Eigen::VectorXd::Ones(4)), CGP::Precondition_error);
+  EXPECT_THROW(near.scale_lengths(Eigen::VectorXd::Zero(mesh.size_of_vertices())),
                CGP::Precondition_error);
 }
 

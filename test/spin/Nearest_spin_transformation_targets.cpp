@@ -26,7 +26,7 @@ struct Errors {
 Errors errors(const Mesh_view& mesh, const Mesh_view& target,
               const Eigen::Vector3d& direction = {1, 0, 0})
 {
-  CGP::Nearest_spin_transformation<> near(mesh, target.positions(), "test", direction);
+  CGP::Nearest_spin_transformation<> near(mesh, target.positions(), "test", {direction});
   const CGP::Nearest_spin_result result = near.transform();
   EXPECT_TRUE(result.report);
   EXPECT_EQ(near.sign_conflicts(), 0);

@@ -18,12 +18,12 @@ using Directions = CGP::Prescribed_directions<CGP::Default_solver_traits>;
 struct Prescribed {
   Prescribed(const Mesh_view& m, const Boundary_condition& condition)
       : mesh(m),
-        problem(mesh),
-        directions(mesh, condition, problem.matrix().shared_pattern(), problem.solver())
+        system(mesh),
+        directions(mesh, condition, system.matrix().shared_pattern(), system.solver())
   {}
 
   Mesh_view mesh;
-  CGP::Dirac_eigenproblem<> problem;
+  CGP::Dirac_system<> system;
   Directions directions;
 };
 
@@ -127,7 +127,7 @@ TEST(Prescribed_directions, have_a_guide_that_is_harmonic_inside)
   const Mesh_view mesh = jittered_disk(5, .3);
   const Points targets = enneper_directions(mesh, {1, 0, 0});
   const Prescribed p(mesh, Boundary_condition::tangents(targets));
-  const auto L = CGP::cotan_laplacian(mesh, p.problem.matrix().shared_pattern());
+  const auto L = CGP::cotan_laplacian(mesh, p.system.matrix().shared_pattern());
   const std::vector<char> is_boundary = CGP::boundary_vertices(mesh);
   const auto& guide = p.directions.guide();
   for (int v = 0; v < mesh.size_of_vertices(); ++v) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Prescribed_positions.h
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include "spin/boundary_tools.h"
@@ -11,8 +13,7 @@ namespace {
 
 using namespace cgp_test;
 using Q = Quaternion<double>;
-using Problem = CGP::Dirac_eigenproblem<>;
-using Positions = CGP::Prescribed_positions<CGP::Default_solver_traits, Problem>;
+using Positions = CGP::Prescribed_positions<CGP::Default_solver_traits>;
 
 /// the normals of a curve whose boundary frames turn `turns` times about its tangents
 Points twisted_normals(const Mesh_view& mesh, int turns)
@@ -28,6 +29,16 @@ Points boundary_of(const Mesh_view& mesh)
   return at_boundary(mesh, [](const Eigen::Vector3d& p, const auto&) { return p; });
 }
 
+/// what the spins and positions of a condition are refused with
+std::string refusal(const Mesh_view& mesh, const Points& targets, const Points& normals)
+{
+  const CGP::Dirac_system<> system(mesh);
+  return refusal_of([&] {
+    const Positions positions(mesh, Boundary_condition::positions(targets, normals),
+                              system.matrix().shared_pattern(), system.solver(), "f");
+  });
+}
+
 class Prescribed_positions : public testing::Test {
  protected:
   const Mesh_view mesh = perturbed(cap_from_disk(jittered_disk(5, .3), 1), .02);
@@ -36,16 +47,14 @@ class Prescribed_positions : public testing::Test {
   const Curvature_potential rho =
       potential_on_vertices(mesh, [](const Eigen::Vector3d& p) { return std::cos(3 * p.x()); });
   const CGP::Boundary_frames frames = CGP::boundary_frames(mesh);
-  Problem problem{mesh};
-  Positions positions{problem, Boundary_condition::positions(targets, normals), "f"};
+  CGP::Dirac_system<> system{mesh, Boundary_condition::positions(targets, normals)};
 };
 
 }  // namespace
 
 TEST_F(Prescribed_positions, turn_and_stretch_the_boundary_into_the_curve)
 {
-  CGP::Dirac_solution s;
-  positions.solve(rho, s);
+  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
   ASSERT_TRUE(s.converged);
   const auto wanted = CGP::boundary_frames(curve).frames;
   const std::vector<int>& loop = frames.loops[0];
@@ -64,9 +73,8 @@ TEST_F(Prescribed_positions, turn_and_stretch_the_boundary_into_the_curve)
 
 TEST_F(Prescribed_positions, have_spins_of_least_energy_inside)
 {
-  CGP::Dirac_solution s;
-  positions.solve(rho, s);
-  const Quaternion_vector<double> image = problem.matrix() * s.lambda;
+  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+  const Quaternion_vector<double> image = system.matrix() * s.lambda;
   const std::vector<char> is_boundary = CGP::boundary_vertices(mesh);
   for (int v = 0; v < mesh.size_of_vertices(); ++v)
     if (!is_boundary[at(v)]) {
@@ -85,14 +93,13 @@ TEST_F(Prescribed_positions, have_spins_of_least_energy_inside)
 
 TEST_F(Prescribed_positions, say_how_much_of_what_the_boundary_contributes_is_left_over)
 {
-  CGP::Dirac_solution s;
-  positions.solve(rho, s);
+  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
   const std::vector<char> is_boundary = CGP::boundary_vertices(mesh);
   Quaternion_vector<double> known = s.lambda;
   for (int v = 0; v < mesh.size_of_vertices(); ++v)
     if (!is_boundary[at(v)]) known[v] = Q{};
-  const Quaternion_vector<double> image = problem.matrix() * s.lambda,
-                                  contributed = problem.matrix() * known;
+  const Quaternion_vector<double> image = system.matrix() * s.lambda,
+                                  contributed = system.matrix() * known;
   double left = 0, all = 0;
   for (int v = 0; v < mesh.size_of_vertices(); ++v) {
     left = std::hypot(left, is_boundary[at(v)] ? 0 : norm(image[v]));
@@ -106,7 +113,7 @@ TEST_F(Prescribed_positions, keep_the_boundary_on_the_curve_and_fit_the_edges_in
 {
   const Eigen::VectorXd w = CGP::cotan_weights(mesh);
   const Eigen::MatrixX3d edges = Eigen::MatrixX3d::Random(mesh.size_of_edges(), 3);
-  const Points f = positions.positions(edges);
+  const Points f = system.positions()->positions(edges);
   for (std::size_t k = 0; k < frames.vertices.size(); ++k)
     EXPECT_EQ(f.col(frames.vertices[k]), targets.col(int(k)));
   Points sum = Points::Zero(3, mesh.size_of_vertices());  // of the misfits at each vertex
@@ -129,62 +136,44 @@ TEST(Prescribed_positions_of_a_curve, that_is_similar_give_the_similar_surface)
   const Eigen::Matrix3d R = Random(3).rotation();
   const auto similar =
       mapped(mesh, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return 2 * (R * p); });
-  Problem problem(mesh);
-  Positions positions(
-      problem, Boundary_condition::positions(boundary_of(similar), twisted_normals(similar, 0)),
-      "f");
-  CGP::Dirac_solution s;
-  positions.solve(constant_potential(mesh, 0), s);
+  CGP::Dirac_system<> system(
+      mesh, Boundary_condition::positions(boundary_of(similar), twisted_normals(similar, 0)));
+  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, constant_potential(mesh, 0));
   EXPECT_LT(s.eigenvalue, 1e-7);
-  const Points f = positions.positions(CGP::transformed_edges(mesh, s.lambda));
+  const Points f = system.positions()->positions(CGP::transformed_edges(mesh, s.lambda));
   EXPECT_LT((f - similar.positions()).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(Prescribed_positions_of_a_curve, need_normals_that_turn_as_those_of_the_surface_do)
 {
   const Mesh_view mesh = disk(6);
-  Problem problem(mesh);
-  const auto refusal = [&](int turns) {
-    return refusal_of([&] {
-      const Positions positions(
-          problem, Boundary_condition::positions(boundary_of(mesh), twisted_normals(mesh, turns)),
-          "f");
-    });
+  const auto twisted = [&](int turns) {
+    return refusal(mesh, boundary_of(mesh), twisted_normals(mesh, turns));
   };
-  EXPECT_EQ(refusal(0), "");
-  EXPECT_EQ(refusal(1),
+  EXPECT_EQ(twisted(0), "");
+  EXPECT_EQ(twisted(1),
             "the curve for the boundary loop at vertex 91 is twisted by a full turn against it; no "
             "continuous spins do that");
-  EXPECT_EQ(refusal(2), "");  // two full turns are none
-  EXPECT_NE(refusal(-1), "");
+  EXPECT_EQ(twisted(2), "");  // two full turns are none
+  EXPECT_NE(twisted(-1), "");
 }
 
 TEST(Prescribed_positions_of_a_curve, name_the_loop_that_is_twisted)
 {
   const Mesh_view mesh = annulus(1, 2, 40, 3);
-  Problem problem(mesh);
   Points normals = twisted_normals(mesh, 0);
   normals.rightCols(40) = twisted_normals(mesh, 1).rightCols(40);
-  const Boundary_condition condition = Boundary_condition::positions(boundary_of(mesh), normals);
-  EXPECT_NE(refusal_of([&] {
-              const Positions positions(problem, condition, "f");
-            }).find("loop at vertex 120 "),
+  EXPECT_NE(refusal(mesh, boundary_of(mesh), normals).find("loop at vertex 120 "),
             std::string::npos);
 }
 
 TEST(Prescribed_positions_of_a_curve, name_the_vertex_that_has_no_frame)
 {
   const Mesh_view mesh = disk(2);
-  Problem problem(mesh);
-  const auto refusal = [&](const Points& targets, const Points& normals) {
-    return refusal_of([&] {
-      const Positions positions(problem, Boundary_condition::positions(targets, normals), "f");
-    });
-  };
   const std::string message = "the curve folds back, or has its normal along it, at vertex 9";
   Points folded = boundary_of(mesh), normals = twisted_normals(mesh, 0);
   folded.col(1) = folded.col(3);
-  EXPECT_EQ(refusal(folded, normals), message);
+  EXPECT_EQ(refusal(mesh, folded, normals), message);
   normals.col(2) = boundary_of(mesh).col(3) - boundary_of(mesh).col(1);
-  EXPECT_EQ(refusal(boundary_of(mesh), normals), message);
+  EXPECT_EQ(refusal(mesh, boundary_of(mesh), normals), message);
 }

@@ -4,6 +4,7 @@
 // Tests include/Conformal_geometry_processing/spin/restore_area.h
 // Tests include/Conformal_geometry_processing/spin/Spin_report.h
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>
@@ -47,7 +48,7 @@ Eigen::Vector3d centroid(const Mesh_view& mesh)
 std::string refusal(const Mesh_view& mesh, const Curvature_potential& rho)
 {
   try {
-    (void)CGP::Spin_transformation<>(mesh, "f").transform(rho);
+    (void)CGP::Spin_transformation<>(mesh, {}, "f").transform(rho);
   } catch (const CGP::Precondition_error& error) {
     return error.what();
   }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
-// Tests include/Conformal_geometry_processing/spin/free_boundary.h
+// Tests include/Conformal_geometry_processing/spin/nearness_weight.h
 #include "spin/boundary_tools.h"
 
 /// A bump on plane disks, with each condition at the boundary. The numbers come from an

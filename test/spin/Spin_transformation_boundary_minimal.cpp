@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
+#include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 
 #include "spin/boundary_tools.h"
@@ -41,7 +42,7 @@ Row measured(const Mesh_view& mesh, const CGP::Spin_result& r, const Points& exa
 {
   EXPECT_TRUE(r.report);
   return {r.report.eigenvalue, mean_Q(r), shape_error(r.positions, exact),
-          CGP::willmore_energy({r.positions, mesh.corners()})};
+          CGP::willmore_energy(Mesh_view(r.positions, mesh.corners()))};
 }
 
 void expect_column(const std::vector<double>& found, const std::vector<double>& table,
@@ -199,7 +200,7 @@ TEST(Hemisphere, becomes_twice_as_curved_with_the_other_sign)
   const Mesh_view mesh = cap_from_disk(disk(16), pi / 2);
   const CGP::Spin_result r = without_curvature(mesh, Points(3, 0), 1);
   EXPECT_NEAR(CGP::willmore_energy(mesh), 6.2, .2);
-  EXPECT_NEAR(CGP::willmore_energy({r.positions, mesh.corners()}), 24.3, 1);
+  EXPECT_NEAR(CGP::willmore_energy(Mesh_view(r.positions, mesh.corners())), 24.3, 1);
 }
 
 TEST(Inverted_enneper_surface, becomes_minimal_by_minus_its_mean_curvature)

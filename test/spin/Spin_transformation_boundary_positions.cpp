@@ -124,7 +124,7 @@ TEST(Spin_transformation_to_new_positions, refuses_a_curve_that_is_twisted_once)
     return Eigen::Vector3d(p.x() * frame.col(1) + p.y() * frame.col(2));
   });
   EXPECT_NE(refusal_of([&] {
-              CGP::Spin_transformation<>(mesh, condition, "f");
+              CGP::Spin_transformation<>(mesh, {condition}, "f");
             }).find("twisted by a full turn"),
             std::string::npos);
 }
@@ -132,7 +132,7 @@ TEST(Spin_transformation_to_new_positions, refuses_a_curve_that_is_twisted_once)
 TEST(Spin_transformation_to_new_positions, refuses_to_move_afterwards)
 {
   const Mesh_view mesh = disk(5);
-  CGP::Spin_transformation<> transformation(mesh, boundary_of(mesh));
+  CGP::Spin_transformation<> transformation(mesh, {boundary_of(mesh)});
   EXPECT_EQ(refusal_of([&] { transformation.set_positions(2 * mesh.positions()); }),
             "a surface with prescribed boundary cannot move");
 }

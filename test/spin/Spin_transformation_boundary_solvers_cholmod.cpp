@@ -16,7 +16,7 @@ CGP::Spin_result result(const Boundary_condition& condition)
 {
   CGP::Dirac_options options;
   options.tolerance = 1e-10;
-  return CGP::Spin_transformation<Solver_traits>(uneven_cap(), condition)
+  return CGP::Spin_transformation<Solver_traits>(uneven_cap(), {condition})
       .transform(rho_of_uneven_cap(), options);
 }
 

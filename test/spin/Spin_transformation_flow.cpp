@@ -52,7 +52,7 @@ class Flow {
   }
   void move() { transformation.set_positions(m_mesh.positions()); }
 
-  const auto& eigensolver() const { return transformation.dirac_equation().problem().solver(); }
+  const auto& eigensolver() const { return transformation.system().solver(); }
   const auto& poisson_solver() { return transformation.reconstruction().solver().solver(); }
   double energy() const { return CGP::willmore_energy(m_mesh); }
   const Points& positions() const { return m_mesh.positions(); }
@@ -68,7 +68,7 @@ class Flow {
 std::string refusal(const Mesh_view& mesh, const Points& positions)
 {
   const auto rho = CGP::Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh));
-  CGP::Spin_transformation<> transformation(mesh, "f");
+  CGP::Spin_transformation<> transformation(mesh, {}, "f");
   const Points before = transformation.transform(rho).positions;
   try {
     transformation.set_positions(positions);

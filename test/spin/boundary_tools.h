@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -120,11 +121,12 @@ inline double shape_error(const Points& a, const Points& b)
   return CGP::align(a, b).rms;
 }
 
+/// by a single transformation, around holes too: closed forms and tables are those of one
 inline CGP::Spin_result transformed(const Mesh_view& mesh, const Boundary_condition& condition,
                                     const Curvature_potential& rho,
                                     const CGP::Dirac_options& options = {})
 {
-  return CGP::Spin_transformation<>(mesh, condition).transform(rho, options);
+  return CGP::Spin_transformation<>(mesh, {condition, std::nullopt}).transform(rho, options);
 }
 
 inline double mean_Q(const CGP::Spin_result& r)

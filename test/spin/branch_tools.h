@@ -3,8 +3,9 @@
 #ifndef TEST_SPIN_BRANCH_TOOLS_H
 #define TEST_SPIN_BRANCH_TOOLS_H
 
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
-#include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
 
 #include <gtest/gtest.h>
 
@@ -44,6 +45,36 @@ inline Curvature_potential scaled(const Curvature_potential& rho, double t, doub
   return {rho.on, (t * rho.values.array() + shift).matrix()};
 }
 
+inline Quaternion_vector<double> identity_spins(const Mesh_view& mesh)
+{
+  return Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0});
+}
+
+/// the smallest eigenpairs of X, as many as `start` has columns, of which `wanted` converge
+template <class SolverTraits>
+CGP::Eigensolver_result smallest(const CGP::Dirac_system<SolverTraits>& system,
+                                 CGP::Block<Quaternion<double>> start, int wanted, double tolerance,
+                                 int max_iterations = 200)
+{
+  CGP::Eigensolver_options options;
+  options.wanted = wanted;
+  options.tolerance = tolerance;
+  options.max_iterations = max_iterations;
+  options.scale = std::sqrt(system.unit());
+  return CGP::Lobpcg_eigensolver_traits()(system.matrix(), system.areas(), system.solver(),
+                                          std::move(start), options, CGP::Always_go_further());
+}
+
+/// the guide, and a vector to be improved
+template <class SolverTraits>
+CGP::Block<Quaternion<double>> guide_and_noise(const CGP::Dirac_system<SolverTraits>& system,
+                                               const Quaternion_vector<double>& guide)
+{
+  CGP::Block<Quaternion<double>> both(guide.size(), 2);
+  both << guide, system.noise(1, 0);
+  return both;
+}
+
 /// an eigenvector with its signed eigenvalue
 struct Branch_point {
   Quaternion_vector<double> lambda;
@@ -53,37 +84,34 @@ struct Branch_point {
 
 /// Brute force: rho is switched on in `steps` equal steps. Each takes, of the eigenvectors of
 /// D - (t rho + gamma) with gamma the last eigenvalue, the one that overlaps most with the last.
-inline Branch_point branch_of_identity(CGP::Dirac_eigenproblem<>& problem,
-                                       const Curvature_potential& rho, int steps)
+inline Branch_point branch_of_identity(CGP::Dirac_system<>& system, const Curvature_potential& rho,
+                                       int steps)
 {
-  const Mesh_view& mesh = problem.mesh();
-  Branch_point at{Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0}), 0, 1};
+  const auto one = Quaternion_vector<double>::Constant(system.areas().size(), {1, 0, 0, 0});
+  Branch_point at{one, 0, 1};
   for (int k = 1; k <= steps; ++k) {
     const double t = double(k) / steps;
-    CGP::Dirac_solution::Seconds seconds;
-    problem.set_potential(scaled(rho, t, at.gamma), seconds);
-    const auto found =
-        problem.smallest(problem.start(at.lambda, 0), 2, 1e-4, 200, CGP::Always_go_further());
+    CGP::Dirac_evidence::Seconds seconds;
+    system.set_potential(scaled(rho, t, at.gamma), seconds);
+    const auto found = smallest(system, guide_and_noise(system, at.lambda), 2, 1e-4);
     const Quaternion_vector<double> a = found.vectors.col(0), b = found.vectors.col(1);
     const Quaternion_vector<double> next =
-        problem.overlap(a, at.lambda) > problem.overlap(b, at.lambda) ? a : b;
-    at.least_overlap = std::min(at.least_overlap, problem.overlap(next, at.lambda));
+        system.overlap(a, at.lambda) > system.overlap(b, at.lambda) ? a : b;
+    at.least_overlap = std::min(at.least_overlap, system.overlap(next, at.lambda));
     at.lambda = next;
-    at.gamma = CGP::dirac_quotient(mesh, scaled(rho, t, 0), next);
+    at.gamma = CGP::dirac_quotient(system.surface(), scaled(rho, t, 0), next);
   }
   return at;
 }
 
 /// the eigenvector of the smallest eigenvalue of X, whatever its branch
-inline Quaternion_vector<double> smallest_eigenvector(CGP::Dirac_eigenproblem<>& problem,
+inline Quaternion_vector<double> smallest_eigenvector(CGP::Dirac_system<>& system,
                                                       const Curvature_potential& rho)
 {
-  CGP::Dirac_solution::Seconds seconds;
-  problem.set_potential(rho, seconds);
-  const auto one =
-      Quaternion_vector<double>::Constant(problem.mesh().size_of_vertices(), {1, 0, 0, 0});
-  return problem.smallest(problem.start(one, 0), 1, 1e-6, 200, CGP::Always_go_further())
-      .vectors.col(0);
+  CGP::Dirac_evidence::Seconds seconds;
+  system.set_potential(rho, seconds);
+  const auto one = Quaternion_vector<double>::Constant(system.areas().size(), {1, 0, 0, 0});
+  return smallest(system, guide_and_noise(system, one), 1, 1e-6).vectors.col(0);
 }
 
 }  // namespace cgp_test

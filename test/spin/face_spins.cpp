@@ -2,15 +2,19 @@
 // Tests include/Conformal_geometry_processing/spin/curvature_of_spins.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/spin/curvature_of_spins.h>
 #include <Conformal_geometry_processing/spin/face_spins.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/bends.h"
 #include "support/bounded_meshes.h"
 #include "support/random.h"
 #include "support/spheres.h"
+#include "support/thin_faces.h"
 #include "support/tori.h"
 
 namespace {
@@ -66,6 +70,60 @@ TEST(Face_spins, disagree_along_a_seam_where_they_turn_by_a_full_turn_around_a_t
   EXPECT_GE(CGP::make_consistent(mesh, q), around_the_tube);
 }
 
+TEST(Replace_thin_faces, gives_all_the_spin_of_a_similarity_of_either_sign)
+{
+  const Mesh_view mesh = spoilt(icosphere(2));
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
+  const Points target = 2 * R * mesh.positions();
+  CGP::Quaternion_vector<double> q = CGP::face_spins(mesh, target);
+  CGP::replace_thin_faces(mesh, target, q);
+  EXPECT_EQ(CGP::make_consistent(mesh, q), 0);
+  for (Eigen::Index f = 1; f < q.size(); ++f) EXPECT_LT(norm(q[f] - q[0]), 1e-10) << f;
+  const Eigen::Vector3d v(0.3, -0.7, 0.2);
+  EXPECT_LT((CGP::spin(q[0], v) - 2 * R * v).norm(), 1e-10);
+}
+
+TEST(Replace_thin_faces, leaves_the_others_as_they_are)
+{
+  const Mesh_view mesh = with_thin_faces(icosphere(2), 1e-9);
+  const Points target = bent_beam(mesh, 1).positions();
+  const CGP::Quaternion_vector<double> before = CGP::face_spins(mesh, target);
+  CGP::Quaternion_vector<double> after = before;
+  CGP::replace_thin_faces(mesh, target, after);
+  int thin = 0;
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const double edge = std::max(
+        {mesh.vector(3 * f).norm(), mesh.vector(3 * f + 1).norm(), mesh.vector(3 * f + 2).norm()});
+    const bool is_thin = mesh.double_area_vector(f).norm() < 1e-3 * edge * edge;
+    thin += is_thin;
+    if (!is_thin) {
+      EXPECT_EQ(after[f], before[f]);
+    }
+  }
+  EXPECT_EQ(thin, mesh.size_of_vertices() - icosphere(2).size_of_vertices());
+}
+
+TEST(Replace_thin_faces, takes_the_mean_of_the_neighbours_where_faces_become_thin)
+{
+  const Mesh_view mesh = with_thin_faces(icosphere(2), .3);
+  const Points target = with_thin_faces(icosphere(2), 0).positions();
+  CGP::Quaternion_vector<double> q = CGP::face_spins(mesh, target);
+  CGP::replace_thin_faces(mesh, target, q);
+  const Mesh_view moved(target, mesh.corners());
+  int thin = 0;
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    if (moved.double_area_vector(f).norm() > 1e-9) continue;
+    ++thin;
+    Q sum;  // no neighbour is thin
+    for (int h = 3 * f; h < 3 * f + 3; ++h) {
+      const Q next = q[Mesh_view::face(mesh.twin(h))];
+      sum += dot(sum, next) < 0 ? -next : next;
+    }
+    EXPECT_LT(norm(q[f] - sum / 3.), 1e-14);
+  }
+  EXPECT_GT(thin, 0);
+}
+
 TEST(Face_spins, at_vertices_are_the_means_of_the_faces_around)
 {
   const Mesh_view mesh = icosphere(2);
@@ -97,6 +155,16 @@ TEST(Curvature_of_spins, of_a_bend_is_that_of_its_circle)
     const Eigen::Vector3d N = beam.double_area_vector(f).normalized();
     EXPECT_NEAR(std::abs(rho[f]), std::abs(N.y()) * pi / 12, 1e-3) << f;
   }
+}
+
+TEST(Curvature_of_spins, is_the_same_on_both_views_of_a_Delaunay_mesh)
+{
+  const Mesh_view mesh = icosphere(2);
+  const CGP::Quaternion_vector<double> mu = random_quaternions(mesh.size_of_vertices(), 1);
+  const Eigen::VectorXd a = CGP::curvature_of_spins(mesh, mu).values;
+  const Eigen::VectorXd b = CGP::curvature_of_spins(CGP::Delaunay_view(mesh), mu).values;
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_LT((a - b).norm(), 1e-11 * a.norm());
 }
 
 TEST(Curvature_of_spins, of_vanishing_spins_is_zero)

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/generalized_dirac.h
-#include <Conformal_geometry_processing/spin/Dirac_equation.h>
 #include <Conformal_geometry_processing/spin/generalized_dirac.h>
 
 #include <gtest/gtest.h>
 
+#include "spin/solved.h"
 #include "support/dense.h"
 #include "support/meshes.h"
 
@@ -44,8 +44,7 @@ TEST(Generalized_dirac, has_the_tabled_eigenvalues)
   for (const auto& [level, expected] :
        {std::pair(2, -0.1732272145), std::pair(3, -0.0680672257), std::pair(4, -0.0418786038)}) {
     const Mesh_view sphere = icosphere(level);
-    const CGP::Dirac_solution s =
-        CGP::Dirac_equation<>(sphere).solve(potential(sphere, 1), generalized());
+    const CGP::Dirac_solution s = solved(sphere, potential(sphere, 1), generalized());
     EXPECT_TRUE(s.converged);
     ASSERT_TRUE(s.is_generalized);
     EXPECT_NEAR(s.generalized_eigenvalue, expected, 1e-9);
@@ -56,10 +55,12 @@ TEST(Generalized_dirac, has_the_tabled_eigenvalues)
 TEST(Generalized_dirac, has_the_eigenvalue_that_the_error_of_the_standard_problem_predicts)
 {
   const Mesh_view sphere = icosphere(3);
-  CGP::Dirac_equation<> equation(sphere);
+  CGP::Dirac_system<> system(sphere);
   for (const double amplitude : {1., 0.3, -0.1}) {
-    const CGP::Dirac_solution standard = equation.solve(potential(sphere, amplitude));
-    const CGP::Dirac_solution s = equation.solve(potential(sphere, amplitude), generalized());
+    const CGP::Dirac_solution standard =
+        CGP::solve_dirac_equation(system, potential(sphere, amplitude));
+    const CGP::Dirac_solution s =
+        CGP::solve_dirac_equation(system, potential(sphere, amplitude), generalized());
     ASSERT_TRUE(s.is_generalized);
     const double expected = standard.energy / standard.eigenvalue;  // (gamma^2 + delta^2) / gamma
     EXPECT_NEAR(s.generalized_eigenvalue, expected, 2e-3 * std::abs(expected));
@@ -70,9 +71,10 @@ TEST(Generalized_dirac, has_the_eigenvalue_that_the_error_of_the_standard_proble
 TEST(Generalized_dirac, finds_positive_and_negative_eigenvalues)
 {
   const Mesh_view sphere = icosphere(2);
-  CGP::Dirac_equation<> equation(sphere);
+  CGP::Dirac_system<> system(sphere);
   for (const double mean : {-0.2, 0.2}) {
-    const CGP::Dirac_solution s = equation.solve(potential(sphere, 0.5, mean), generalized());
+    const CGP::Dirac_solution s =
+        CGP::solve_dirac_equation(system, potential(sphere, 0.5, mean), generalized());
     ASSERT_TRUE(s.is_generalized);
     EXPECT_NEAR(s.generalized_eigenvalue, -mean, 0.1);
     EXPECT_LT(residual(sphere, potential(sphere, 0.5, mean), s), 1e-5);
@@ -83,13 +85,14 @@ TEST(Generalized_dirac, finds_positive_and_negative_eigenvalues)
 TEST(Generalized_dirac, is_not_trusted_where_the_eigenvalue_vanishes)
 {
   const Mesh_view sphere = icosphere(2);
-  CGP::Dirac_equation<> equation(sphere);
+  CGP::Dirac_system<> system(sphere);
   double mean = 0;
-  for (int i = 0; i < 4; ++i) mean += equation.solve(potential(sphere, 1, mean)).eigenvalue;
+  for (int i = 0; i < 4; ++i)
+    mean += CGP::solve_dirac_equation(system, potential(sphere, 1, mean)).eigenvalue;
   for (const double offset : {0., 1e-6, -1e-6}) {
     const Curvature_potential rho = potential(sphere, 1, mean + offset);
-    const CGP::Dirac_solution standard = equation.solve(rho),
-                              s = equation.solve(rho, generalized());
+    const CGP::Dirac_solution standard = CGP::solve_dirac_equation(system, rho),
+                              s = CGP::solve_dirac_equation(system, rho, generalized());
     EXPECT_LT(std::abs(s.eigenvalue), 1e-5);
     EXPECT_TRUE(s.converged);
     EXPECT_FALSE(s.is_generalized);
@@ -102,8 +105,7 @@ TEST(Generalized_dirac, is_not_trusted_where_the_eigenvalue_vanishes)
 TEST(Generalized_dirac, keeps_the_standard_solution_for_rho_zero)
 {
   const Mesh_view sphere = icosphere(2);
-  const CGP::Dirac_solution s =
-      CGP::Dirac_equation<>(sphere).solve(potential(sphere, 0), generalized());
+  const CGP::Dirac_solution s = solved(sphere, potential(sphere, 0), generalized());
   EXPECT_TRUE(s.converged);
   EXPECT_FALSE(s.is_generalized);
   EXPECT_NEAR(s.overlap, 1, 1e-14);
@@ -112,8 +114,7 @@ TEST(Generalized_dirac, keeps_the_standard_solution_for_rho_zero)
 TEST(Generalized_dirac, is_not_tried_where_the_branch_needed_a_shift)
 {
   const Mesh_view sphere = icosphere(2);
-  const CGP::Dirac_solution s =
-      CGP::Dirac_equation<>(sphere).solve(potential(sphere, 1, 2), generalized());
+  const CGP::Dirac_solution s = solved(sphere, potential(sphere, 1, 2), generalized());
   EXPECT_TRUE(s.converged);
   EXPECT_NE(s.spectral_shift, 0);
   EXPECT_FALSE(s.is_generalized);
@@ -122,11 +123,12 @@ TEST(Generalized_dirac, is_not_tried_where_the_branch_needed_a_shift)
 TEST(Generalized_dirac, can_be_cancelled)
 {
   const Mesh_view sphere = icosphere(2);
-  CGP::Dirac_equation<> equation(sphere);
-  const int standard = equation.solve(potential(sphere, 1)).iterations;
+  CGP::Dirac_system<> system(sphere);
+  const int standard = CGP::solve_dirac_equation(system, potential(sphere, 1)).iterations;
   int asked = 0;
   const auto stop = [&](const CGP::Eigensolver_progress&) { return ++asked <= standard + 1; };
-  const CGP::Dirac_solution s = equation.solve(potential(sphere, 1), generalized(), stop);
+  const CGP::Dirac_solution s =
+      CGP::solve_dirac_equation(system, potential(sphere, 1), generalized(), stop);
   EXPECT_TRUE(s.cancelled);
   EXPECT_FALSE(s.is_generalized);
 }
@@ -136,7 +138,7 @@ TEST(Generalized_dirac, refuses_rho_on_vertices)
   const Mesh_view sphere = icosphere(1);
   const auto rho = Curvature_potential::on_vertices(rho_of_section_3_on_vertices(sphere));
   try {
-    (void)CGP::Dirac_equation<>(sphere).solve(rho, generalized());
+    (void)solved(sphere, rho, generalized());
     FAIL();
   } catch (const CGP::Precondition_error& error) {
     EXPECT_STREQ(error.what(),

@@ -1,9 +1,13 @@
 // Tests include/Conformal_geometry_processing/spin/transformed_edges.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <gtest/gtest.h>
+
+#include <array>
+#include <map>
 
 #include "support/dense.h"
 #include "support/meshes.h"
@@ -58,6 +62,20 @@ TEST(Transformed_edges, are_the_integral_of_the_spun_edge)
     EXPECT_NEAR(wanted.w, 0, 1e-15);
     EXPECT_LT((result.row(k).transpose() - CGP::imaginary_part(wanted)).norm(), 1e-14);
   }
+}
+
+TEST(Transformed_edges, are_the_same_on_both_views_of_a_Delaunay_mesh)
+{
+  const Mesh_view mesh = icosphere(2);
+  const CGP::Delaunay_view view(mesh);
+  const Quaternion_vector<double> lambda = random_quaternions(mesh.size_of_vertices(), 3);
+  const Eigen::MatrixX3d a = CGP::transformed_edges(mesh, lambda),
+                         b = CGP::transformed_edges(view, lambda);
+  ASSERT_EQ(a.rows(), b.rows());
+  std::map<std::array<int, 2>, int> number;  // of the edges of the view
+  for (int k = 0; k < view.size_of_edges(); ++k) number[view.ends(k)] = k;
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
+    EXPECT_LT((a.row(k) - b.row(number.at(mesh.ends(k)))).norm(), 1e-12);
 }
 
 TEST(Transformed_edges, turn_with_a_right_factor)

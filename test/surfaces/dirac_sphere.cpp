@@ -22,7 +22,7 @@ namespace CGP = Conformal_geometry_processing;
 
 double energy(const CGP::Spin_result& result, const Mesh_view& mesh)
 {
-  return CGP::willmore_energy({result.positions, mesh.corners()}) / (4 * pi);
+  return CGP::willmore_energy(Mesh_view(result.positions, mesh.corners())) / (4 * pi);
 }
 
 TEST(Dirac_sphere, has_the_eigenvalue_and_the_energy_of_its_kappa)

@@ -25,6 +25,8 @@ CGP_INLINE const Flow_options& checked(const Flow_options& o, const std::string&
   require(o.filter_weight >= 0 && std::isfinite(o.filter_weight),
           "a filter weight of " + std::to_string(o.filter_weight),
           "zero or a positive number is needed");
+  require(o.filter_order >= 0, "an order of " + std::to_string(o.filter_order),
+          "0, 1, 2, ... are possible");
   require(o.boundary.kind != Boundary_condition::Kind::positions,
           "positions are prescribed at the boundary", "a flow can keep directions only");
   return o;

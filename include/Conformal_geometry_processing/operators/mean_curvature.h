@@ -7,21 +7,24 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// Gives each boundary vertex the mean of its interior neighbours, ring by ring from the inside
-/// for boundary vertices that have none; leaves the values where there is no interior at all.
-void fill_boundary(const Surface_ref& surface, Eigen::VectorXd& values);
-
+/// Gives each unknown vertex the mean of its known neighbours, ring by ring for those that have
+/// none; leaves the values where nothing is known.
+void fill_unknown(const Surface_ref& surface, std::vector<char> is_unknown,
+                  Eigen::VectorXd& values);
 }  // namespace internal
 
 /// \ingroup PkgOperators
 /// \brief H at the vertices, |V| numbers in 1/length: +1 on the unit sphere with outward normals.
 ///
 /// H_i = <N_i, (L f)_i> / (2 V_i), from Delta f = 2 H N, with mixed Voronoi areas V_i and angle-
-/// weighted normals. At boundary vertices L f also holds the curvature of the boundary curve, so
-/// there H is the mean of the interior neighbours instead.
+/// weighted normals. At boundary vertices L f also holds the curvature of the boundary curve, and
+/// at vertices whose area is less than a thousandth of a neighbour's, rounding decides: there H is
+/// the mean of the other neighbours instead.
 Eigen::VectorXd mean_curvature(const Surface_ref& surface);
 
 /// \ingroup PkgOperators

@@ -13,14 +13,15 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
 namespace internal {
 
-CGP_INLINE void fill_boundary(const Surface_ref& surface, Eigen::VectorXd& values)
+CGP_INLINE void fill_unknown(const Surface_ref& surface, std::vector<char> is_unknown,
+                             Eigen::VectorXd& values)
 {
-  std::vector<char> is_unknown = boundary_vertices(surface);
   const auto unknown = [&](int v) -> char& { return is_unknown[static_cast<std::size_t>(v)]; };
   for (bool has_changed = true; has_changed;) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(values.size()), count = sum;
@@ -39,6 +40,19 @@ CGP_INLINE void fill_boundary(const Surface_ref& surface, Eigen::VectorXd& value
   }
 }
 
+/// on the boundary, or of nearly no area
+CGP_INLINE std::vector<char> without_curvature(const Surface_ref& surface,
+                                               const Eigen::VectorXd& areas)
+{
+  std::vector<char> is_without = boundary_vertices(surface);
+  for (int k = 0; k < surface.size_of_edges(); ++k)
+    for (int end = 0; end < 2; ++end) {
+      const int v = surface.ends(k)[end == 0], u = surface.ends(k)[end == 1];
+      if (areas[v] < 1e-3 * areas[u]) is_without[static_cast<std::size_t>(v)] = 1;
+    }
+  return is_without;
+}
+
 }  // namespace internal
 
 CGP_INLINE Eigen::VectorXd mean_curvature(const Surface_ref& surface)
@@ -53,7 +67,7 @@ CGP_INLINE Eigen::VectorXd mean_curvature(const Surface_ref& surface)
   Eigen::VectorXd H(surface.size_of_vertices());
   for (int v = 0; v < surface.size_of_vertices(); ++v)
     H[v] = Lf.row(v).dot(normals.col(v)) / (2 * areas[v]);
-  internal::fill_boundary(surface, H);
+  internal::fill_unknown(surface, internal::without_curvature(surface, areas), H);
   return H;
 }
 

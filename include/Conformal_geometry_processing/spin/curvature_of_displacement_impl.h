@@ -30,7 +30,7 @@ CGP_INLINE Curvature_potential curvature_of_displacement(const Mesh_view& mesh,
   const Eigen::VectorXd slope = exterior_derivative_0(mesh) * height;
   const Eigen::VectorXd Lh = codifferential(mesh, cotan_weights(mesh), slope);
   Eigen::VectorXd rho = Lh.cwiseQuotient(2 * vertex_areas(mesh));
-  internal::fill_boundary(mesh, rho);
+  internal::fill_unknown(mesh, boundary_vertices(mesh), rho);
   return Curvature_potential::on_vertices(std::move(rho));
 }
 

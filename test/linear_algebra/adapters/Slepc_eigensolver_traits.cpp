@@ -3,7 +3,7 @@
 // Tests include/Conformal_geometry_processing/linear_algebra/adapters/Slepc_eigensolver_traits.h
 // Tests include/Conformal_geometry_processing/linear_algebra/adapters/Slepc_lobpcg.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Slepc_eigensolver_traits.h>
-#include <Conformal_geometry_processing/spin/Dirac_eigenproblem.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ CGP::Eigensolver_options options_for(double tolerance, int wanted, double scale 
 struct Problem {
   explicit Problem(const Mesh_view& mesh_) : mesh(mesh_), dirac(mesh)
   {
-    CGP::Dirac_solution::Seconds seconds;
+    CGP::Dirac_evidence::Seconds seconds;
     dirac.set_potential(CGP::Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh)),
                         seconds);
     start = random_block<Q>(mesh.size_of_vertices(), 2, 5);
@@ -48,7 +48,7 @@ struct Problem {
   }
 
   Mesh_view mesh;
-  CGP::Dirac_eigenproblem<> dirac;
+  CGP::Dirac_system<> dirac;
   CGP::Block<Q> start;
 };
 

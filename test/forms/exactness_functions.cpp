@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/forms/Exactness_constraints.h
+// Tests include/Conformal_geometry_processing/forms/exactness_functions.h
 #include "exactness_tools.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ Eigen::MatrixXd without_means(const Eigen::MatrixXd& z, const Eigen::VectorXd& a
 
 }  // namespace
 
-TEST(Exactness_constraints, of_a_sphere_are_none)
+TEST(Exactness_functions, of_a_sphere_are_none)
 {
   const Exactness_case sphere(icosphere(1));
   for (const On on : everywhere) {
@@ -44,7 +44,7 @@ TEST(Exactness_constraints, of_a_sphere_are_none)
 }
 
 // The harmonic part of the new edges, differentiated numerically, for any rho.
-TEST(Exactness_constraints, are_half_the_derivative_of_the_harmonic_part_of_the_edges)
+TEST(Exactness_functions, are_half_the_derivative_of_the_harmonic_part_of_the_edges)
 {
   for (const Mesh_view& mesh : {perturbed(btorus(12), 0.04), smooth_handlebody(2, 1)}) {
     const Exactness_case c(mesh);
@@ -63,7 +63,7 @@ TEST(Exactness_constraints, are_half_the_derivative_of_the_harmonic_part_of_the_
   }
 }
 
-TEST(Exactness_constraints, leave_a_harmonic_part_of_second_order)
+TEST(Exactness_functions, leave_a_harmonic_part_of_second_order)
 {
   const Exactness_case torus(btorus(48));
   const std::vector<double> steps = {.4, .2, .1, .05};
@@ -74,7 +74,7 @@ TEST(Exactness_constraints, leave_a_harmonic_part_of_second_order)
   EXPECT_NEAR(slope(steps, on_faces), 2, 0.05);
 }
 
-TEST(Exactness_constraints, of_the_thesis_leave_a_small_part_of_first_order)
+TEST(Exactness_functions, of_the_thesis_leave_a_small_part_of_first_order)
 {
   const Exactness_case torus(btorus(48));
   const std::vector<double> steps = {.4, .2, .1, .05};
@@ -83,7 +83,7 @@ TEST(Exactness_constraints, of_the_thesis_leave_a_small_part_of_first_order)
   EXPECT_LT(slope({.1, .05}, {shares[2], shares[3]}), 1.2);
 }
 
-TEST(Exactness_constraints, are_missed_where_there_are_none)
+TEST(Exactness_functions, are_missed_where_there_are_none)
 {
   const Exactness_case torus(btorus(48));
   const std::vector<double> steps = {.4, .2, .1, .05};
@@ -92,7 +92,7 @@ TEST(Exactness_constraints, are_missed_where_there_are_none)
   EXPECT_NEAR(slope({.1, .05}, {shares[2], shares[3]}), 1, 0.05);
 }
 
-TEST(Exactness_constraints, leave_a_part_of_second_order_on_genus_two)
+TEST(Exactness_functions, leave_a_part_of_second_order_on_genus_two)
 {
   const Exactness_case body(smooth_handlebody(2, 2));
   const std::vector<double> steps = {.05, .025, .0125};
@@ -103,7 +103,7 @@ TEST(Exactness_constraints, leave_a_part_of_second_order_on_genus_two)
   }
 }
 
-TEST(Exactness_constraints, are_one_less_on_a_torus_of_revolution)
+TEST(Exactness_functions, are_one_less_on_a_torus_of_revolution)
 {
   const std::vector<double> expected = {.353, .325, .325, .214, .214, .00055};
   const Exactness_case torus_(scaled_to_area(torus(std::sqrt(2.), 1, 40, 40), 4 * pi));
@@ -124,7 +124,7 @@ TEST(Exactness_constraints, are_one_less_on_a_torus_of_revolution)
   EXPECT_EQ(CGP::weighted_orthonormalization(generic.constraints(On::vertices), m).cols(), 6);
 }
 
-TEST(Exactness_constraints, of_both_versions_agree_in_the_limit)
+TEST(Exactness_functions, of_both_versions_agree_in_the_limit)
 {
   std::vector<double> sizes, differences;
   for (const int n : {16, 32, 64}) {
@@ -138,7 +138,7 @@ TEST(Exactness_constraints, of_both_versions_agree_in_the_limit)
   EXPECT_GT(slope(sizes, differences), 1.5);
 }
 
-TEST(Exactness_constraints, do_not_change_with_the_scale_of_the_mesh)
+TEST(Exactness_functions, do_not_change_with_the_scale_of_the_mesh)
 {
   const Exactness_case c(btorus(12)), large(scaled(btorus(12), 1024));
   for (const On on : everywhere)

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/forms/Exactness_constraints.h
-#include <Conformal_geometry_processing/forms/Exactness_constraints.h>
+// Tests include/Conformal_geometry_processing/forms/exactness_functions.h
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
-#include <Conformal_geometry_processing/spin/Surface_dirac_equation.h>
+#include <Conformal_geometry_processing/forms/exactness_functions.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ struct Holed {
   Mesh_view mesh;
   Boundary_condition condition;
   CGP::Hodge_decomposition<> hodge{mesh};
-  CGP::Surface_dirac_equation<> equation{mesh, condition, "test"};
+  CGP::Dirac_system<> system{mesh, condition, "test"};
 
   Holed(Mesh_view mesh_, Boundary_condition condition_)
       : mesh(std::move(mesh_)), condition(std::move(condition_))
@@ -31,10 +32,10 @@ struct Holed {
 
   Eigen::MatrixXd constraints(On on)
   {
-    const auto respond = [&](const CGP::Block<CGP::Quaternion<double>>& c) {
-      return equation.response(c);
-    };
-    return CGP::bounded_exactness_constraints(mesh, hodge.harmonic_basis(), respond, on);
+    system.prepare_response();
+    const auto respond = [&](const auto& c) { return system.response(c); };
+    return CGP::exactness_functions(mesh, hodge.harmonic_basis(), respond, on,
+                                    system.coefficients());
   }
 
   /// of the edges of the surface that rho leads to; number of forms x 3
@@ -42,7 +43,7 @@ struct Holed {
   {
     CGP::Dirac_options options;
     options.tolerance = 1e-11;
-    const CGP::Dirac_solution s = equation.solve({on, rho}, options);
+    const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, {on, rho}, options);
     EXPECT_TRUE(s.converged);
     return hodge.harmonic_basis().coefficients(hodge.weights(),
                                                CGP::transformed_edges(mesh, s.lambda));
@@ -79,29 +80,29 @@ void expect_half_the_derivative(const Mesh_view& mesh, const Boundary_condition&
 
 }  // namespace
 
-TEST(Exactness_constraints_with_boundary, of_a_disk_are_none)
+TEST(Exactness_functions_with_boundary, of_a_disk_are_none)
 {
   Holed c(disk(4), Boundary_condition::tangents());
   EXPECT_EQ(c.constraints(On::vertices).cols(), 0);
   EXPECT_EQ(c.constraints(On::faces).rows(), c.mesh.size_of_faces());
 }
 
-TEST(Exactness_constraints_with_boundary, are_half_the_derivative_with_binormals)
+TEST(Exactness_functions_with_boundary, are_half_the_derivative_with_binormals)
 {
   expect_half_the_derivative(bumpy(annulus(.4, 1, 24, 4)), Boundary_condition::binormals());
 }
 
-TEST(Exactness_constraints_with_boundary, are_half_the_derivative_with_tangents)
+TEST(Exactness_functions_with_boundary, are_half_the_derivative_with_tangents)
 {
   expect_half_the_derivative(bumpy(annulus(.4, 1, 24, 4)), Boundary_condition::tangents());
 }
 
-TEST(Exactness_constraints_with_boundary, are_half_the_derivative_with_a_free_boundary)
+TEST(Exactness_functions_with_boundary, are_half_the_derivative_with_a_free_boundary)
 {
   expect_half_the_derivative(bumpy(annulus(.4, 1, 24, 4)), Boundary_condition::free());
 }
 
-TEST(Exactness_constraints_with_boundary, are_three_for_each_hole_and_six_for_a_handle)
+TEST(Exactness_functions_with_boundary, are_three_for_each_hole_and_six_for_a_handle)
 {
   expect_half_the_derivative(bumpy(disk_with_three_holes(6)), Boundary_condition::binormals());
   expect_half_the_derivative(perturbed(torus_with_hole(12, 8), .05),

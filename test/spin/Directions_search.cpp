@@ -1,8 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/Reduced_dirac_equation.h
+// Tests include/Conformal_geometry_processing/spin/Directions_search.h
 #include <Conformal_geometry_processing/operators/averaging.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/spin/Directions_search.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -16,71 +18,72 @@ namespace {
 using namespace cgp_test;
 using Q = Quaternion<double>;
 using Vectors = CGP::Block<Q>;
-using Directions = CGP::Prescribed_directions<CGP::Default_solver_traits>;
-using Problem = CGP::Dirac_eigenproblem<>;
+using System = CGP::Dirac_system<>;
 
 /// the equation on a small mesh, and all its eigenpairs by a dense matrix
-class Reduced_dirac_equation : public testing::Test {
+class Directions_search : public testing::Test {
  protected:
   void SetUp() override
   {
-    CGP::Dirac_solution::Seconds seconds;
-    problem.assemble(rho, seconds);
+    CGP::Dirac_evidence::Seconds seconds;
+    system.assemble(rho, seconds);
     const CGP::Block<double> one = CGP::Block<double>::Identity(dimension(), dimension());
-    const Vectors basis = directions.basis().embed(one);
-    const Eigen::MatrixXd K = form(basis, problem.matrix());
-    const Eigen::MatrixXd M = form(basis, masses());
+    const Vectors embedded = basis().embed(one);
+    const Eigen::MatrixXd K = form(embedded, system.matrix());
+    const Eigen::MatrixXd M = form(embedded, masses());
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K, M);
     values = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
-    vectors = directions.basis().embed(eigen.eigenvectors().leftCols(4));
+    vectors = basis().embed(eigen.eigenvectors().leftCols(4));
   }
 
-  int dimension() const { return directions.basis().rows().dimension(); }
+  const CGP::Reduced_basis<double>& basis() const { return system.directions()->basis(); }
+  const Quaternion_vector<double>& guide() const { return system.directions()->guide(); }
+  int dimension() const { return basis().rows().dimension(); }
 
   CGP::Hermitian_sparse_matrix<Q> masses() const
   {
-    CGP::Hermitian_sparse_matrix<Q> M(problem.matrix().shared_pattern());
+    CGP::Hermitian_sparse_matrix<Q> M(system.matrix().shared_pattern());
     for (int v = 0; v < M.size(); ++v)
-      M.value(M.pattern().offsets[at(v)]) = {problem.areas()[v], 0, 0, 0};
+      M.value(M.pattern().offsets[at(v)]) = {system.areas()[v], 0, 0, 0};
     return M;
   }
 
-  Eigen::MatrixXd form(const Vectors& basis, const CGP::Hermitian_sparse_matrix<Q>& A) const
+  Eigen::MatrixXd form(const Vectors& columns, const CGP::Hermitian_sparse_matrix<Q>& A) const
   {
-    Vectors images(basis.rows(), basis.cols());
-    for (Eigen::Index j = 0; j < basis.cols(); ++j) images.col(j) = A * basis.col(j);
-    return directions.basis().coordinates(images);
+    Vectors images(columns.rows(), columns.cols());
+    for (Eigen::Index j = 0; j < columns.cols(); ++j) images.col(j) = A * columns.col(j);
+    return basis().coordinates(images);
   }
 
   /// Re <a, M_V b>
   double product(const Quaternion_vector<double>& a, const Quaternion_vector<double>& b) const
   {
     double sum = 0;
-    for (int v = 0; v < a.size(); ++v) sum += problem.areas()[v] * dot(a[v], b[v]);
+    for (int v = 0; v < a.size(); ++v) sum += system.areas()[v] * dot(a[v], b[v]);
     return sum;
   }
 
   /// of mean square one, in the direction of the guide
   Quaternion_vector<double> normalized(Quaternion_vector<double> x) const
   {
-    const double sign = product(x, directions.guide()) < 0 ? -1 : 1;
-    const double factor = sign * std::sqrt(problem.areas().sum() / product(x, x));
+    const double sign = product(x, guide()) < 0 ? -1 : 1;
+    const double factor = sign * std::sqrt(system.areas().sum() / product(x, x));
     for (Q& q : x) q *= factor;
     return x;
   }
 
   double overlap(int j) const
   {
-    const auto& guide = directions.guide();
-    return std::abs(product(vectors.col(j), guide)) / std::sqrt(product(guide, guide));
+    return std::abs(product(vectors.col(j), guide())) / std::sqrt(product(guide(), guide()));
   }
 
-  template <class GoFurther = CGP::Always_go_further>
-  CGP::Dirac_solution solve(const CGP::Dirac_options& options, bool is_self_adjoint = false,
-                            GoFurther go_further = {})
+  CGP::Dirac_solution solve(const CGP::Dirac_options& options,
+                            const CGP::Go_further& go_further = CGP::Always_go_further())
   {
     CGP::Dirac_solution s;
-    equation.solve(rho, is_self_adjoint, options, s, go_further);
+    system.set_potential(rho, s.seconds);
+    CGP::internal::Directions_search<CGP::Default_solver_traits>(system).solve(rho, options, s,
+                                                                               go_further);
     return s;
   }
 
@@ -95,18 +98,16 @@ class Reduced_dirac_equation : public testing::Test {
   const Mesh_view mesh = scaled(perturbed(cap_from_disk(jittered_disk(3, .3), 1), .04), unit);
   const Curvature_potential rho = potential_on_vertices(
       mesh, [](const Eigen::Vector3d& p) { return 2 / unit * std::cos(3 * p.x() / unit); });
-  Problem problem{mesh};
-  Directions directions{
-      mesh, Boundary_condition::tangents(enneper_directions(jittered_disk(3, .3), {1, 0, 0})),
-      problem.matrix().shared_pattern(), problem.solver()};
-  CGP::Reduced_dirac_equation<Problem, Directions> equation{problem, directions};
+  const Boundary_condition tangents =
+      Boundary_condition::tangents(enneper_directions(jittered_disk(3, .3), {1, 0, 0}));
+  System system{mesh, tangents};
   Eigen::VectorXd values;  // singular values of D - rho, ascending
   Vectors vectors;         // the first four, of mass one
 };
 
 }  // namespace
 
-TEST_F(Reduced_dirac_equation, finds_the_smallest_singular_value)
+TEST_F(Directions_search, finds_the_smallest_singular_value)
 {
   CGP::Dirac_options options = exactly();
   options.branch = CGP::Branch::smallest;
@@ -118,7 +119,7 @@ TEST_F(Reduced_dirac_equation, finds_the_smallest_singular_value)
   EXPECT_LT(greatest_difference(s.lambda, normalized(vectors.col(0))), 1e-8);
 }
 
-TEST_F(Reduced_dirac_equation, finds_the_vector_nearest_to_the_guide)
+TEST_F(Directions_search, finds_the_vector_nearest_to_the_guide)
 {
   int nearest = 0;
   for (int j = 1; j < 4; ++j)
@@ -130,7 +131,7 @@ TEST_F(Reduced_dirac_equation, finds_the_vector_nearest_to_the_guide)
   EXPECT_LT(greatest_difference(s.lambda, normalized(vectors.col(nearest))), 1e-8);
 }
 
-TEST_F(Reduced_dirac_equation, projects_the_guide_on_what_counts_as_kernel)
+TEST_F(Directions_search, projects_the_guide_on_what_counts_as_kernel)
 {
   CGP::Dirac_options options = exactly();
   options.kernel_tolerance = (values[1] + values[2]) / 2;
@@ -139,7 +140,7 @@ TEST_F(Reduced_dirac_equation, projects_the_guide_on_what_counts_as_kernel)
   Quaternion_vector<double> expected = Quaternion_vector<double>::Constant(s.lambda.size(), Q{});
   double energy = 0, square = 0;
   for (int j = 0; j < 2; ++j) {
-    const double share = product(vectors.col(j), directions.guide());
+    const double share = product(vectors.col(j), guide());
     energy += share * share * values[j] * values[j];
     square += share * share;
     for (int v = 0; v < expected.size(); ++v) expected[v] += share * vectors(v, j);
@@ -148,9 +149,18 @@ TEST_F(Reduced_dirac_equation, projects_the_guide_on_what_counts_as_kernel)
   EXPECT_NEAR(s.energy, energy / square, 1e-8 * values[1] * values[1]);
 }
 
-TEST_F(Reduced_dirac_equation, gives_gamma_its_sign_where_it_is_an_eigenvalue)
+TEST_F(Directions_search, is_what_solves_the_equation_with_a_condition_of_directions)
 {
-  const CGP::Dirac_solution s = solve(exactly(), true);
+  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho, exactly());
+  EXPECT_EQ(s.lambda, solve(exactly()).lambda);
+  EXPECT_EQ(s.eigenvalue, solve(exactly()).eigenvalue);
+}
+
+TEST_F(Directions_search, gives_gamma_its_sign_where_it_is_an_eigenvalue)
+{
+  System self_adjoint(mesh, Boundary_condition::binormals());
+  const CGP::Dirac_solution s = CGP::solve_dirac_equation(self_adjoint, rho, exactly());
+  ASSERT_TRUE(s.converged);
   const Quaternion_vector<double> B = CGP::averaging(mesh) * s.lambda,
                                   D = CGP::dirac(mesh) * s.lambda,
                                   R = CGP::potential_matrix(mesh, rho) * s.lambda;
@@ -161,68 +171,68 @@ TEST_F(Reduced_dirac_equation, gives_gamma_its_sign_where_it_is_an_eigenvalue)
     mass += A * squared_norm(B[f]);
   }
   EXPECT_NEAR(s.eigenvalue, form / mass, 1e-12);
+  Curvature_potential opposite = rho;
+  opposite.values *= -1;
+  const double other = CGP::solve_dirac_equation(self_adjoint, opposite, exactly()).eigenvalue;
+  EXPECT_LT(s.eigenvalue * other, 0);
 }
 
-TEST_F(Reduced_dirac_equation, answers_to_sources_in_the_space_of_the_condition)
+TEST_F(Directions_search, answers_to_sources_in_the_space_of_the_condition)
 {
   const Quaternion_vector<double> c = random_quaternions(mesh.size_of_vertices(), 3);
-  const Vectors x = equation.response(Vectors(c));
-  EXPECT_LT(greatest_difference(directions.basis().project(x).col(0), x.col(0)), 1e-12);
-  CGP::Dirac_solution::Seconds seconds;
-  problem.assemble(CGP::no_potential(mesh), seconds);
-  Quaternion_vector<double> image = problem.matrix() * x.col(0);
+  system.prepare_response();
+  const Vectors x = system.response(Vectors(c));
+  EXPECT_LT(greatest_difference(basis().project(x).col(0), x.col(0)), 1e-12);
+  CGP::Dirac_evidence::Seconds seconds;
+  system.assemble(CGP::no_potential(mesh), seconds);
+  Quaternion_vector<double> image = system.matrix() * x.col(0);
   for (int v = 0; v < image.size(); ++v)
-    image[v] += 1e-6 * problem.unit() * problem.areas()[v] * x(v, 0);
-  const auto& basis = directions.basis();
-  EXPECT_LT((basis.coordinates(Vectors(image)) - basis.coordinates(Vectors(c))).norm(), 1e-9);
+    image[v] += 1e-6 * system.unit() * system.areas()[v] * x(v, 0);
+  EXPECT_LT((basis().coordinates(Vectors(image)) - basis().coordinates(Vectors(c))).norm(), 1e-9);
 }
 
-TEST_F(Reduced_dirac_equation, gives_the_same_bits_again)
+TEST_F(Directions_search, gives_the_same_bits_again)
 {
   CGP::Dirac_options options;
   options.kernel_tolerance = (values[1] + values[2]) / 2;
   EXPECT_EQ(solve(options).lambda, solve(options).lambda);
 }
 
-TEST_F(Reduced_dirac_equation, can_be_cancelled)
+TEST_F(Directions_search, can_be_cancelled)
 {
   for (int limit = 0; limit < 4; ++limit) {
     int count = 0;
     const CGP::Dirac_solution s =
-        solve(exactly(), false, [&](const CGP::Eigensolver_progress&) { return count++ < limit; });
+        solve(exactly(), [&](const CGP::Eigensolver_progress&) { return count++ < limit; });
     EXPECT_TRUE(s.cancelled);
     EXPECT_EQ(count, limit + 1);
   }
 }
 
-TEST_F(Reduced_dirac_equation, says_so_if_it_has_not_converged)
+TEST_F(Directions_search, says_so_if_it_has_not_converged)
 {
   CGP::Dirac_options options = exactly();
   options.max_iterations = 1;
   EXPECT_FALSE(solve(options).converged);
 }
 
-TEST_F(Reduced_dirac_equation, tells_the_same_error_in_all_units_of_length)
+TEST_F(Directions_search, tells_the_same_error_in_all_units_of_length)
 {
   const Mesh_view large = scaled(mesh, 1024);
-  Problem other{large};
-  const Directions same{
-      large, Boundary_condition::tangents(enneper_directions(jittered_disk(3, .3), {1, 0, 0})),
-      other.matrix().shared_pattern(), other.solver()};
-  CGP::Reduced_dirac_equation<Problem, Directions> of_large{other, same};
+  System of_large(large, tangents);
   CGP::Dirac_options options = exactly();
   options.max_iterations = 1;
-  CGP::Dirac_solution s;
-  of_large.solve({rho.on, rho.values / 1024}, false, options, s, CGP::Always_go_further());
+  const CGP::Dirac_solution s =
+      CGP::solve_dirac_equation(of_large, Curvature_potential{rho.on, rho.values / 1024}, options);
   const double residual = solve(options).residual;
   EXPECT_GT(residual, 1e-9);
   EXPECT_NEAR(s.residual / residual, 1, 1e-6);
 }
 
-TEST_F(Reduced_dirac_equation, refuses_a_matrix_that_is_not_finite)
+TEST_F(Directions_search, refuses_a_matrix_that_is_not_finite)
 {
   Curvature_potential broken = rho;
   broken.values[3] = std::numeric_limits<double>::quiet_NaN();
-  CGP::Dirac_solution::Seconds seconds;
-  EXPECT_THROW(equation.set_potential(broken, seconds), CGP::Solver_error);
+  CGP::Dirac_evidence::Seconds seconds;
+  EXPECT_THROW(system.set_potential(broken, seconds), CGP::Solver_error);
 }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests flow/Moving_delaunay_view.h, flow/Moving_mesh.h, forms/delaunay_exactness.h
-#include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
+// Tests include/Conformal_geometry_processing/spin/Exact_steps.h
 #include <Conformal_geometry_processing/measure/alignment.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>
 
@@ -38,9 +38,10 @@ Curvature_potential rho_of(const Mesh_view& mesh, Curvature_potential::On on, do
 }
 
 Spin_result robust(const Mesh_view& mesh, const Curvature_potential& rho,
-                   const CGP::Closing_options& options = {})
+                   CGP::Spin_transformation_options options = {})
 {
-  return CGP::Robust_closing_spin_transformation<>(mesh, options, {}, 1e-6, "test").transform(rho);
+  options.mollification = 1e-6;
+  return CGP::Spin_transformation<>(mesh, options).transform(rho);
 }
 
 /// an annulus with bumps
@@ -60,12 +61,12 @@ double distance(const Spin_result& result, const Spin_result& expected)
 
 }  // namespace
 
-TEST(Moving_delaunay_view, of_a_Delaunay_torus_is_the_moving_mesh)
+TEST(Exact_steps_mollified, of_a_Delaunay_torus_is_the_moving_mesh)
 {
   const Mesh_view mesh = torus(1, .5, 24, 12);
   for (const auto on : both) {
     const Curvature_potential rho = rho_of(mesh, on, .8);
-    const Spin_result expected = CGP::Closing_spin_transformation<>(mesh).transform(rho),
+    const Spin_result expected = CGP::Spin_transformation<>(mesh).transform(rho),
                       result = robust(mesh, rho);
     ASSERT_TRUE(expected.report && result.report);
     EXPECT_EQ(expected.report.steps, 1);  // after which it is no longer Delaunay
@@ -77,13 +78,12 @@ TEST(Moving_delaunay_view, of_a_Delaunay_torus_is_the_moving_mesh)
   }
 }
 
-TEST(Moving_delaunay_view, makes_of_a_spoilt_torus_the_same_shape)
+TEST(Exact_steps_mollified, makes_of_a_spoilt_torus_the_same_shape)
 {
   const Mesh_view clean = torus(1, .5, 56, 28), mesh = spoilt(clean);
-  EXPECT_THROW(CGP::Closing_spin_transformation<>{mesh}, CGP::Precondition_error);
+  EXPECT_THROW(CGP::Spin_transformation<>{mesh}, CGP::Precondition_error);
   const auto on = Curvature_potential::On::vertices;
-  const Spin_result expected =
-                        CGP::Closing_spin_transformation<>(clean).transform(rho_of(clean, on, .3)),
+  const Spin_result expected = CGP::Spin_transformation<>(clean).transform(rho_of(clean, on, .3)),
                     result = robust(mesh, rho_of(mesh, on, .3));
   ASSERT_TRUE(expected.report && result.report);
   EXPECT_GT(result.report.mollification.flipped_edges, 1000);
@@ -95,12 +95,11 @@ TEST(Moving_delaunay_view, makes_of_a_spoilt_torus_the_same_shape)
   EXPECT_EQ(result.report.conformality.flipped_faces, 0);
 }
 
-TEST(Moving_delaunay_view, goes_on_from_the_surface_of_the_step_before)
+TEST(Exact_steps_mollified, goes_on_from_the_surface_of_the_step_before)
 {
   const Mesh_view clean = torus(1, .5, 24, 12), mesh = spoilt(clean);
   for (const auto on : both) {
-    const Spin_result expected =
-                          CGP::Closing_spin_transformation<>(clean).transform(rho_of(clean, on, 2)),
+    const Spin_result expected = CGP::Spin_transformation<>(clean).transform(rho_of(clean, on, 2)),
                       result = robust(mesh, rho_of(mesh, on, 2));
     ASSERT_TRUE(expected.report && result.report);
     EXPECT_GT(result.report.steps, 1);
@@ -110,11 +109,11 @@ TEST(Moving_delaunay_view, goes_on_from_the_surface_of_the_step_before)
   }
 }
 
-TEST(Moving_delaunay_view, leaves_handles_open_if_it_is_told_to)
+TEST(Exact_steps_mollified, leaves_handles_open_if_it_is_told_to)
 {
   const Mesh_view mesh = spoilt(torus(1, .5, 24, 12));
   const Curvature_potential rho = rho_of(mesh, Curvature_potential::On::vertices, .8);
-  CGP::Closing_options open;
+  CGP::Spin_transformation_options open;
   open.exactness.reset();
   const Spin_result sheared = robust(mesh, rho, open), closed = robust(mesh, rho);
   EXPECT_EQ(sheared.report.missing_share, 0);
@@ -122,12 +121,11 @@ TEST(Moving_delaunay_view, leaves_handles_open_if_it_is_told_to)
   EXPECT_GT(sheared.report.closure_residual, 3 * closed.report.closure_residual);
 }
 
-TEST(Moving_delaunay_view, keeps_holes_closed)
+TEST(Exact_steps_mollified, keeps_holes_closed)
 {
   const Mesh_view clean = bumpy_annulus(60, 12), mesh = spoilt(clean);
   const auto on = Curvature_potential::On::vertices;
-  const Spin_result expected =
-                        CGP::Closing_spin_transformation<>(clean).transform(rho_of(clean, on, .4)),
+  const Spin_result expected = CGP::Spin_transformation<>(clean).transform(rho_of(clean, on, .4)),
                     result = robust(mesh, rho_of(mesh, on, .4));
   ASSERT_TRUE(expected.report && result.report);
   // The weight of a free boundary goes with the length of the edges, which are shorter here.

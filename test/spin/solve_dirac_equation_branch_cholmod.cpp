@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/Dirac_equation.h
-#include <Conformal_geometry_processing/spin/Dirac_equation.h>
+// Tests include/Conformal_geometry_processing/spin/solve_dirac_equation.h
+// Tests include/Conformal_geometry_processing/spin/Dirac_branch.h
+#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
 #include "spin/branch_tools.h"
 
@@ -13,12 +14,12 @@ class Branch_on_icosphere_4 : public testing::Test {
  protected:
   CGP::Dirac_solution expect_branch(const Curvature_potential& rho)
   {
-    CGP::Dirac_solution s = CGP::Dirac_equation<>(sphere).solve(rho);
-    CGP::Dirac_eigenproblem<> problem(sphere);
-    const Branch_point expected = branch_of_identity(problem, rho, 20);
+    CGP::Dirac_system<> system(sphere);
+    CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+    const Branch_point expected = branch_of_identity(system, rho, 20);
     EXPECT_GT(expected.least_overlap, 0.98);
     EXPECT_TRUE(s.converged);
-    EXPECT_GT(problem.overlap(s.lambda, expected.lambda), 0.99);
+    EXPECT_GT(system.overlap(s.lambda, expected.lambda), 0.99);
     EXPECT_NEAR(s.eigenvalue, expected.gamma, 0.03);
     return s;
   }

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/flow/Closing_spin_transformation.h
-#include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
+// Tests include/Conformal_geometry_processing/spin/Exact_steps.h
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <gtest/gtest.h>
 
 #include <complex>
 #include <vector>
 
-#include "bounded_flows.h"
+#include "../flow/bounded_flows.h"
 
 namespace {
 
@@ -28,9 +28,10 @@ Curvature_potential wave(const Mesh_view& mesh, double amplitude)
 
 CGP::Spin_result transformed(const Mesh_view& mesh, const Boundary_condition& condition,
                              const Curvature_potential& rho,
-                             const CGP::Closing_options& options = {})
+                             CGP::Spin_transformation_options options = {})
 {
-  return CGP::Closing_spin_transformation<>(mesh, options, condition, "f").transform(rho);
+  options.boundary = condition;
+  return CGP::Spin_transformation<>(mesh, options, "f").transform(rho);
 }
 
 double distortion(const CGP::Spin_result& result)
@@ -54,21 +55,21 @@ Boundary_condition tangents_of_image(const Mesh_view& mesh)
 
 }  // namespace
 
-TEST(Closing_spin_transformation_with_boundary, of_a_disk_is_the_spin_transformation_to_the_bit)
+TEST(Exact_steps_with_boundary, of_a_disk_are_a_single_one_to_the_bit)
 {
   const Mesh_view mesh = bumpy_cap(8);
   const Boundary_condition condition = Boundary_condition::binormals();
   const CGP::Spin_result expected =
-      CGP::Spin_transformation<>(mesh, condition).transform(wave(mesh, 1));
+      CGP::Spin_transformation<>(mesh, {condition}).step(wave(mesh, 1));
   const CGP::Spin_result result = transformed(mesh, condition, wave(mesh, 1));
   EXPECT_EQ(result.positions, expected.positions);
   EXPECT_EQ(result.report.steps, 1);
 }
 
-TEST(Closing_spin_transformation_with_boundary, does_not_shear_an_annulus)
+TEST(Exact_steps_with_boundary, does_not_shear_an_annulus)
 {
   const Mesh_view mesh = bumpy_annulus(8);
-  CGP::Closing_options plain;
+  CGP::Spin_transformation_options plain;
   plain.exactness.reset();
   for (const Boundary_condition& condition :
        {Boundary_condition::binormals(), Boundary_condition::tangents(),
@@ -76,7 +77,7 @@ TEST(Closing_spin_transformation_with_boundary, does_not_shear_an_annulus)
     const CGP::Spin_result result = transformed(mesh, condition, wave(mesh, 1));
     EXPECT_TRUE(result.report);
     EXPECT_EQ(result.report.reached, 1);
-    EXPECT_LE(result.report.period_defect, CGP::Closing_options().max_period_defect);
+    EXPECT_LE(result.report.period_defect, CGP::Spin_transformation_options().max_period_defect);
     EXPECT_GT(result.report.missing_share, .01);
     EXPECT_LT(result.report.missing_share, .9);
     EXPECT_LT(distortion(result), .05);
@@ -84,10 +85,10 @@ TEST(Closing_spin_transformation_with_boundary, does_not_shear_an_annulus)
   }
 }
 
-TEST(Closing_spin_transformation_with_boundary, takes_as_many_steps_as_the_tolerance_wants)
+TEST(Exact_steps_with_boundary, takes_as_many_steps_as_the_tolerance_wants)
 {
   const Mesh_view mesh = bumpy_annulus(6);
-  CGP::Closing_options options;
+  CGP::Spin_transformation_options options;
   options.max_period_defect = .002;
   const CGP::Spin_result result =
       transformed(mesh, Boundary_condition::binormals(), wave(mesh, 2), options);
@@ -97,7 +98,7 @@ TEST(Closing_spin_transformation_with_boundary, takes_as_many_steps_as_the_toler
   EXPECT_NEAR(area({result.positions, mesh.corners()}), area(mesh), 1e-9 * area(mesh));
 }
 
-TEST(Closing_spin_transformation_with_boundary, counts_constants_where_they_have_an_effect)
+TEST(Exact_steps_with_boundary, counts_constants_where_they_have_an_effect)
 {
   const Mesh_view mesh = bumpy_annulus(6);
   const auto one =
@@ -106,11 +107,11 @@ TEST(Closing_spin_transformation_with_boundary, counts_constants_where_they_have
   EXPECT_TRUE(result.report);
   EXPECT_GT(result.report.missing_share, 1e-3);
   EXPECT_LT(result.report.missing_share, 1);
-  EXPECT_GT(CGP::mean_curvature({result.positions, mesh.corners()}).mean(),
+  EXPECT_GT(CGP::mean_curvature(Mesh_view(result.positions, mesh.corners())).mean(),
             CGP::mean_curvature(mesh).mean() + .1);
 }
 
-TEST(Closing_spin_transformation_with_boundary, turns_both_loops_of_an_annulus)
+TEST(Exact_steps_with_boundary, turns_both_loops_of_an_annulus)
 {
   const Mesh_view mesh = annulus(.4, 1, 96, 8);
   const CGP::Spin_result result =
@@ -121,7 +122,7 @@ TEST(Closing_spin_transformation_with_boundary, turns_both_loops_of_an_annulus)
   EXPECT_LT(distortion(result), .05);
 }
 
-TEST(Closing_spin_transformation_with_boundary, says_why_a_boundary_cannot_be)
+TEST(Exact_steps_with_boundary, says_why_a_boundary_cannot_be)
 {
   const Mesh_view mesh = annulus(.4, 1, 48, 4);
   Boundary_condition condition = tangents_of_image(mesh);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/flow/Closing_spin_transformation.h
-#include <Conformal_geometry_processing/flow/Closing_spin_transformation.h>
+// Tests include/Conformal_geometry_processing/spin/Exact_steps.h
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
@@ -21,7 +22,7 @@ namespace {
 using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
-using Transformation = CGP::Closing_spin_transformation<>;
+using Transformation = CGP::Spin_transformation<>;
 using On = Curvature_potential::On;
 
 // A test function that is independent of the surface.
@@ -43,7 +44,7 @@ Curvature_potential wave(const Mesh_view& mesh, double amplitude, On on = On::ve
 }
 
 CGP::Spin_result transformed(const Mesh_view& mesh, const Curvature_potential& rho,
-                             const CGP::Closing_options& options = {})
+                             const CGP::Spin_transformation_options& options = {})
 {
   return Transformation(mesh, options).transform(rho);
 }
@@ -55,10 +56,10 @@ double distortion(const CGP::Spin_result& result)
 
 }  // namespace
 
-TEST(Closing_spin_transformation, of_a_sphere_is_the_spin_transformation_to_the_bit)
+TEST(Exact_steps, of_a_sphere_are_a_single_one_to_the_bit)
 {
   const Mesh_view mesh = bumpy_sphere(2);
-  const CGP::Spin_result expected = CGP::Spin_transformation<>(mesh).transform(wave(mesh, 1));
+  const CGP::Spin_result expected = CGP::Spin_transformation<>(mesh).step(wave(mesh, 1));
   const CGP::Spin_result result = transformed(mesh, wave(mesh, 1));
   EXPECT_EQ(result.positions, expected.positions);
   EXPECT_EQ(result.lambda, expected.lambda);
@@ -67,11 +68,11 @@ TEST(Closing_spin_transformation, of_a_sphere_is_the_spin_transformation_to_the_
   EXPECT_EQ(result.report.missing_share, 0);
 }
 
-TEST(Closing_spin_transformation, does_not_shear_a_torus_as_plain_spin_transformations_do)
+TEST(Exact_steps, does_not_shear_a_torus_as_plain_spin_transformations_do)
 {
   const Mesh_view mesh = torus(0.7, 0.3, 60, 30);
   for (const On on : {On::vertices, On::faces}) {
-    CGP::Closing_options plain;
+    CGP::Spin_transformation_options plain;
     plain.exactness.reset();
     const CGP::Spin_result result = transformed(mesh, wave(mesh, 1, on));
     EXPECT_TRUE(result.report);
@@ -79,11 +80,11 @@ TEST(Closing_spin_transformation, does_not_shear_a_torus_as_plain_spin_transform
     EXPECT_GT(distortion(transformed(mesh, wave(mesh, 1, on), plain)), 0.4);
     EXPECT_GT(result.report.missing_share, 0.3);
     EXPECT_LT(result.report.missing_share, 0.9);
-    EXPECT_LE(result.report.period_defect, CGP::Closing_options().max_period_defect);
+    EXPECT_LE(result.report.period_defect, CGP::Spin_transformation_options().max_period_defect);
   }
 }
 
-TEST(Closing_spin_transformation, of_a_fine_torus_is_conformal_to_a_few_per_cent)
+TEST(Exact_steps, of_a_fine_torus_is_conformal_to_a_few_per_cent)
 {
   const Mesh_view mesh = torus(0.7, 0.3, 192, 96);  // 36,864 faces
   const CGP::Spin_result result = transformed(mesh, wave(mesh, 1));
@@ -92,12 +93,12 @@ TEST(Closing_spin_transformation, of_a_fine_torus_is_conformal_to_a_few_per_cent
   EXPECT_LT(distortion(result), 0.02);
 }
 
-TEST(Closing_spin_transformation, takes_as_many_steps_as_the_tolerance_wants)
+TEST(Exact_steps, takes_as_many_steps_as_the_tolerance_wants)
 {
   const Mesh_view mesh = torus(1, 0.4, 40, 16);
   int steps = 0;
   for (const double tolerance : {0.05, 0.01, 0.002}) {
-    CGP::Closing_options options;
+    CGP::Spin_transformation_options options;
     options.max_period_defect = tolerance;
     const CGP::Spin_result result = transformed(mesh, wave(mesh, 1.5), options);
     EXPECT_TRUE(result.report);
@@ -108,7 +109,7 @@ TEST(Closing_spin_transformation, takes_as_many_steps_as_the_tolerance_wants)
   }
 }
 
-TEST(Closing_spin_transformation, applies_all_of_a_rho_that_lets_the_surface_close)
+TEST(Exact_steps, applies_all_of_a_rho_that_lets_the_surface_close)
 {
   // Twice around the tube: orthogonal to all that moves the ends of its loops, by symmetry.
   const Mesh_view mesh = torus(1, 0.4, 48, 24);
@@ -121,10 +122,10 @@ TEST(Closing_spin_transformation, applies_all_of_a_rho_that_lets_the_surface_clo
   EXPECT_GT((result.positions - mesh.positions()).cwiseAbs().maxCoeff(), 0.01);
 }
 
-TEST(Closing_spin_transformation, comes_to_the_same_surface_in_one_step_and_in_several)
+TEST(Exact_steps, comes_to_the_same_surface_in_one_step_and_in_several)
 {
   const Mesh_view mesh = torus(1, 0.4, 40, 16);
-  CGP::Closing_options one, several;
+  CGP::Spin_transformation_options one, several;
   one.max_period_defect = 1;
   several.max_period_defect = 5e-4;
   const Curvature_potential rho = wave(mesh, .3);
@@ -134,7 +135,7 @@ TEST(Closing_spin_transformation, comes_to_the_same_surface_in_one_step_and_in_s
   EXPECT_LT((a.positions - b.positions).norm(), .1 * (a.positions - mesh.positions()).norm());
 }
 
-TEST(Closing_spin_transformation, measures_the_missing_share_in_the_mean_square_without_the_mean)
+TEST(Exact_steps, measures_the_missing_share_in_the_mean_square_without_the_mean)
 {
   const Mesh_view mesh = torus(1, 0.4, 40, 16);
   const Eigen::VectorXd A = CGP::vertex_areas(mesh), w = wave(mesh, .02).values;
@@ -155,10 +156,10 @@ TEST(Closing_spin_transformation, measures_the_missing_share_in_the_mean_square_
   EXPECT_NEAR(missing(w.array() + .03), of_wave, .1 * of_wave);
 }
 
-TEST(Closing_spin_transformation, tells_the_spins_of_the_whole_way)
+TEST(Exact_steps, tells_the_spins_of_the_whole_way)
 {
   const Mesh_view mesh = torus(1, 0.4, 60, 24);
-  CGP::Closing_options options;
+  CGP::Spin_transformation_options options;
   options.max_period_defect = 0.005;
   const CGP::Spin_result result = transformed(mesh, wave(mesh, 1), options);
   ASSERT_GT(result.report.steps, 1);
@@ -181,7 +182,7 @@ TEST(Closing_spin_transformation, tells_the_spins_of_the_whole_way)
   EXPECT_EQ(result.report.conformality.flipped_faces, 0);
 }
 
-TEST(Closing_spin_transformation, keeps_the_spin_structure_embedded_or_not)
+TEST(Exact_steps, keeps_the_spin_structure_embedded_or_not)
 {
   for (const int arf : {0, 1}) {
     const Mesh_view mesh = turned_torus(64, 32, arf == 1, arf);
@@ -194,7 +195,7 @@ TEST(Closing_spin_transformation, keeps_the_spin_structure_embedded_or_not)
   }
 }
 
-TEST(Closing_spin_transformation, keeps_genus_two_and_three_closed)
+TEST(Exact_steps, keeps_genus_two_and_three_closed)
 {
   for (const int genus : {2, 3}) {
     const Mesh_view mesh = smooth_handlebody(genus, 2);
@@ -205,10 +206,10 @@ TEST(Closing_spin_transformation, keeps_genus_two_and_three_closed)
   }
 }
 
-TEST(Closing_spin_transformation, says_how_far_it_has_come)
+TEST(Exact_steps, says_how_far_it_has_come)
 {
   const Mesh_view mesh = torus(1, 0.4, 20, 10);
-  CGP::Closing_options options;
+  CGP::Spin_transformation_options options;
   options.max_period_defect = 1e-9;
   options.min_step = 0.3;
   const CGP::Spin_result none = transformed(mesh, wave(mesh, 1), options);
@@ -221,10 +222,10 @@ TEST(Closing_spin_transformation, says_how_far_it_has_come)
   EXPECT_LT(some.report.reached, 1);
 }
 
-TEST(Closing_spin_transformation, can_be_cancelled_in_a_later_step)
+TEST(Exact_steps, can_be_cancelled_in_a_later_step)
 {
   const Mesh_view mesh = torus(1, 0.4, 20, 10);
-  CGP::Closing_options options;
+  CGP::Spin_transformation_options options;
   options.max_period_defect = 1e-3;
   int calls = 0;
   const CGP::Spin_result result =
@@ -235,7 +236,7 @@ TEST(Closing_spin_transformation, can_be_cancelled_in_a_later_step)
   EXPECT_FALSE(result.report);
 }
 
-TEST(Closing_spin_transformation, gives_the_same_bits_twice)
+TEST(Exact_steps, gives_the_same_bits_twice)
 {
   const Mesh_view mesh = torus(1, 0.4, 20, 10);
   const CGP::Spin_result a = transformed(mesh, wave(mesh, 1)), b = transformed(mesh, wave(mesh, 1));
@@ -243,7 +244,7 @@ TEST(Closing_spin_transformation, gives_the_same_bits_twice)
   EXPECT_EQ(a.lambda, b.lambda);
 }
 
-TEST(Closing_spin_transformation, refuses_rho_that_does_not_fit)
+TEST(Exact_steps, refuses_rho_that_does_not_fit)
 {
   const Mesh_view mesh = torus(1, 0.4, 10, 6);
   Curvature_potential rho = wave(mesh, 1);
@@ -254,7 +255,7 @@ TEST(Closing_spin_transformation, refuses_rho_that_does_not_fit)
   EXPECT_THROW(Transformation(Mesh_view{}), CGP::Precondition_error);
 }
 
-TEST(Closing_spin_transformation, does_with_fewer_digits_where_there_are_slivers)
+TEST(Exact_steps, does_with_fewer_digits_where_there_are_slivers)
 {
   const Mesh_view regular = torus(1, 0.4, 24, 12);
   Points p = regular.positions();

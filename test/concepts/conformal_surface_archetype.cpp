@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/mesh/Surface_ref.h
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "support/dense.h"
+#include "support/meshes.h"
+
+namespace {
+
+namespace CGP = Conformal_geometry_processing;
+
+}  // namespace
+
+namespace archetype {
+
+/// no more than the concept `ConformalSurface` offers
+class Surface {
+ public:
+  explicit Surface(const cgp_test::Mesh_view& mesh) : m_mesh(mesh) {}
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
+
+  const CGP::Points& positions() const { return m_mesh.positions(); }
+  int size_of_faces() const { return m_mesh.size_of_faces(); }
+  const std::vector<std::array<int, 2>>& ends() const { return m_mesh.ends(); }
+  int size_of_sheets() const { return m_mesh.size_of_faces(); }
+  CGP::Sheet sheet(int i) const { return m_mesh.sheet(i); }
+
+ private:
+  cgp_test::Mesh_view m_mesh;
+};
+
+std::vector<std::vector<int>> boundary_loops(const Surface&)
+{
+  return {};
+}
+
+}  // namespace archetype
+
+TEST(Operators_of_an_archetype, need_no_more_than_the_concept_offers)
+{
+  const cgp_test::Mesh_view mesh = cgp_test::bumpy_sphere(1);
+  const archetype::Surface surface(mesh);
+  const auto rho =
+      CGP::Curvature_potential::on_vertices(cgp_test::random_numbers(mesh.size_of_vertices(), 1));
+  EXPECT_TRUE(cgp_test::dense(CGP::dirac_energy(surface, rho)) ==
+              cgp_test::dense(CGP::dirac_energy(mesh, rho)));
+  EXPECT_EQ(CGP::cotan_weights(surface), CGP::cotan_weights(mesh));
+  EXPECT_EQ(CGP::mean_curvature(surface), CGP::mean_curvature(mesh));
+}
+
+TEST(Operators_of_an_archetype, solve_its_dirac_equation)
+{
+  const cgp_test::Mesh_view mesh = cgp_test::bumpy_sphere(1);
+  const archetype::Surface surface(mesh);
+  const auto rho =
+      CGP::Curvature_potential::on_vertices(cgp_test::random_numbers(mesh.size_of_vertices(), 1));
+  CGP::Dirac_system<> system(surface), expected(mesh);
+  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+  EXPECT_TRUE(s.converged);
+  EXPECT_TRUE(s.lambda == CGP::solve_dirac_equation(expected, rho).lambda);
+  const Eigen::MatrixX3d edges = CGP::transformed_edges(surface, s.lambda);
+  const CGP::Poisson_reconstruction<> poisson(surface, system.matrix().shared_pattern());
+  EXPECT_TRUE(poisson.positions(edges).allFinite());
+}

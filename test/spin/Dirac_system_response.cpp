@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Dirac_system.h
+#include <Conformal_geometry_processing/mesh/Delaunay_view.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/dense.h"
+#include "support/meshes.h"
+#include "support/thin_faces.h"
+
+/// The response of closed surfaces, of meshes and of their intrinsic Delaunay triangulations.
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+
+/// columns of random quaternions without sum
+Quaternion_matrix sources(int rows, int columns)
+{
+  Quaternion_matrix c = zero_matrix(rows, columns);
+  for (int j = 0; j < columns; ++j) {
+    c.col(j) = random_quaternions(rows, static_cast<std::uint64_t>(j));
+    Quaternion<double> sum{};
+    for (int i = 1; i < rows; ++i) sum += c(i, j);
+    c(0, j) = -sum;
+  }
+  return c;
+}
+
+void expect_solutions(const CGP::Surface_ref& surface, const Quaternion_matrix& Y,
+                      const Quaternion_matrix& c)
+{
+  ASSERT_EQ(Y.cols(), c.cols());
+  const auto X = CGP::dirac_energy(surface, CGP::no_potential(surface));
+  const Eigen::VectorXd m = CGP::vertex_areas(surface);
+  for (Eigen::Index j = 0; j < c.cols(); ++j) {
+    EXPECT_LT(greatest_difference(X * Y.col(j), c.col(j)), 1e-8 * greatest_entry(c));
+    Quaternion<double> sum{};
+    for (Eigen::Index i = 0; i < m.size(); ++i) sum += m[i] * Y(i, j);
+    EXPECT_LT(norm(sum), 1e-11 * m.sum() * greatest_entry(Y));
+  }
+}
+
+template <class Surface>
+class Dirac_system_response : public testing::Test {
+ protected:
+  /// the surfaces of the operators, of meshes that are not Delaunay
+  const std::vector<Surface> surfaces{Surface(perturbed(icosphere(2), .05)),
+                                      Surface(perturbed(btorus(12), .04))};
+};
+
+using Surfaces = testing::Types<Mesh_view, CGP::Delaunay_view>;
+TYPED_TEST_SUITE(Dirac_system_response, Surfaces);
+
+}  // namespace
+
+TYPED_TEST(Dirac_system_response, inverts_the_matrix_on_vectors_without_sum)
+{
+  for (const TypeParam& surface : this->surfaces) {
+    CGP::Dirac_system<> system(surface);
+    system.prepare_response();
+    const Quaternion_matrix c = sources(surface.size_of_vertices(), 11);
+    expect_solutions(surface, system.response(c), c);
+  }
+}
+
+TYPED_TEST(Dirac_system_response, passes_over_what_has_no_solution)
+{
+  const TypeParam& surface = this->surfaces[1];
+  CGP::Dirac_system<> system(surface);
+  system.prepare_response();
+  const Quaternion_matrix c = sources(surface.size_of_vertices(), 1);
+  Quaternion_matrix shifted = c;
+  for (Eigen::Index i = 0; i < c.rows(); ++i) shifted(i, 0) += Quaternion<double>{1, -2, 3, 4};
+  expect_solutions(surface, system.response(shifted), c);
+}
+
+TYPED_TEST(Dirac_system_response, to_nothing_is_nothing)
+{
+  const TypeParam& surface = this->surfaces[0];
+  CGP::Dirac_system<> system(surface);
+  system.prepare_response();
+  EXPECT_EQ(system.response(zero_matrix(surface.size_of_vertices(), 0)).cols(), 0);
+  EXPECT_EQ(greatest_entry(system.response(zero_matrix(surface.size_of_vertices(), 2))), 0);
+}
+
+TEST(Dirac_system, responds_on_a_mesh_that_has_moved_with_the_same_analysis)
+{
+  Mesh_view mesh = btorus(12);
+  CGP::Dirac_system<> system(mesh);
+  system.prepare_response();
+  const auto structure = system.solver().structure();
+  mesh.set_positions(perturbed(mesh, 0.04).positions());
+  system.update_geometry();
+  system.prepare_response();
+  EXPECT_EQ(system.solver().structure(), structure);
+  const Quaternion_matrix c = sources(mesh.size_of_vertices(), 2);
+  expect_solutions(mesh, system.response(c), c);
+}
+
+TEST(Dirac_system, responds_on_faces_of_area_zero)
+{
+  const CGP::Delaunay_view surface(spoilt(icosphere(2)));
+  CGP::Dirac_system<> system(surface);
+  system.prepare_response();
+  const Quaternion_matrix c = sources(surface.size_of_vertices(), 2);
+  expect_solutions(surface, system.response(c), c);
+}
+
+TEST(Dirac_system, refuses_to_respond_to_or_on_what_is_not_finite)
+{
+  Mesh_view mesh = btorus(8);
+  CGP::Dirac_system<> system(mesh);
+  system.prepare_response();
+  Quaternion_matrix c = sources(mesh.size_of_vertices(), 1);
+  c(3, 0).y = std::numeric_limits<double>::infinity();
+  EXPECT_THROW((void)system.response(c), CGP::Solver_error);
+  Points p = mesh.positions();
+  p(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  mesh.set_positions(p);
+  system.update_geometry();
+  EXPECT_THROW(system.prepare_response(), CGP::Solver_error);
+}
