@@ -7,6 +7,8 @@
 #include "support/bends.h"
 #include "support/moebius.h"
 #include "support/spheres.h"
+#include "support/thin_faces.h"
+#include "support/tori.h"
 
 namespace {
 
@@ -36,6 +38,27 @@ TEST_F(Fit, takes_the_shear_out_of_a_bend)
   for (const char* name : {"quality", "q_w", "q_z"})
     EXPECT_NE(find_property(b.vertices, name), nullptr) << name;
   EXPECT_NE(find_property(b.faces, "rho"), nullptr);
+}
+
+TEST_F(Fit, keeps_handles_closed_and_takes_faces_of_area_zero_with_mollify)
+{
+  const auto thicker = [](const Eigen::Vector3d& p) {  // the tube, on one side
+    const double r = std::hypot(p.x(), p.y());
+    const Eigen::Vector3d centre(3 * p.x() / r, 3 * p.y() / r, 0);
+    return Eigen::Vector3d(centre + (1 + .7 * std::exp((p.x() / r - 1) * 2)) * (p - centre));
+  };
+  const auto clean = cgp_test::torus(3, 1, 48, 24), thin = cgp_test::with_thin_faces(clean, 0);
+  for (const auto& mesh : {clean, thin}) {
+    write("a.off", off(mesh));
+    write("t.off", off(cgp_test::mapped(mesh, thicker)));
+    const Program_run r = run("fit a.off t.off --mollify -o b.ply --json b.json");
+    ASSERT_EQ(r.code, 0) << r.err;
+    const auto report = json("b.json");
+    EXPECT_TRUE(report["verified"]);
+    EXPECT_LT(report["result"]["closure_residual"], .01);
+    EXPECT_LT(mean_error(report), 1.03);
+  }
+  EXPECT_TRUE(fails(run("fit a.off t.off -o b.ply"), 4, "area zero"));
 }
 
 TEST_F(Fit, of_a_conformal_target_is_the_target)

@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/spheres.h"
+#include "support/thin_faces.h"
 #include "support/tori.h"
 
 #include "conformal/io/read_surface.h"
@@ -51,6 +52,24 @@ TEST_F(Flow, makes_a_bumpy_sphere_round_and_keeps_the_numbering)
   EXPECT_NE(find_property(b.vertices, "quality"), nullptr);
   EXPECT_LT(json("b.json")["result"]["radius"]["deviation"], 0.005);
   EXPECT_NE(r.out.find("radius, deviation / mean"), std::string::npos) << r.out;
+}
+
+TEST_F(Flow, takes_faces_of_area_zero_with_mollify_also_on_surfaces_with_handles)
+{
+  for (const cgp_test::Mesh_view& clean :
+       {cgp_test::bumpy_sphere(2), cgp_test::torus(2, 1, 24, 12)}) {
+    write("a.off", off(cgp_test::with_thin_faces(clean, 0)));
+    EXPECT_TRUE(fails(run("flow a.off --steps 2 -o b.ply"), 4, "area zero"));
+    const Program_run r = run("flow a.off --mollify --steps 2 -o b.ply --json b.json");
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_NE(r.out.find("edges flipped"), std::string::npos) << r.out;
+    const auto report = json("b.json");
+    EXPECT_TRUE(report["verified"]);
+    EXPECT_GT(report["result"]["mollification"]["flipped_edges"], 100);
+    EXPECT_LT(report["result"]["energy"]["final"], report["result"]["energy"]["initial"]);
+    EXPECT_LT(report["result"]["period_defect"], .02);
+    EXPECT_LT(report["result"]["quasi_conformal"]["mean"], 1.05);
+  }
 }
 
 TEST_F(Flow, report_has_a_step_for_each_step_with_falling_energies)
