@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
@@ -61,7 +62,7 @@ void add_curvature(Record& record, const Space_case& c, const Mesh_view& mesh,
                    const Eigen::VectorXd& rho, const CGP::Spin_result& result)
 {
   const Eigen::VectorXd H = values_of(c.curvature, mesh);
-  Eigen::VectorXd found = CGP::mean_curvature({result.positions, mesh.corners()});
+  Eigen::VectorXd found = CGP::mean_curvature(CGP::Mesh_view(result.positions, mesh.corners()));
   for (int v = 0; v < found.size(); ++v) found[v] *= squared_norm(result.lambda[v]);
   const Eigen::VectorXd expected = (H + rho).array() + result.report.eigenvalue;
   record.add("curvature", relative_error(mesh, found, expected));
@@ -80,7 +81,7 @@ void measure(const Space_case& c, int size)
 {
   const Mesh_view mesh = c.make(size);
   const Eigen::VectorXd rho = values_of(c.rho, mesh);
-  const CGP::Spin_result result = CGP::Spin_transformation<>(mesh, c.condition)
+  const CGP::Spin_result result = CGP::Spin_transformation<>(mesh, {c.condition, std::nullopt})
                                       .transform(CGP::Curvature_potential::on_vertices(rho));
   if (!result.report) throw std::runtime_error(c.surface + ", " + c.mesh + ": not found");
 

@@ -66,7 +66,7 @@ class Willmore_flow {
 
   /// number of steps, the last one included
   int steps() const { return m_steps; }
-  const auto& eigensolver() const { return m_transformation.dirac_equation().problem().solver(); }
+  const auto& eigensolver() const { return m_transformation.system().solver(); }
   const auto& poisson_solver() { return m_transformation.reconstruction().solver().solver(); }
 
  private:

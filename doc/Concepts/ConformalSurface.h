@@ -4,13 +4,13 @@
 /// \ingroup PkgConcepts
 /// \cgalConcept
 ///
-/// \brief a surface as the operators see it: triangles that carry functions linear on them, laid out
-/// in the planes of the faces of a mesh.
+/// \brief a surface as the operators see it: triangles that carry functions linear on them, laid
+/// out in the planes of the faces of a mesh.
 ///
-/// Every operator is a sum over the sheets of the surface: a `Sheet` is a triangle in the plane of a
-/// face, with the share of its area that lies there. A mesh has one sheet for each face; a triangle
-/// of an intrinsic triangulation has one for each face that it passes through. Operators take a
-/// `Surface_ref`, which any model converts to, so they are compiled once for all models.
+/// Every operator is a sum over the sheets of the surface: a `Sheet` is a triangle in the plane of
+/// a face, with the share of its area that lies there. A mesh has one sheet for each face; a
+/// triangle of an intrinsic triangulation has one for each face that it passes through. Operators
+/// take a `Surface_ref`, which any model converts to, so they are compiled once for all models.
 ///
 /// The free function `boundary_loops(surface)`, found by argument-dependent lookup, returns the
 /// loops of boundary vertices, the surface on their left, or none on a closed surface.
@@ -28,8 +28,8 @@ class ConformalSurface {
   /// of the mesh: the number of values of a curvature on faces
   int size_of_faces() const;
 
-  /// the vertices that each edge joins, the smaller number first, which orients 1-forms; they may be
-  /// the same, or those of another edge. Always the same object while the surface lives
+  /// the vertices that each edge joins, the smaller number first, which orients 1-forms; they may
+  /// be the same, or those of another edge. Always the same object while the surface lives
   const std::vector<std::array<int, 2>>& ends() const;
 
   /// how many sheets there are

@@ -102,9 +102,7 @@ class Parser {
     add_filter(command, m_spin.rho.filter);
     add_boundary(command, m_spin.boundary);
     add_solver(command, m_spin);
-    add_mollification(command, m_spin.mollification,
-                      ". Without this option it is done where the result does not verify "
-                      "otherwise; --mollify=0 never does it");
+    add_mollification(command, m_spin.mollification, tried_otherwise);
     command
         .add_option("--problem", m_problem,
                     "standard, or generalized for rho on faces where that can be trusted")

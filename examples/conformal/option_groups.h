@@ -51,6 +51,12 @@ CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho);
 void add_filter(CLI::App& command, Filter_request& filter);
 
 void add_solver(CLI::App& command, Spin_options& options);
+/// what happens without `--mollify` where it is tried on its own
+inline constexpr const char* tried_otherwise =
+    ". Without this option it is done where the result does not verify otherwise; --mollify=0 "
+    "never "
+    "does it";
+
 /// \param otherwise what happens without this option, as the end of a sentence
 void add_mollification(CLI::App& command, std::optional<double>& mollification,
                        const std::string& otherwise = "");

@@ -142,6 +142,6 @@ TEST(Generalized_dirac, refuses_rho_on_vertices)
     FAIL();
   } catch (const CGP::Precondition_error& error) {
     EXPECT_STREQ(error.what(),
-                 "Dirac_equation: the generalized eigenproblem (5.2) needs rho on faces");
+                 "solve_dirac_equation: the generalized eigenproblem (5.2) needs rho on faces");
   }
 }

@@ -87,9 +87,10 @@ void Dirac_system<SolverTraits>::set_potential(const Curvature_potential& rho,
   Stopwatch watch;
   assemble_dirac_energy(m_surface, rho, m_X);
   seconds.assembly += watch.lap();
-  Solver_status status = Solver_status::not_positive_definite;
-  for (const double share : {least, 1e-6, 1e-3, 1e-2}) {
-    if (share < least || status != Solver_status::not_positive_definite) continue;
+  m_shift = least * unit();
+  Solver_status status = factorize(m_shift * m_areas);
+  for (const double share : {1e-6, 1e-3, 1e-2}) {
+    if (share <= least || status != Solver_status::not_positive_definite) continue;
     m_shift = share * unit();
     status = factorize(m_shift * m_areas);
   }
@@ -136,7 +137,11 @@ auto Dirac_system<SolverTraits>::response(const Vectors& c) const -> Vectors
 template <class SolverTraits>
 auto Dirac_system<SolverTraits>::noise(Eigen::Index columns, unsigned seed) const -> Vectors
 {
-  return solve(block_operator(m_areas)(random_quaternions(m_areas.size(), columns, seed)));
+  const Vectors b = block_operator(m_areas)(random_quaternions(m_areas.size(), columns, seed));
+  if (m_directions) return solve(b);
+  Vectors x;  // as exact as a preconditioner is
+  check("solution", apply_inverse(m_solver, b, x));
+  return x;
 }
 
 template <class SolverTraits>

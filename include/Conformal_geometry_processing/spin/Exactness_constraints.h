@@ -19,6 +19,7 @@ namespace Conformal_geometry_processing {
 /// the transformed surface stay exact and close up around them, and how far a transformation is
 /// from that [CGP 4.5.2].
 struct Exactness_constraints {
+  Curvature_potential::On on = Curvature_potential::On::vertices;  ///< where the values of rho are
   Harmonic_basis forms;       ///< of the surface: none on spheres and disks
   Eigen::VectorXd weights;    ///< `cotan_weights()`, |E|
   Eigen::VectorXd areas;      ///< `curvature_areas()`, |V| or |F|

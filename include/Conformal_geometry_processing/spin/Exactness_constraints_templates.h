@@ -23,6 +23,7 @@ Exactness_constraints exactness_constraints(Dirac_system<SolverTraits>& system,
 {
   const Surface_ref& surface = system.surface();
   Exactness_constraints c;
+  c.on = on;
   c.constants_have_effect = !system.is_self_adjoint();
   c.areas = curvature_areas(surface, on);
   c.functions = Eigen::MatrixXd(c.areas.size(), 0);

@@ -122,7 +122,8 @@ class Spin_transformation {
   /// \brief the surface whose mean curvature is changed by rho. The object is as before.
   ///
   /// Where not all of rho can be reached, the report tells which share (`reached`), and what was
-  /// left out (`missing_share`).
+  /// left out (`missing_share`). If it was cancelled, or no step could be made (`steps` is zero),
+  /// there are no positions.
   /// \param rho in 1/length of the mesh, one number per vertex or per face
   /// \param go_further asked between iterations with an `Eigensolver_progress`; false cancels
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite

@@ -80,10 +80,7 @@ const Exactness_constraints& Spin_transformation<SolverTraits, EigensolverTraits
     Curvature_potential::On on)
 {
   auto& found = m_stage->exactness;
-  const bool on_vertices = on == Curvature_potential::On::vertices;
-  const int size =
-      on_vertices ? domain().mesh().size_of_vertices() : domain().mesh().size_of_faces();
-  if (!found || found->areas.size() != size)
+  if (!found || found->on != on)
     found = exactness_constraints(system(), reconstruction().solver(), domain().forms(m_generators),
                                   on, m_options.exactness);
   return *found;

@@ -12,7 +12,7 @@ namespace Conformal_geometry_processing {
 CGP_INLINE void require_on_faces(const Curvature_potential& rho)
 {
   if (rho.on != Curvature_potential::On::faces)
-    throw Precondition_error("Dirac_equation",
+    throw Precondition_error("solve_dirac_equation",
                              "the generalized eigenproblem (5.2) needs rho on faces");
 }
 

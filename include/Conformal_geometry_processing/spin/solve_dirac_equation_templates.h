@@ -22,7 +22,7 @@ template <class SolverTraits>
 void require_generalized(const Dirac_system<SolverTraits>& system, const Curvature_potential& rho)
 {
   if (!system.is_closed())
-    throw Precondition_error("Dirac_equation",
+    throw Precondition_error("solve_dirac_equation",
                              "the generalized problem is for closed surfaces only");
   require_on_faces(rho);
 }
