@@ -85,6 +85,29 @@ TEST(Exact_steps_with_boundary, does_not_shear_an_annulus)
   }
 }
 
+TEST(Exact_steps_with_boundary, tell_the_error_of_directions_from_end_to_end)
+{
+  const Mesh_view mesh = bumpy_annulus(6);
+  for (const bool is_mollified : {false, true}) {
+    CGP::Spin_transformation_options options{Boundary_condition::binormals()};
+    options.max_period_defect = .001;
+    if (is_mollified) options.mollification = 1e-6;
+    CGP::Spin_transformation<> transformation(mesh, options);
+    const CGP::Spin_result result = transformation.transform(wave(mesh, 2));
+    ASSERT_TRUE(result.report);
+    ASSERT_GT(result.report.steps, 2);
+    const CGP::Boundary_frames before = CGP::boundary_frames(mesh),
+                               after = CGP::boundary_frames(
+                                   Mesh_view(result.positions, mesh.corners()));
+    double greatest = 0;
+    for (std::size_t k = 0; k < before.vertices.size(); ++k)
+      greatest = std::max(greatest, (before.binormal(k) - after.binormal(k)).norm());
+    EXPECT_GT(greatest, .02);  // of the steps together
+    EXPECT_NEAR(result.report.direction_error.max, greatest, .1 * greatest);
+    EXPECT_EQ(transformation.transform(wave(mesh, 2)).positions, result.positions);
+  }
+}
+
 TEST(Exact_steps_with_boundary, takes_as_many_steps_as_the_tolerance_wants)
 {
   const Mesh_view mesh = bumpy_annulus(6);

@@ -104,7 +104,7 @@ TEST(Framed_surface, measures_by_how_much_prescribed_directions_are_missed)
     const Framed_surface domain(mesh, mollification, no_forms);
     const CGP::Dirac_system<> dirac(domain.surface(), Boundary_condition::tangents());
     const auto errors = [&](const Points& p) {
-      return domain.direction_errors(*dirac.directions(), p);
+      return domain.direction_errors(*dirac.directions(), p, dirac.directions()->targets());
     };
     EXPECT_LT(errors(domain.mesh().positions()).maxCoeff(), 1e-7);
     EXPECT_NEAR(errors(turn * domain.mesh().positions()).mean(), angle, 1e-6);

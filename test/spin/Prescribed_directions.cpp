@@ -93,7 +93,7 @@ TEST(Prescribed_directions, have_spins_that_turn_the_direction_into_its_target)
 TEST(Prescribed_directions, are_those_of_the_surface_unless_others_are_given)
 {
   const Prescribed p(perturbed(cap_from_disk(disk(4), 1), .04), Boundary_condition::binormals());
-  EXPECT_LT(p.directions.errors(p.mesh).maxCoeff(), 1e-15);
+  EXPECT_LT(p.directions.errors(p.mesh, p.directions.targets()).maxCoeff(), 1e-15);
   for (int v = 0; v < p.mesh.size_of_vertices(); ++v)
     EXPECT_LT(norm(p.directions.guide()[v] - Q{1, 0, 0, 0}), 1e-13);
 }
@@ -102,11 +102,12 @@ TEST(Prescribed_directions, measure_the_angle_that_is_missing)
 {
   const Mesh_view mesh = disk(5);
   const Prescribed p(mesh, Boundary_condition::tangents(tangents_turned_by(mesh, .3, {0, 0, 1})));
-  EXPECT_LT((p.directions.errors(mesh).array() - .3).abs().maxCoeff(), 1e-14);
+  EXPECT_LT((p.directions.errors(mesh, p.directions.targets()).array() - .3).abs().maxCoeff(),
+            1e-14);
   const auto turned = mapped(mesh, [](const Eigen::Vector3d& x) -> Eigen::Vector3d {
     return Eigen::AngleAxisd(.3, Eigen::Vector3d(0, 0, 1)) * x;
   });
-  EXPECT_LT(p.directions.errors(turned).maxCoeff(), 1e-14);
+  EXPECT_LT(p.directions.errors(turned, p.directions.targets()).maxCoeff(), 1e-14);
 }
 
 TEST(Prescribed_directions, are_guided_by_the_turn_itself_where_all_turn_alike)
@@ -150,7 +151,7 @@ TEST(Prescribed_directions, follow_the_mesh_with_the_same_targets)
   p.mesh.set_positions(after.positions());
   p.directions.update_geometry();
   EXPECT_LT(greatest_difference(p.directions.guide(), expected.directions.guide()), 1e-13);
-  EXPECT_GT(p.directions.errors(after).minCoeff(), .1);
+  EXPECT_GT(p.directions.errors(after, p.directions.targets()).minCoeff(), .1);
 }
 
 TEST(Prescribed_directions, that_are_kept_are_those_that_the_mesh_has_each_time)
@@ -159,7 +160,7 @@ TEST(Prescribed_directions, that_are_kept_are_those_that_the_mesh_has_each_time)
   Prescribed p(cap_from_disk(disk(4), 1), Boundary_condition::binormals());
   p.mesh.set_positions(after.positions());
   p.directions.update_geometry();
-  EXPECT_LT(p.directions.errors(after).maxCoeff(), 1e-15);
+  EXPECT_LT(p.directions.errors(after, p.directions.targets()).maxCoeff(), 1e-15);
 }
 
 TEST(Prescribed_directions, make_the_dirac_operator_symmetric_if_orthogonal_to_the_tangent)

@@ -137,7 +137,9 @@ double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::turn
   const auto* const directions = m_transformation.system().directions();
   if (!directions) return 0;
   const Points& in_frame = m_transformation.domain().mesh().positions();
-  return m_transformation.domain().direction_errors(*directions, in_frame).mean();
+  return m_transformation.domain()
+      .direction_errors(*directions, in_frame, directions->targets())
+      .mean();
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>

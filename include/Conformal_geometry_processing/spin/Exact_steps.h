@@ -48,6 +48,9 @@ class Exact_steps {
   /// that belong to the values of rho, in the unit of the mesh
   Eigen::VectorXd areas() const;
 
+  /// how far the boundary is from the directions prescribed, or those that it had in the beginning
+  void measure_directions(Spin_report& report) const;
+
   /// root of the integral of rho squared, less its mean where that has no effect; does not depend
   /// on scale
   double norm(const Eigen::VectorXd& rho) const;
@@ -58,6 +61,7 @@ class Exact_steps {
   Curvature_potential m_missing;  // rho that is to come, on the present surface
   Eigen::VectorXd m_left_out;     // rho that cannot come
   Eigen::VectorXd m_areas;        // of the surface that `m_missing` is on
+  Points m_directions;            // prescribed at the boundary, if any are
 };
 
 }  // namespace internal

@@ -28,7 +28,10 @@ Exact_steps<Transformation>::Exact_steps(Transformation& transformation,
       m_missing(rho),
       m_left_out(Eigen::VectorXd::Zero(rho.values.size())),
       m_areas(areas())
-{}
+{
+  const auto* const directions = transformation.system().directions();
+  if (directions) m_directions = directions->targets();
+}
 
 template <class Transformation>
 Spin_result Exact_steps<Transformation>::run(const Dirac_options& options,
@@ -44,6 +47,7 @@ Spin_result Exact_steps<Transformation>::run(const Dirac_options& options,
     all.positions = m_transformation.positions();
     restore_area(m_before, all.positions, all.lambda);
     certify(m_before, all.positions, all.lambda, all.report);
+    measure_directions(all.report);
   }
   if (wanted > 0) all.report.missing_share = norm(m_left_out + m_missing.values) / wanted;
   return all;
@@ -140,6 +144,17 @@ Eigen::VectorXd Exact_steps<Transformation>::areas() const
 {
   const double unit = m_transformation.domain().unit();
   return unit * unit * curvature_areas(m_transformation.system().surface(), m_missing.on);
+}
+
+template <class Transformation>
+void Exact_steps<Transformation>::measure_directions(Spin_report& report) const
+{
+  const auto* const directions = m_transformation.system().directions();
+  if (!directions) return;
+  const Framed_surface& domain = m_transformation.domain();
+  const Eigen::VectorXd errors =
+      domain.direction_errors(*directions, domain.mesh().positions(), m_directions);
+  report.direction_error = {errors.mean(), errors.maxCoeff()};
 }
 
 template <class Transformation>

@@ -54,13 +54,14 @@ class Framed_surface {
   /// of it, or with mollification the `well_shaped_faces()`
   const Mesh_view& measured() const { return m_measured ? m_measured->mesh : m_mesh; }
 
-  /// \brief `Prescribed_directions::errors()` of the surface moved to other positions, in the frame
+  /// `Prescribed_directions::errors()` of the surface moved to other positions, in the frame
   template <class Directions>
-  Eigen::VectorXd direction_errors(const Directions& directions, const Points& positions) const
+  Eigen::VectorXd direction_errors(const Directions& directions, const Points& positions,
+                                   const Points& targets) const
   {
     const Mesh_view moved(positions, m_mesh.corners());
-    return m_view ? directions.errors(Delaunay_view(moved, m_mollification))
-                  : directions.errors(moved);
+    return m_view ? directions.errors(Delaunay_view(moved, m_mollification), targets)
+                  : directions.errors(moved, targets);
   }
 
   /// closed forms of the surface in the classes of those of the mesh

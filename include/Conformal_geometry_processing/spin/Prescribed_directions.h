@@ -58,9 +58,12 @@ class Prescribed_directions {
   /// |V|, in the space
   const Quaternion_vector<double>& guide() const { return m_guide; }
 
+  /// unit vectors, 3 x number of `vertices()`
+  const Points& targets() const { return m_targets; }
+
   /// \brief the angle in radians between the direction of the boundary frames of a surface of the
   /// same connectivity and the target, at each of `vertices()`.
-  Eigen::VectorXd errors(const Surface_ref& surface) const;
+  Eigen::VectorXd errors(const Surface_ref& surface, const Points& targets) const;
 
  private:
   static Points normalized(Points v);

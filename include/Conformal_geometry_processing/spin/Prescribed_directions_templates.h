@@ -26,13 +26,14 @@ void Prescribed_directions<SolverTraits>::update_geometry()
 }
 
 template <class SolverTraits>
-Eigen::VectorXd Prescribed_directions<SolverTraits>::errors(const Surface_ref& surface) const
+Eigen::VectorXd Prescribed_directions<SolverTraits>::errors(const Surface_ref& surface,
+                                                            const Points& targets) const
 {
   const Boundary_frames frames = boundary_frames(surface);
-  Eigen::VectorXd angles(m_targets.cols());
+  Eigen::VectorXd angles(targets.cols());
   for (Eigen::Index k = 0; k < angles.size(); ++k) {
     const Eigen::Vector3d U = frames.frames[static_cast<std::size_t>(k)] * m_coefficients;
-    const Eigen::Vector3d V = m_targets.col(k);
+    const Eigen::Vector3d V = targets.col(k);
     angles[k] = std::atan2(U.cross(V).norm(), U.dot(V));
   }
   return angles;

@@ -217,8 +217,10 @@ void Spin_transformation<SolverTraits, EigensolverTraits>::judge_boundary(const 
   if (dirac.is_closed()) return;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (dirac.directions()) {
-    const Eigen::VectorXd errors = f.allFinite() ? domain().direction_errors(*dirac.directions(), f)
-                                                 : Eigen::VectorXd::Constant(1, nan);
+    const Eigen::VectorXd errors =
+        f.allFinite()
+            ? domain().direction_errors(*dirac.directions(), f, dirac.directions()->targets())
+            : Eigen::VectorXd::Constant(1, nan);
     report.direction_error = {errors.mean(), errors.maxCoeff()};
   }
   const bool is_misfit = dirac.directions() && !dirac.is_self_adjoint();
