@@ -10,31 +10,33 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief what is asked of a spin transformation at the boundary of a surface [CGP 4.5.4].
+/// \brief the boundary condition of a spin transformation [CGP 4.5.4].
 ///
-/// *Directions*: a direction U = t T + n N + b B of the boundary frame becomes a given one, V:
-/// conjugate(lambda) U lambda = |lambda|^2 V. That is a linear condition, with two real degrees of
-/// freedom left per vertex. The problem is elliptic unless U is the normal, and self-adjoint where
-/// U is orthogonal to the tangent: then rho is realised up to a constant gamma. With tangents, any
-/// rho is, if the target is a plane curve; otherwise one real condition on the targets is left,
-/// and the solution is a least squares one: look at gamma.
+/// *Directions*: a direction U = t T + n N + b B of the boundary frame is mapped to a prescribed
+/// direction V: conjugate(lambda) U lambda = |lambda|^2 V. This linear condition leaves two real
+/// degrees of freedom per vertex. The problem is elliptic unless U is the normal, and self-adjoint
+/// if U is orthogonal to the tangent: then rho is realised up to a constant gamma. With tangents,
+/// any rho can be realised if the target is a plane curve; otherwise the targets must satisfy one
+/// more real condition, and the solution is a least-squares solution with the misfit gamma.
 ///
-/// *Free*: nothing is asked. Infinitely many surfaces are then solutions, for any rho; the one
-/// nearest to the surface given is taken.
+/// *Free*: no condition. For any rho there are infinitely many solutions; the one nearest to the
+/// given surface is taken.
+///
+/// *Positions*: the boundary is mapped to a given curve with given normals.
 ///
 /// *Positions*: the boundary becomes a given curve, with given normals.
 struct Boundary_condition {
   enum class Kind { free, directions, positions };
 
   Kind kind = Kind::free;
-  /// coefficients (t, n, b) of U in the frame (T, N, B); need not have length one
+  /// coefficients (t, n, b) of U in the frame (T, N, B); of any nonzero length
   Eigen::Vector3d direction{1, 0, 0};
-  /// directions V, which need not have length one, or positions; 3 x number of boundary vertices,
-  /// in the order of `boundary_frames()`. No column: those of the surface itself, to be kept; of a
-  /// surface that moves on, those that it has before each step. Those it had in the beginning would
-  /// bring the discretisation errors of all steps back, and raise the energy again
+  /// directions V of any nonzero length, or positions; 3 x number of boundary vertices, in the
+  /// order of `boundary_frames()`. No columns: the surface keeps its own directions; if it moves,
+  /// those before each step. Keeping the initial directions instead would reintroduce the
+  /// discretisation errors of all steps and raise the energy again
   Points targets = Points(3, 0);
-  Points normals = Points(3, 0);  ///< with positions
+  Points normals = Points(3, 0);  ///< of the given curve, with positions
 
   static Boundary_condition free() { return {}; }
 

@@ -15,31 +15,32 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief the space of conformal shapes around one: the hypersurface of the half-densities rho |df|
-/// for which the Dirac equation has the eigenvalue zero [CGP 4.5.1].
+/// \brief the space of conformal shapes near a surface: the hypersurface of the half-densities rho
+/// |df| for which the Dirac equation has the eigenvalue zero [CGP 4.5.1].
 ///
-/// Its normal at the shape is 1, and it is curved: along rho = t phi with mean zero,
-/// gamma = second_order(phi) t^2 + O(t^3). Round spheres are the roundest: there the principal
-/// curvatures are 1 / (sqrt(pi) k (k + 1)), of the spherical harmonics of degree k.
+/// Its normal at the surface is 1. It is curved: along rho = t phi with mean zero, gamma =
+/// second_order(phi) t^2 + O(t^3). At round spheres, its principal curvatures are 1 / (sqrt(pi) k
+/// (k + 1)) for the spherical harmonics of degree k.
 ///
-/// One factorization in the constructor, some five solves for each function.
+/// Costs one factorization in the constructor and about five solves for each function.
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits = Default_solver_traits>
 class Conformal_shape_space {
  public:
   /// \param mesh must outlive the object
   /// \throw Precondition_error if the mesh is not a connected, closed, oriented manifold with
-  /// finite coordinates and positive areas \throw Solver_error if the matrix cannot be factored
+  /// finite coordinates and positive areas
+  /// \throw Solver_error if the matrix cannot be factored
   explicit Conformal_shape_space(const Mesh_view& mesh,
                                  const std::string& function = "Conformal_shape_space");
 
-  /// \brief the change of the logarithmic length, Re lambda-dot for D lambda-dot = phi without its
-  /// mean: |V| numbers whose mean is zero.
-  /// \param phi |V|, the change of rho
+  /// \brief the derivative of the logarithmic length, Re lambda-dot, where D lambda-dot = phi minus
+  /// its mean: |V| numbers with mean zero.
+  /// \param phi the change of rho, |V| numbers
   Eigen::VectorXd response(const Eigen::VectorXd& phi) const;
 
-  /// \brief S(phi) = 2 A^(-1/2) Re lambda-dot, the shape operator of the space; |V|, in the unit of
-  /// phi. Self-adjoint up to the discretisation.
+  /// \brief S(phi) = 2 A^(-1/2) Re lambda-dot, the shape operator of the space; |V| numbers in the
+  /// unit of phi. Self-adjoint up to the discretisation error.
   Eigen::VectorXd shape_operator(const Eigen::VectorXd& phi) const;
 
   /// d gamma / dt for rho = t phi at t = 0: minus the mean of phi
@@ -48,7 +49,7 @@ class Conformal_shape_space {
     return -m_system.areas().dot(phi) / m_system.areas().sum();
   }
 
-  /// half of the second derivative of gamma: -<phi, Re lambda-dot> / A, not positive
+  /// half the second derivative of gamma: -<phi, Re lambda-dot> / A, never positive
   double second_order(const Eigen::VectorXd& phi) const;
 
  private:

@@ -14,28 +14,28 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief the functions on the vertices that a direction must be orthogonal to, in
-/// sum_i M_V,i a_i b_i [CGP 6.4.4].
+/// \brief an orthonormal basis of the functions on the vertices that a direction must be orthogonal
+/// to, with the inner product sum_i M_V,i a_i b_i [CGP 6.4.4].
 ///
-/// They come in groups, such as the constants, the components of the normals, or the functions
-/// that keep a torus closed. Each group is orthonormalised by itself before it joins the others, so
-/// groups of different scale go together, and what depends on earlier groups is dropped.
+/// Functions are added in groups, such as the constants, the components of the normals, or the
+/// functions that keep a torus closed. Each group is orthonormalised separately before it is added,
+/// so the groups may differ in scale. Functions that depend linearly on earlier groups are dropped.
 class Constraint_basis {
  public:
   /// \param areas M_V, |V| positive numbers
   explicit Constraint_basis(Eigen::VectorXd areas);
 
   /// \param functions |V| x k, one per column
-  /// \throw Precondition_error if the number of rows is another, or a value is not finite
+  /// \throw Precondition_error if the number of rows is not |V|, or a value is not finite
   void add(const Eigen::MatrixXd& functions);
 
   /// the number of independent constraints
   Eigen::Index rank() const { return m_basis.cols(); }
 
-  /// v without its part in their span
+  /// v without its component in the span of the constraints
   Eigen::VectorXd project_out(Eigen::VectorXd v) const;
 
-  /// root of sum_i M_V,i v_i^2
+  /// the norm sqrt(sum_i M_V,i v_i^2)
   double norm(const Eigen::VectorXd& v) const { return std::sqrt(m_areas.dot(v.cwiseAbs2())); }
 
  private:

@@ -15,30 +15,31 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-/// \brief solves (D - rho) lambda = gamma lambda on a closed surface on the branch of eigenvalues
-/// that leads to lambda = 1 as rho goes to zero [CGP (5.3)].
+/// \brief solves (D - rho) lambda = gamma lambda on a closed surface, on the branch of eigenvalues
+/// that tends to lambda = 1 as rho tends to zero [CGP (5.3)].
 ///
-/// The thesis takes the eigenvalue of smallest modulus. Where rho is strong or has a large mean,
-/// that can belong to another branch; a vector is accepted only if it overlaps with the one it
-/// continues by more than `same_branch`. If the first solve finds none, rho is switched on in
-/// substeps, each looking for the eigenvalue nearest to the one predicted: that of D - rho nearest
-/// to sigma is the smallest of D - (rho + sigma). One numeric factorization per substep, and one
-/// for each time that X mixes vectors of opposite sign. The vectors of the first solve are kept:
-/// a substep that comes near enough to one of them is the last.
+/// The thesis takes the eigenvalue of smallest modulus. If rho is strong or has a large mean, that
+/// eigenvalue can belong to another branch; a vector is accepted only if its overlap with the
+/// vector that it continues exceeds `same_branch`. If the first solve finds no such vector, rho is
+/// increased from zero in substeps. Each substep searches for the eigenvalue nearest to the
+/// predicted one, sigma: the eigenvalue of D - rho nearest to sigma is the smallest one of D - (rho
+/// + sigma). Costs one numeric factorization per substep, and one more each time X mixes vectors of
+/// opposite sign. The vectors of the first solve are kept: the continuation ends with the first
+/// substep that comes near enough to one of them.
 template <class SolverTraits, class EigensolverTraits>
 class Dirac_branch {
   using System = Dirac_system<SolverTraits>;
   using Search = Dirac_search<SolverTraits, EigensolverTraits>;
 
  public:
-  /// the overlap that a vector must exceed with the one it continues
+  /// the overlap with the continued vector that a vector must exceed
   static constexpr double same_branch = Search::same_branch;
 
-  /// \param system of a closed surface; must outlive the object
+  /// \param system the system of a closed surface; must outlive the object
   explicit Dirac_branch(System& system) : m_system(system) {}
 
   /// see `solve_dirac_equation()`
-  /// \param[in,out] s is filled in
+  /// \param[in,out] s receives the solution
   /// \pre `set_potential(rho)` has been called
   void solve(const Curvature_potential& rho, const Dirac_options& options, Dirac_solution& s,
              const Go_further& go_further);
@@ -48,7 +49,7 @@ class Dirac_branch {
   struct Step {
     Curvature_potential rho;
     double sigma, tolerance;
-    bool is_between = false;  ///< before the last: a vector that guides the next one is enough
+    bool is_between = false;  ///< not the last step: an approximate vector suffices as a guide
   };
   /// eigenvectors of X for the potential rho + sigma
   struct Found {
@@ -59,20 +60,20 @@ class Dirac_branch {
 
   static Curvature_potential scaled(const Curvature_potential& rho, double t, double sigma);
 
-  /// Replaces s.lambda by the eigenvector nearest to it. Returns false, with s.lambda as it was,
-  /// when no vector found is on the same branch.
+  /// Replaces s.lambda by the eigenvector nearest to it. Returns false and leaves s.lambda
+  /// unchanged if no vector found is on the same branch.
   bool follow(const Step& step, const Dirac_options& options, Dirac_solution& s,
               const Go_further& go_further);
 
-  /// \brief the eigenvectors in question as the continuation of s.lambda.
+  /// \brief finds the candidates for the continuation of s.lambda.
   ///
-  /// Where X has mixed lambda with a vector of opposite sign: a shift by the signed eigenvalue of
-  /// lambda moves the other one away. It may bring a third vector in, so this is repeated; what
-  /// remains then is the error of a coarse mesh.
+  /// If X has mixed lambda with a vector of opposite sign, a shift by the signed eigenvalue of
+  /// lambda separates the two. The shift may bring in a third vector, so it is repeated; a mixture
+  /// that remains is an error of a coarse mesh.
   Found find(const Step& step, Dirac_options options, Dirac_solution& s,
              const Go_further& go_further, bool is_factored = false);
 
-  /// vectors of which no more is known
+  /// a result with the given vectors and unknown values and errors
   static Eigensolver_result unconverged(const Block<Quaternion<double>>& vectors);
   bool accept(const Found& found, double tolerance, Dirac_solution& s) const;
 
@@ -81,9 +82,9 @@ class Dirac_branch {
   Eigen::Index nearest_column(const Block<Quaternion<double>>& vectors,
                               const Quaternion_vector<double>& guide) const;
 
-  /// Leads s.lambda from 1 at t = 0 to an eigenvector of t rho at t = 1, in steps as large as keep
-  /// to the branch. Gives up when the substeps are used up.
-  /// \param smallest found without shift, none of them near 1
+  /// Continues s.lambda from 1 at t = 0 to an eigenvector of D - t rho at t = 1, in the largest
+  /// steps that stay on the branch. Gives up when the substeps are used up.
+  /// \param smallest vectors found without shift, none of which is near 1
   void continue_from_identity(const Curvature_potential& rho, const Dirac_options& options,
                               const Found& smallest, Dirac_solution& s,
                               const Go_further& go_further);
@@ -91,12 +92,12 @@ class Dirac_branch {
   /// d gamma / dt for D - t rho at the eigenvector lambda
   double slope_of(const Curvature_potential& rho, const Quaternion_vector<double>& lambda) const;
 
-  /// Makes the rough eigenvector exact: that of [CGP (5.3)] if the branch is among its smallest
-  /// ones, else that of the shifted problem, which is the one factored.
+  /// Refines the approximate eigenvector to the tolerance: as an eigenvector of [CGP (5.3)] if the
+  /// branch is among its smallest ones, otherwise of the shifted problem, whose matrix is factored.
   void finish(const Curvature_potential& rho, const Dirac_options& options, const Found& smallest,
               Dirac_solution& s, const Go_further& go_further);
 
-  /// one of the vectors found without shift is on the branch of s.lambda
+  /// whether one of the vectors found without shift is on the branch of s.lambda
   bool is_continued_by(const Found& smallest, const Dirac_solution& s) const;
 
   System& m_system;

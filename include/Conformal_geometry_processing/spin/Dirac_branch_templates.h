@@ -134,7 +134,7 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::continue_from_identity(
 {
   const double rough = 1e-3, growth = 1.5, same_problem = 0.1 * std::sqrt(m_system.unit());
   double t = 0, gamma = 0;
-  // Where the shift is small, the whole step has been tried already.
+  // If the shift is small, the full step has been tried already.
   double dt = std::abs(slope_of(rho, s.lambda)) < same_problem ? 0.5 : 1;
   for (s.substeps = 1; s.substeps < options.max_substeps && !s.cancelled; ++s.substeps) {
     // By first-order perturbation theory, d gamma / dt = -<lambda, rho lambda> / |lambda|^2.

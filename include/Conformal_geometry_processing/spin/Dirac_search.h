@@ -14,51 +14,52 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-/// Among the smallest eigenvectors of X for one potential, those in question as the continuation
-/// of a guide; and whether X has mixed them.
+/// Finds the candidates for the continuation of a guide among the smallest eigenvectors of X for
+/// one potential, and detects whether X has mixed them.
 ///
-/// One column is enough where it converges to the branch of the guide. As soon as it is rough, its
-/// companion tells whether X has mixed it with a vector of opposite sign.
+/// One column suffices if it converges to the branch of the guide. Once its error estimate is below
+/// `rough`, its companion shows whether X has mixed it with a vector of opposite sign.
 template <class SolverTraits, class EigensolverTraits>
 class Dirac_search {
   using System = Dirac_system<SolverTraits>;
   using Vectors = Block<Quaternion<double>>;
   static constexpr int max_companions = 5;
-  static constexpr double rough = 1e-2;  // an error estimate: exact enough to see mixtures
+  static constexpr double rough = 1e-2;  // error estimate below which mixtures can be detected
 
  public:
-  /// squares of overlaps with orthogonal vectors add up to at most one: where one is 0.75, every
+  /// squared overlaps with orthogonal vectors sum to at most one: if one overlap is 0.75, every
   /// other is below 0.67
   static constexpr double same_branch = 0.75;
 
   /// \param system has the potential rho
-  /// \param options those of the whole solve, with the tolerance of this search
+  /// \param options options of the whole solve, with the tolerance of this search
   Dirac_search(const System& system, const Curvature_potential& rho,
                const Quaternion_vector<double>& guide, const Dirac_options& options,
                const Go_further& go_further);
 
-  /// \param start where to begin
-  /// \param separation the distance of the eigenvalues of `start` and the vector that it has been
-  /// separated from, if it has: rho is shifted so that its own is zero
+  /// \param start start vectors
+  /// \param separation if `start` has been separated from another vector, the distance of their
+  /// eigenvalues: rho is then shifted so that the eigenvalue of `start` is zero
   void run(const Quaternion_vector<double>& start, double separation = 0);
 
-  /// vectors with values and estimates: one or two columns
+  /// one or two vectors with their values and error estimates
   Eigensolver_result& result() { return m_result; }
   int iterations() const { return m_iterations; }
   bool is_cancelled() const { return m_is_cancelled; }
 
-  /// a vector, and that which X has mixed it with, exact enough to separate them
+  /// whether the result is a vector and the one that X has mixed it with, exact enough to separate
+  /// them
   bool is_mixed() const { return m_is_mixed; }
   const Vectors& mixture() const { return m_suspects; }
 
  private:
   void one_column(const Vectors& start, double separation);
 
-  /// The two smallest, first as exact as it takes to see whether X has mixed them; if not, the
-  /// nearer one to the tolerance.
+  /// Computes the two smallest eigenvectors, first only as exactly as detecting a mixture requires;
+  /// without a mixture, then iterates the one nearer to the guide to the tolerance.
   void two_columns(const Vectors& start);
 
-  /// Returns false, and does nothing, when the iterations are used up.
+  /// Returns false and does nothing if the iterations are used up.
   template <class Watch>
   bool iterate(const Vectors& start, int wanted, double tolerance, Watch& watch)
   {
@@ -69,29 +70,29 @@ class Dirac_search {
     return true;
   }
 
-  /// the smallest eigenpairs of X, as many as `start` has columns; `wanted` of them converge
+  /// the smallest eigenpairs of X, one for each column of `start`; `wanted` of them converge
   Eigensolver_result smallest(Vectors start, int wanted, double tolerance, int max_iterations,
                               const Go_further& go_further) const;
 
-  /// \brief whether X has mixed v, of energy mu.
+  /// \brief decides whether X has mixed v, whose energy is mu.
   ///
-  /// Its companion holds the other mixture and some error, which is mostly of large energy: more
-  /// companions take that out. Seen without them, there is no mixture either.
+  /// The companion of v contains the other mixture and an error, mostly of high energy, which
+  /// further companions remove. If no mixture is visible without them, there is none.
   void judge(const Quaternion_vector<double>& v, double mu);
 
-  /// \brief whether v is a vector once separated, and not mixed again by the shifted X.
+  /// \brief whether v, which has been separated, is not mixed again by the shifted X.
   ///
-  /// Now its eigenvalue is zero. In a mixture of eigenvalues a and b it is zero where the angle has
-  /// the squared tangent |a / b|: for a mixture that counts, from 24 degrees on. Within 14 degrees
-  /// of an unmixed vector there is none.
+  /// The eigenvalue of v is now zero. A mixture of the eigenvalues a and b has the quotient zero if
+  /// the squared tangent of its angle is |a / b|; for a mixture that matters, the angle is at least
+  /// 24 degrees. Within 14 degrees of an unmixed vector there is no mixture.
   bool stays_separated(const Quaternion_vector<double>& v, const Quaternion_vector<double>& start,
                        double separation) const;
 
   /// \brief the component of X^-1 b orthogonal to v, |V| x 1.
   ///
-  /// Where b is the signed form applied to v, X^-1 b is (D - rho)^-1 v on smooth vectors. If v is a
-  /// mixture of two eigenvectors of D - rho, this companion of v contains the other mixture of
-  /// them, besides the discretisation error; otherwise only that error.
+  /// If b is the signed form applied to v, X^-1 b is (D - rho)^-1 v on smooth vectors. If v is a
+  /// mixture of two eigenvectors of D - rho, this companion of v contains the other mixture of them
+  /// and the discretisation error; otherwise only that error.
   Vectors companion(const Quaternion_vector<double>& v, const Quaternion_vector<double>& b) const;
 
   /// \brief [v, w], |V| x 2, where w is the vector of smallest energy in the span of `companions`;
@@ -103,7 +104,7 @@ class Dirac_search {
 
   static Vectors side_by_side(const Vectors& a, const Vectors& b);
 
-  /// v is not on the branch, and leaves room for a vector that is
+  /// whether v is not on the branch and its overlap is small enough for another vector to be on it
   bool another_may_be_nearer(const Quaternion_vector<double>& v) const;
 
   const System& m_system;

@@ -80,7 +80,7 @@ void Dirac_search<SolverTraits, EigensolverTraits>::judge(const Quaternion_vecto
 {
   m_is_judged = true;
   const Quaternion_vector<double> image = apply_dirac_form(m_system.surface(), m_rho, v);
-  // Nearer to zero than the quotient, for averages are shorter: so this claims less.
+  // A lower bound of the modulus of the quotient, because averaging shortens vectors.
   const double least = inner_product(v, image).w / m_system.squared_norm(v);
   if (is_surely_unmixed(least, mu)) return;
   Vectors companions = companion(v, image);

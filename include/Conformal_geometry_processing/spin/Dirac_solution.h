@@ -8,50 +8,51 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// which discrete eigenvalue problem stands for (D - rho) lambda = gamma lambda
+/// the discrete eigenvalue problem for (D - rho) lambda = gamma lambda
 enum class Eigenproblem {
-  standard,    ///< X lambda = mu M_V lambda [CGP (5.3)]; always works
+  standard,    ///< X lambda = mu M_V lambda [CGP (5.3)]; always applicable
   generalized  ///< X lambda = gamma B^H M_F (D - R) lambda [CGP (5.2)]; rho on faces
 };
 
 /// \ingroup PkgSpin
-/// which eigenvector of D - rho is taken where directions are prescribed at a boundary
+/// the eigenvector of D - rho that is taken if directions are prescribed at a boundary
 enum class Branch {
-  nearest,  ///< to the spins that turn the boundary least, harmonic inside
-  smallest  ///< that of the smallest modulus of the eigenvalue
+  nearest,  ///< the nearest to the spins that turn the boundary least and are harmonic inside
+  smallest  ///< the one whose eigenvalue has the smallest modulus
 };
 
 /// \ingroup PkgSpin
-/// how to solve the Dirac equation
+/// options of `solve_dirac_equation()`
 struct Dirac_options {
   Eigenproblem problem = Eigenproblem::standard;
-  double tolerance = 1e-8;  ///< on `Dirac_solution::residual`
+  double tolerance = 1e-8;  ///< upper bound of `Dirac_solution::residual`
   int max_iterations = 200;
-  int max_substeps = 64;     ///< of the continuation, where one is needed
+  int max_substeps = 64;     ///< of the continuation, if one is needed
   unsigned random_seed = 0;  ///< of the second start vector
-  /// with prescribed directions at a boundary: singular values of D - rho up to it, in 1/length,
-  /// are taken for zero, and of their vectors the combination is taken that is nearest to the guide
+  /// with prescribed directions at a boundary: singular values of D - rho up to this bound, in
+  /// 1/length, count as zero, and the solution is the combination of their vectors nearest to the
+  /// guide
   double kernel_tolerance = 0;
   Branch branch = Branch::nearest;
 };
 
 /// \ingroup PkgSpin
-/// \brief the evidence for a solution of the Dirac equation, in numbers.
+/// \brief the numbers that verify a solution of the Dirac equation.
 struct Dirac_evidence {
   bool converged = false;  ///< the equation is solved to the tolerance
-  bool cancelled = false;  ///< the visitor said no
+  bool cancelled = false;  ///< the visitor cancelled
 
-  double eigenvalue = 0;  ///< gamma with its sign, in 1/length
+  double eigenvalue = 0;  ///< gamma, signed, in 1/length
   double residual = 0;    ///< estimate of the error of lambda: the norm of X lambda - mu M_V lambda
                           ///< dual to the energy, divided by sqrt(4 pi / area) |lambda|
-  double gap = 0;      ///< distance from sqrt(mu) to that of the next vector known, in 1/length: an
-                       ///< upper bound of the true one, rough if that is wide
+  double gap = 0;      ///< distance from sqrt(mu) to that of the next known vector, in 1/length: an
+                       ///< upper bound of the true gap, inaccurate if the gap is wide
   double overlap = 0;  ///< |<lambda, 1>| / (|lambda| |1|), one for the identity
-  int iterations = 0;  ///< of the eigensolver, all substeps together
-  int substeps = 1;    ///< of the continuation from rho = 0; one if none was needed
-  double spectral_shift = 0;    ///< sigma: solved for the eigenvalue nearest to it; zero in (5.3)
-  bool is_generalized = false;  ///< the generalized problem was asked for, solved and trusted
-  double generalized_eigenvalue = 0;  ///< that of (5.2), gamma + (mu - gamma^2) / gamma
+  int iterations = 0;  ///< of the eigensolver, over all substeps
+  int substeps = 1;    ///< of the continuation from rho = 0; one if no continuation was needed
+  double spectral_shift = 0;    ///< sigma: the eigenvalue nearest to it was sought; zero in (5.3)
+  bool is_generalized = false;  ///< the generalized problem was requested, solved and accepted
+  double generalized_eigenvalue = 0;  ///< eigenvalue of (5.2), gamma + (mu - gamma^2) / gamma
 
   /// wall clock seconds
   struct Seconds {
@@ -64,11 +65,11 @@ struct Dirac_evidence {
 struct Dirac_solution : Dirac_evidence {
   Quaternion_vector<double> lambda;  ///< |V|; mean real and positive, mean of |lambda|^2 one
   double energy = 0;                 ///< mu = <lambda, X lambda> / <lambda, M_V lambda> >= 0
-  Seconds seconds;                   ///< of the stages
+  Seconds seconds;                   ///< of each stage
 };
 
 /// \relates Dirac_evidence
-/// the evidence of a surface that is `unit` times as large: its numbers in 1/length are divided
+/// the evidence for the surface scaled by `unit`: divides the numbers in 1/length by `unit`
 Dirac_evidence in_units(Dirac_evidence evidence, double unit);
 
 }  // namespace Conformal_geometry_processing

@@ -20,19 +20,19 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief finds eigenvalues and eigenfunctions of D - rho next to a shift s, on closed surfaces and
-/// on surfaces with boundary where D is self-adjoint [CGP (5.2), 5.8.2].
+/// \brief finds the eigenvalues nearest to a shift s, and eigenfunctions, of D - rho, on closed
+/// surfaces and on surfaces with boundary where D is self-adjoint [CGP (5.2), 5.8.2].
 ///
-/// With A = D - rho - s they are those of largest 1/g of A*A lambda = g B*A lambda, which the
-/// Krylov-Schur method finds: A*A is positive definite and is factored, once per call of `find()`.
-/// It is not where A = D: then the constants are in the kernel of both sides and lead to no value,
-/// so they are taken out before and have mean zero with the others.
+/// With A = D - rho - s, these are the eigenpairs of A*A lambda = g B*A lambda with the largest
+/// |1/g|, which the Krylov-Schur method finds. A*A is positive definite and is factored once per
+/// call of `find()`. For A = D it is singular: the constants are in the kernel of both sides and
+/// determine no eigenvalue. They are split off first, and the other eigenfunctions have mean zero.
 ///
-/// The eigenvalue of this pencil is s + (g_0^2 + delta^2) / g_0, where s + g_0 is the true one and
-/// delta the discretisation error. So vectors that are nearer than delta to the shift are taken for
-/// others farther away, and are found by the standard problem [CGP (5.3)] instead, on the same
-/// factor. The eigenvalues told are quotients of the vectors, which err by O(h^2) whatever the
-/// shift.
+/// The eigenvalue of this pencil is s + (g_0^2 + delta^2) / g_0, where s + g_0 is the true
+/// eigenvalue and delta the discretisation error. Vectors nearer to the shift than delta therefore
+/// appear farther away than others; they are computed from the standard problem [CGP (5.3)] with
+/// the same factor. The returned eigenvalues are quotients of the vectors, with an error of O(h^2)
+/// for any shift.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits = Default_solver_traits>
@@ -42,7 +42,8 @@ class Dirac_spectral_problem {
 
  public:
   /// \param mesh is copied
-  /// \param condition with a boundary: of directions orthogonal to the tangents, such as binormals
+  /// \param condition for surfaces with boundary: directions orthogonal to the tangents, such as
+  /// binormals
   /// \param function named in exceptions
   /// \throw Precondition_error if the mesh is not a connected, oriented manifold with finite
   /// coordinates and positive areas, or the condition does not fit it
@@ -51,17 +52,19 @@ class Dirac_spectral_problem {
                                   const std::string& function = "Dirac_spectral_problem");
 
   /// \param rho finite, in 1/length
-  /// \param count how many eigenvalues
-  /// \param go_further called with `Krylov_progress` now and then; false cancels
-  /// \throw Precondition_error if rho does not fit the mesh, or there are not so many eigenvalues
-  /// \throw Solver_error if a matrix cannot be factored. No convergence is a field of the result.
+  /// \param count the number of eigenvalues
+  /// \param go_further called regularly with a `Krylov_progress`; cancels by returning false
+  /// \throw Precondition_error if rho does not fit the mesh, or there are fewer than `count`
+  /// eigenvalues
+  /// \throw Solver_error if a matrix cannot be factored. Failure to converge is a field of the
+  /// result.
   Dirac_spectrum find(const Curvature_potential& rho, int count,
                       const Dirac_spectrum_options& options = {},
                       const Go_further& go_further = {});
 
  private:
-  /// an eigenvector, its quotient and its eigenvalue of the pencil, both minus the shift, in the
-  /// frame
+  /// an eigenvector with its quotient and its eigenvalue of the pencil, both minus the shift, in
+  /// the frame
   struct Pair {
     double quotient, of_pencil, residual;
     Quaternion_vector<double> vector;
@@ -81,17 +84,17 @@ class Dirac_spectral_problem {
 
   Pair pair(const Quaternion_vector<double>& v, double residual) const;
 
-  /// \brief the eigenpairs, those that the pencil gets wrong by others; nearest to the shift first.
+  /// \brief the eigenpairs nearest to the shift first; replaces those that the pencil misplaces.
   std::vector<Pair> with_those_at_the_shift(const Krylov_result& r,
                                             const Dirac_spectrum_options& options) const;
 
-  /// \brief the eigenvectors that are nearer to the shift than the discretisation error: those of
-  /// X lambda = mu M_V lambda [CGP (5.3)] whose root of mu is below all eigenvalues of the pencil,
-  /// which for other vectors it nearly is.
+  /// \brief the eigenvectors nearer to the shift than the discretisation error: those of X lambda =
+  /// mu M_V lambda [CGP (5.3)] with sqrt(mu) below the moduli of all eigenvalues of the pencil. For
+  /// all other vectors, sqrt(mu) nearly equals such a modulus.
   std::vector<Pair> at_the_shift(const Krylov_result& r,
                                  const Dirac_spectrum_options& options) const;
 
-  /// how many of the vectors have a root of mu below a bound
+  /// the number of vectors with sqrt(mu) below a bound
   int count_below(double bound, const Krylov_result& standard) const;
   /// <v, X v>
   double energy(const Quaternion_vector<double>& v) const;
@@ -103,7 +106,7 @@ class Dirac_spectral_problem {
   Mesh_view m_mesh;  // in the frame
   Dirac_system<SolverTraits> m_system;
   Curvature_potential m_rho;  // with the shift, in the frame
-  Vectors m_constants;        // in the kernel of D - rho, and left out
+  Vectors m_constants;        // in the kernel of D - rho, and excluded
 };
 
 }  // namespace Conformal_geometry_processing

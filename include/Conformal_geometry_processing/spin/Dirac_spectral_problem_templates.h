@@ -121,7 +121,7 @@ auto Dirac_spectral_problem<SolverTraits>::with_those_at_the_shift(
   const std::size_t count = pairs.size();
   for (Eigen::Index k = 0; k < r.values.size(); ++k) {
     const Quaternion_vector<double> v = r.vectors.col(k);
-    double share = 0;  // of v in the span of those vectors
+    double share = 0;  // share of v in the span of these vectors
     for (std::size_t i = 0; i < count; ++i)
       share += std::pow(m_system.overlap(pairs[i].vector, v), 2);
     if (share < 0.5) pairs.push_back(pair(v, r.residuals[k]));

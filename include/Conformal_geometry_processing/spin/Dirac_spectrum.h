@@ -12,10 +12,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// which eigenvalues of D - rho, and how exactly
+/// which eigenvalues of D - rho are computed, and how accurately
 struct Dirac_spectrum_options {
-  double shift = 0;         ///< those nearest to it, in 1/length
-  double tolerance = 1e-8;  ///< on `Dirac_spectrum::residuals`
+  double shift = 0;         ///< the eigenvalues nearest to it are found; in 1/length
+  double tolerance = 1e-8;  ///< upper bound of `Dirac_spectrum::residuals`
   int max_restarts = 100;
   unsigned random_seed = 0;
 };
@@ -23,19 +23,21 @@ struct Dirac_spectrum_options {
 /// \ingroup PkgSpin
 /// \brief eigenvalues and eigenfunctions of D - rho, those nearest to a shift first.
 ///
-/// On closed surfaces eigenfunctions are spaces over the quaternions, lambda and lambda q together,
-/// and each such space counts once. With directions kept at a boundary they are spaces over the
-/// reals.
+/// On closed surfaces, eigenspaces are quaternionic (lambda q is an eigenfunction if lambda is),
+/// and each quaternionic dimension counts once. With directions kept at a boundary, they are real
+/// vector spaces.
 struct Dirac_spectrum {
-  /// with their sign, in 1/length: `dirac_quotient()` of the vectors
+  /// signed, in 1/length: `dirac_quotient()` of the vectors
   Eigen::VectorXd eigenvalues;
-  /// those of A*A lambda = g B*A lambda for A = D - rho - shift, plus the shift [CGP (5.2)]:
-  /// farther from the shift by the squared error of discretisation over the distance to it
+  /// eigenvalues of A*A lambda = g B*A lambda for A = D - rho - shift, plus the shift [CGP (5.2)]:
+  /// their distance to the shift is too large by the squared discretisation error over that
+  /// distance
   Eigen::VectorXd pencil_eigenvalues;
   Eigen::VectorXd residuals;          ///< relative, of the discrete problem
   Block<Quaternion<double>> vectors;  ///< |V| x count; the mean of |lambda|^2 is one
-  int size_of_constants = 0;  ///< the first ones are constant spins, with their eigenvalue exactly
-  int restarts = 0;           ///< of the iteration
+  int size_of_constants = 0;          ///< number of constant spins, which come first, with exact
+                                      ///< eigenvalues
+  int restarts = 0;                   ///< of the iteration
   bool converged = false;
   bool cancelled = false;
 
@@ -43,15 +45,16 @@ struct Dirac_spectrum {
 };
 
 /// \ingroup PkgSpin
-/// one eigenvalue with its copies
+/// an eigenvalue with its multiplicity
 struct Multiple_eigenvalue {
-  double value;  ///< the mean
+  double value;  ///< mean of the merged values
   int multiplicity;
 };
 
 /// \ingroup PkgSpin
-/// \brief eigenvalues that differ from the next one by less than a given distance, as one;
-/// ascending. \param resolution what the discretisation takes apart is nearer to each other
+/// \brief merges eigenvalues that differ from the next one by less than a given distance;
+/// ascending.
+/// \param resolution more than the discretisation separates multiple eigenvalues by
 std::vector<Multiple_eigenvalue> with_multiplicities(const Eigen::VectorXd& eigenvalues,
                                                      double resolution);
 

@@ -23,16 +23,16 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief the discrete operator D - rho of a surface in its least-squares form X = (D - R)^H M (D -
-/// R) on a space of spins, with the factor of X [CGP (5.3), Alg. 2].
+/// \brief the discrete operator D - rho of a surface in least-squares form, X = (D - R)^H M (D -
+/// R), on a space of spins, with the factor of X [CGP (5.3), Alg. 2].
 ///
-/// The space is all of H^n; with directions prescribed at the boundary the spins that turn the
-/// directions of the boundary into them, a space over the real numbers; with positions prescribed
-/// those with given values at the boundary. The pattern, the ordering of the vertices and the
-/// symbolic factorization are made once; `set_potential()` repeats the numbers only, for another
-/// rho or other positions of the vertices.
+/// The space is H^n by default; with directions prescribed at the boundary, the real vector space
+/// of spins that turn the boundary directions into them; with prescribed positions, the spins with
+/// given boundary values. The pattern, the ordering of the vertices and the symbolic factorization
+/// are computed once; `set_potential()` repeats only the numeric part, for another rho or other
+/// vertex positions.
 ///
-/// What solves equations with it are functions: `solve_dirac_equation()`, `Dirac_spectral_problem`.
+/// `solve_dirac_equation()` and `Dirac_spectral_problem` solve equations with it.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits = Default_solver_traits>
@@ -48,7 +48,7 @@ class Dirac_system {
   /// \param function named in exceptions
   /// \pre `require_surface()` of the mesh holds
   /// \throw Precondition_error if the condition does not fit the surface, see
-  /// `require_condition()`, or if positions need another spin structure
+  /// `require_condition()`, or if prescribed positions require another spin structure
   /// \throw Solver_error if the analysis fails
   explicit Dirac_system(const Surface_ref& surface, const Boundary_condition& condition = {},
                         const std::string& function = "Dirac_system");
@@ -56,7 +56,7 @@ class Dirac_system {
   Dirac_system(const Dirac_system&) = delete;
   Dirac_system& operator=(const Dirac_system&) = delete;
 
-  /// \brief the surface has new positions; the next call must be `set_potential()`.
+  /// \brief adopts new positions of the surface; `set_potential()` must be called next.
   /// \pre no positions are prescribed
   void update_geometry();
 
@@ -71,23 +71,23 @@ class Dirac_system {
   const Directions* directions() const { return m_directions.get(); }  ///< prescribed, or null
   Positions* positions() { return m_positions.get(); }                 ///< prescribed, or null
 
-  /// over which numbers the spins are a space
+  /// the scalars of the space of spins
   Coefficients coefficients() const;
 
-  /// 4 pi / area: the size of the low eigenvalues of X
+  /// 4 pi / area: the order of magnitude of the low eigenvalues of X
   double unit() const;
 
-  /// assembles X for rho, and factors nothing
+  /// assembles X for rho without factoring it
   void assemble(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds);
 
-  /// \brief assembles X for rho and factors it, shifted by a share of `unit()` M_V.
+  /// \brief assembles X for rho and factors it, shifted by a multiple of `unit()` M_V.
   ///
-  /// X is singular for rho = 0 and nearly so for small rho. The shares tried are `least` and then
-  /// 1e-6, 1e-3 and 1e-2, until rounding leaves X positive definite: slivers and factors in single
-  /// precision need more. For eigenvectors `least` should be 1e-3: a smaller shift lets the
-  /// rounding of the solves blow up along the wanted vector, and Rayleigh-Ritz takes the effect of
-  /// this one out. \throw Solver_error if X is not positive definite to rounding, or memory is
-  /// short
+  /// X is singular for rho = 0 and nearly singular for small rho. The multiples tried are `least`
+  /// and then 1e-6, 1e-3 and 1e-2, until X is positive definite despite rounding: slivers and
+  /// single-precision factors need larger ones. For eigenvectors `least` should be 1e-3: with a
+  /// smaller shift, the solves amplify rounding errors along the wanted vector, whereas
+  /// Rayleigh-Ritz removes the effect of this shift.
+  /// \throw Solver_error if X is not positive definite up to rounding, or memory is short
   void set_potential(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
                      double least = 1e-3);
 
@@ -96,38 +96,39 @@ class Dirac_system {
   void set_potential(const Curvature_potential& rho, const Eigen::VectorXd& shift,
                      Dirac_evidence::Seconds& seconds);
 
-  /// the shift of the last factorization by `set_potential()`, in M_V
+  /// the shift of the last factorization by `set_potential()`, as a multiple of M_V
   double shift() const { return m_shift; }
 
-  /// \brief x in the space with (X + shift) x = b on it.
+  /// \brief solves (X + shift) x = b in the space.
   /// \pre `set_potential()` has been called
   Vectors solve(const Vectors& b) const;
 
   /// \brief factors X for rho = 0, for `response()`.
   ///
-  /// With a free boundary it is shifted by `nearness_weight()`: infinitely many spins solve the
-  /// equation then, and the ones nearest to 1 are meant.
+  /// With a free boundary, X is shifted by `nearness_weight()`: infinitely many spins solve the
+  /// equation, and those nearest to 1 are wanted.
   void prepare_response();
 
-  /// \brief the change y of lambda = 1 in the space that answers to sources c: D^H M D y = c. On
-  /// closed surfaces, where constants are the kernel, the mean of y is zero and that of c ignored.
-  /// \pre `prepare_response()` has been called last
+  /// \brief the response y of lambda = 1 to sources c: solves D^H M D y = c in the space. On closed
+  /// surfaces, where the kernel consists of the constants, y has mean zero and the mean of c is
+  /// ignored.
+  /// \pre `prepare_response()` was called last
   /// \throw Solver_error if the solver fails
   Vectors response(const Vectors& c) const;
 
-  /// X^-1 of noise: start vectors of an iteration
+  /// X^-1 applied to random vectors: start vectors of an iteration
   Vectors noise(Eigen::Index columns, unsigned seed) const;
 
-  /// the nearest members of the space
+  /// the nearest vectors in the space
   Vectors projected(Vectors v) const;
 
-  /// solves on all of H^n; its analysis is shared
+  /// the solver on all of H^n; its analysis is shared
   const Solver& solver() const { return m_solver; }
 
-  /// solves where directions are prescribed
+  /// the solver for prescribed directions
   const Reduced_hermitian_solver& reduced_solver() const { return m_reduced; }
 
-  /// gives back the memory of factors, until the next `set_potential()`
+  /// releases the memory of the factors until the next `set_potential()`
   void release();
 
   /// <a, M_V a>
@@ -140,7 +141,7 @@ class Dirac_system {
   /// `overlap()` with lambda = 1 over the quaternions
   double overlap_with_identity(const Quaternion_vector<double>& a) const;
 
-  /// the mean of |lambda|^2 becomes one; over the quaternions see `fix_gauge()`
+  /// scales lambda so that the mean of |lambda|^2 is one; over the quaternions see `fix_gauge()`
   Quaternion_vector<double> normalized(Quaternion_vector<double> lambda) const;
 
  private:

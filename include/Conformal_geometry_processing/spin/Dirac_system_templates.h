@@ -139,7 +139,7 @@ auto Dirac_system<SolverTraits>::noise(Eigen::Index columns, unsigned seed) cons
 {
   const Vectors b = block_operator(m_areas)(random_quaternions(m_areas.size(), columns, seed));
   if (m_directions) return solve(b);
-  Vectors x;  // as exact as a preconditioner is
+  Vectors x;  // as accurate as a preconditioner
   check("solution", apply_inverse(m_solver, b, x));
   return x;
 }

@@ -40,7 +40,7 @@ Eigensolver_result Directions_search<SolverTraits>::nearest_to_guide(
     const Dirac_options& options, double bound, Dirac_solution& s,
     const Go_further& go_further) const
 {
-  // The guide may itself be an eigenvector, which says nothing about others.
+  // The guide may be an eigenvector itself, which gives no information about others.
   const bool is_one_enough = options.kernel_tolerance == 0 && options.branch == Branch::nearest;
   const int columns = 4;
   Eigensolver_result r =
@@ -146,7 +146,7 @@ void Directions_search<SolverTraits>::take(const Eigensolver_result& r,
                                               std::sqrt((std::max)(r.values[nearest], 0.))
                                         : 0;
   s.overlap = m_system.overlap(s.lambda, guide());
-  // The sign of the guide; no rotation, for directions are fixed.
+  // Takes the sign of the guide, but no rotation, because the directions are fixed.
   if (inner_product(guide(), m_system.areas(), s.lambda).w < 0) components(s.lambda) *= -1;
   s.lambda = m_system.normalized(std::move(s.lambda));
 }

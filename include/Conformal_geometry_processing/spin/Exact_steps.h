@@ -17,13 +17,14 @@ namespace internal {
 /// \brief applies rho to a surface with handles or holes in steps that keep its edges exact, see
 /// `Spin_transformation`.
 ///
-/// rho |df|, rho as a density of lengths, is what adds up over transformations. What was not exact
-/// before is given up: to try it again, with ever less of the way left to make up for it, would end
-/// in ever faster steps.
+/// The quantity that adds up over transformations is the half-density rho |df|. The inexact part of
+/// rho is discarded: a retry, with a shrinking rest of the path to compensate for it, would lead to
+/// ever larger steps.
 template <class Transformation>
 class Exact_steps {
  public:
-  /// \param transformation is moved along \param rho in 1/length
+  /// \param transformation is moved along the path
+  /// \param rho in 1/length
   Exact_steps(Transformation& transformation, const Curvature_potential& rho,
               const Spin_transformation_options& options);
 
@@ -33,8 +34,8 @@ class Exact_steps {
  private:
   void go_all_the_way(const Dirac_options& options, const Go_further& go_further, Spin_result& all);
 
-  /// \brief tries `step` times v and smaller steps, until one is good enough to go there.
-  /// \returns none if no step of the least size is, or the visitor said no
+  /// \brief tries `step` times v and smaller steps until one is accepted.
+  /// \returns nothing if no step of at least the minimal size is accepted, or the visitor cancels
   std::optional<Spin_result> largest_step(const Eigen::VectorXd& v, const Dirac_options& options,
                                           const Go_further& go_further, Spin_report& all,
                                           double& step);
@@ -42,26 +43,26 @@ class Exact_steps {
   double best_step(double step, double defect) const;
   double next_step(double step, double defect, double rest) const;
 
-  /// counts from the surface found, where rho becomes another one, as a density of lengths
+  /// continues from the surface found: converts rho to it with rho |df| fixed
   void take(const Eigen::VectorXd& v, double share);
 
-  /// that belong to the values of rho, in the unit of the mesh
+  /// the areas that belong to the values of rho, in the unit of the mesh
   Eigen::VectorXd areas() const;
 
-  /// how far the boundary is from the directions prescribed, or those that it had in the beginning
+  /// the angles between the boundary and the prescribed directions, or its initial ones
   void measure_directions(Spin_report& report) const;
 
-  /// root of the integral of rho squared, less its mean where that has no effect; does not depend
-  /// on scale
+  /// root of the integral of rho^2, without the mean of rho if constants have no effect; invariant
+  /// under scaling
   double norm(const Eigen::VectorXd& rho) const;
 
   Transformation& m_transformation;
   const Spin_transformation_options& m_options;
-  Mesh_view m_before;             // on which the whole way is measured
-  Curvature_potential m_missing;  // rho that is to come, on the present surface
-  Eigen::VectorXd m_left_out;     // rho that cannot come
-  Eigen::VectorXd m_areas;        // of the surface that `m_missing` is on
-  Points m_directions;            // prescribed at the boundary, if any are
+  Mesh_view m_before;             // on which the whole path is measured
+  Curvature_potential m_missing;  // remaining rho, on the present surface
+  Eigen::VectorXd m_left_out;     // part of rho that cannot be realised
+  Eigen::VectorXd m_areas;        // of the surface of `m_missing`
+  Points m_directions;            // prescribed at the boundary, if any
 };
 
 }  // namespace internal

@@ -43,7 +43,7 @@ Spin_result Exact_steps<Transformation>::run(const Dirac_options& options,
   all.report.steps = 0;
   all.report.reached = 0;
   go_all_the_way(options, go_further, all);
-  if (all.report.steps > 0) {  // each of which keeps the area of its own faces
+  if (all.report.steps > 0) {  // each step keeps the area of its own faces
     all.positions = m_transformation.positions();
     restore_area(m_before, all.positions, all.lambda);
     certify(m_before, all.positions, all.lambda, all.report);
@@ -71,7 +71,7 @@ void Exact_steps<Transformation>::go_all_the_way(const Dirac_options& options,
     all.report.reached += step;
     step = next_step(step, next->report.period_defect, 1 - all.report.reached);
   }
-  all.report.reached = 1;  // but for rounding
+  all.report.reached = 1;  // up to rounding
 }
 
 template <class Transformation>
@@ -102,7 +102,7 @@ std::optional<Spin_result> Exact_steps<Transformation>::largest_step(const Eigen
   }
 }
 
-// A face that has shrunk to nothing is no fault of the caller's mesh.
+// Faces that degenerate during the steps are not an error in the caller's mesh.
 template <class Transformation>
 bool Exact_steps<Transformation>::can_go_on_from(const Points& positions)
 {
@@ -114,7 +114,8 @@ bool Exact_steps<Transformation>::can_go_on_from(const Points& positions)
   return true;
 }
 
-// Defects grow with the square of the step, the share of them that a step may have linearly.
+// Defects grow with the square of the step, but the share of them allowed for a step grows
+// linearly.
 template <class Transformation>
 double Exact_steps<Transformation>::best_step(double step, double defect) const
 {

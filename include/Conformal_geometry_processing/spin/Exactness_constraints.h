@@ -15,37 +15,38 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief what rho must be orthogonal to on a surface with handles or holes so that the edges of
-/// the transformed surface stay exact and close up around them, and how far a transformation is
-/// from that [CGP 4.5.2].
+/// \brief the functions that rho must be orthogonal to on a surface with handles or holes so that
+/// the edges of the transformed surface stay exact, that is close up around them, and the defect of
+/// a transformation [CGP 4.5.2].
 struct Exactness_constraints {
   Curvature_potential::On on = Curvature_potential::On::vertices;  ///< where the values of rho are
-  Harmonic_basis forms;       ///< of the surface: none on spheres and disks
+  Harmonic_basis forms;       ///< of the surface; none on spheres and disks
   Eigen::VectorXd weights;    ///< `cotan_weights()`, |E|
   Eigen::VectorXd areas;      ///< `curvature_areas()`, |V| or |F|
   Eigen::MatrixXd functions;  ///< `exactness_functions()`, three for each form; |V| or |F| rows
-  bool constants_have_effect = false;  ///< gamma is no eigenvalue, up to which rho is realised
+  bool constants_have_effect = false;  ///< gamma is a misfit, not an eigenvalue up to which rho is
+                                       ///< realised
 
-  /// what rho must be orthogonal to: the functions, and the constants where they have no effect
+  /// the basis of the functions and, if constants have no effect, of the constants
   Constraint_basis basis() const;
 
-  /// \brief the norm of the harmonic part of new edge vectors by their norm: zero where they close
-  /// up around the handles; always zero for spheres and disks.
+  /// \brief the norm of the harmonic part of new edge vectors, relative to their norm: zero if they
+  /// close up around the handles; always zero on spheres and disks.
   /// \param edges |E| x 3, of a transformation of the surface
   double period_defect(const Eigen::MatrixX3d& edges) const;
 };
 
 /// \ingroup PkgSpin
-/// \brief finds the constraints of a surface.
+/// \brief computes the constraints of a surface.
 ///
-/// Costs 4G solves with a Laplacian that is factored already, a factorization of the Dirac matrix
+/// Costs 4G solves with a Laplacian that is already factored, a factorization of the Dirac matrix
 /// for rho = 0, and 2G solves with it; nothing without generators.
 ///
-/// \param system of the surface; its factor is lost
+/// \param system of the surface; its factor is overwritten
 /// \param laplacian solves with the Laplacian of the surface
-/// \param generators closed forms of the surface, a column for each loop around handles and holes
+/// \param generators closed forms of the surface, one column for each loop around handles and holes
 /// \param on where the values of rho are
-/// \param version without one there are no functions; with a boundary it is the adjoint in any case
+/// \param version empty: no functions are computed. With a boundary, always the adjoint
 /// \throw Solver_error if a factorization fails, or a solve
 template <class SolverTraits>
 Exactness_constraints exactness_constraints(Dirac_system<SolverTraits>& system,

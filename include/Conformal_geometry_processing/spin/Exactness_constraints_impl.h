@@ -23,7 +23,7 @@ CGP_INLINE Constraint_basis Exactness_constraints::basis() const
 CGP_INLINE double Exactness_constraints::period_defect(const Eigen::MatrixX3d& edges) const
 {
   if (forms.size() == 0) return 0;
-  // |w|, for w itself is negative opposite large angles and then defines no norm.
+  // Uses |w|, because w is negative opposite large angles and then defines no norm.
   const double total = weights.cwiseAbs().dot(edges.rowwise().squaredNorm());
   return forms.coefficients(weights, edges).norm() / std::sqrt(total);
 }

@@ -22,8 +22,8 @@ namespace internal {
 /// or with mollification its intrinsic Delaunay triangulation.
 class Framed_surface {
  public:
-  /// \param mollification see `mollified_lengths()`; without, the mesh itself is the surface
-  /// \param generators closed forms of the mesh, |E| x k, to be taken along to the triangulation
+  /// \param mollification see `mollified_lengths()`; if empty, the surface is the mesh itself
+  /// \param generators closed forms of the mesh, |E| x k, to be transferred to the triangulation
   /// \pre `require()` holds
   Framed_surface(const Mesh_view& mesh, std::optional<double> mollification,
                  const Eigen::MatrixXd& generators);
@@ -40,7 +40,7 @@ class Framed_surface {
   /// face) has area zero
   static void require_faces(const Mesh_view& mesh, bool is_mollified, const std::string& function);
 
-  /// \brief the mesh has other positions; references to the surface stay valid.
+  /// \brief adopts new positions of the mesh; references to the surface stay valid.
   /// \pre there is no mollification; `require_faces()` holds
   void set_positions(const Points& positions);
 
@@ -50,11 +50,11 @@ class Framed_surface {
   const Mesh_view& mesh() const { return m_mesh; }  ///< in the frame
   Surface_ref surface() const;                      ///< in the frame
 
-  /// the part of the mesh on which area, centroid and certificate are measured, in the frame: all
-  /// of it, or with mollification the `well_shaped_faces()`
+  /// the part of the mesh on which area, centroid and certificate are measured, in the frame: the
+  /// whole mesh, or with mollification the `well_shaped_faces()`
   const Mesh_view& measured() const { return m_measured ? m_measured->mesh : m_mesh; }
 
-  /// `Prescribed_directions::errors()` of the surface moved to other positions, in the frame
+  /// `Prescribed_directions::errors()` of the surface with other positions, in the frame
   template <class Directions>
   Eigen::VectorXd direction_errors(const Directions& directions, const Points& positions,
                                    const Points& targets) const
@@ -64,7 +64,7 @@ class Framed_surface {
                   : directions.errors(moved, targets);
   }
 
-  /// closed forms of the surface in the classes of those of the mesh
+  /// closed forms of the surface, cohomologous to those of the mesh
   const Eigen::MatrixXd& forms(const Eigen::MatrixXd& generators) const
   {
     return m_view ? m_view->forms() : generators;

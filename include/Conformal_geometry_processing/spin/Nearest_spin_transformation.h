@@ -14,35 +14,35 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// a conformal deformation near to a given one, or between the two
+/// a conformal deformation near a given one, or a blend of the two
 struct Nearest_spin_result : Spin_result {
-  double distance = 0;  ///< root mean square of the distances of the vertices from the target, by
+  double distance = 0;  ///< root mean square distance of the vertices from the target, relative to
                         ///< the diagonal of its bounding box
 };
 
 /// \ingroup PkgSpin
-/// how a target is approached
+/// options of `Nearest_spin_transformation`
 struct Nearest_spin_options {
-  /// direction of the boundary frame (T, N, B) that becomes that of the target; the binormal,
-  /// unlike the tangent, can be realised whatever the target is
+  /// direction of the boundary frame (T, N, B) that is taken from the target; the binormal, unlike
+  /// the tangent, can be realised for any target
   Eigen::Vector3d direction{1, 0, 0};
   std::optional<Exactness> exactness = Exactness::adjoint;  ///< see `Spin_transformation_options`
-  /// see `Spin_transformation_options`; spins of thin faces, of the mesh or of the target, are then
-  /// taken from their neighbours, and the spin structure of the target is not checked
+  /// see `Spin_transformation_options`; if set, spins of thin faces, of the mesh or of the target,
+  /// are taken from their neighbours, and the spin structure of the target is not checked
   std::optional<double> mollification = std::nullopt;
 };
 
 /// \ingroup PkgSpin
-/// \brief finds the conformal deformation of a surface that is nearest to a given deformation: a
-/// spin transformation that has its curvature and, on surfaces with boundary, its tangents or
-/// another direction of its boundary [CGP 5.9, 6.3].
+/// \brief finds the conformal deformation nearest to a given deformation: the spin transformation
+/// with the same curvature and, on surfaces with boundary, the same tangents or another direction
+/// of the boundary [CGP 5.9, 6.3].
 ///
-/// The rotations and scalings of the faces become spins mu of the vertices, which in general belong
-/// to no surface: integrated directly they leave a shear that no refinement takes away. Their
-/// curvature rho is that of a conformal deformation, whose spins lambda are found from it. Between
-/// them lies (1 - t) lambda + t mu.
+/// The rotations and scalings of the faces are averaged to spins mu of the vertices, which in
+/// general are not the spins of any surface: integrating them directly causes a shear that
+/// refinement does not remove. Their curvature rho is that of a conformal deformation, whose spins
+/// lambda are computed from rho. (1 - t) lambda + t mu interpolates between the two.
 ///
-/// Results are placed, turned and scaled to lie as near to the target as they can.
+/// A similarity aligns the results with the target as closely as possible.
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
 template <class SolverTraits = Default_solver_traits,
@@ -54,42 +54,42 @@ class Nearest_spin_transformation {
   /// \param function named in exceptions
   /// \throw Precondition_error if the mesh, or the target with its connectivity, is not a
   /// connected, oriented manifold with finite coordinates and, without mollification, positive
-  /// areas; or if the target of a closed mesh is of another spin structure
+  /// areas; or if the target of a closed mesh has another spin structure
   /// \throw Solver_error if the analysis fails
   Nearest_spin_transformation(const Mesh_view& mesh, Points target,
                               const std::string& function = "Nearest_spin_transformation",
                               const Nearest_spin_options& options = {});
 
-  /// \brief the deformation that spins mu describe, conjugate(mu) df mu, as of a field of
-  /// rotations. The target is what they integrate to.
+  /// \brief takes the deformation from spins mu, conjugate(mu) df mu, for example of a field of
+  /// rotations. The target is the surface that results from integrating them.
   /// \param mu |V|, continuous in sign
-  /// \throw Precondition_error if their number is another, one is not finite, or what they
-  /// integrate to has faces of area zero
+  /// \throw Precondition_error if their number is wrong, one is not finite, or the integrated
+  /// surface has faces of area zero
   Nearest_spin_transformation(const Mesh_view& mesh, const Quaternion_vector<double>& mu,
                               const std::string& function = "Nearest_spin_transformation",
                               const Nearest_spin_options& options = {});
 
-  /// \brief scales lengths by `factor` as well, one positive number per vertex; before
-  /// `transform()`.
-  /// \throw Precondition_error if their number is another, or one is not positive and finite
+  /// \brief additionally scales lengths by `factor`, one positive number per vertex; must be called
+  /// before `transform()`.
+  /// \throw Precondition_error if their number is wrong, or one is not positive and finite
   void scale_lengths(const Eigen::VectorXd& factor);
 
-  /// the spins of the target, |V|; they need not belong to a surface
+  /// the spins of the target, |V|; in general not the spins of any surface
   const Quaternion_vector<double>& target_spins() const { return m_mu; }
 
-  /// their change of curvature, in 1/length, on faces
+  /// the change of curvature by the target spins, in 1/length, on faces
   const Curvature_potential& potential() const { return m_rho; }
 
   /// see `make_consistent()`
   int sign_conflicts() const { return m_conflicts; }
 
   /// \brief the conformal deformation.
-  /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
+  /// \throw Solver_error if a factorization fails. Failure to converge is a field of the report.
   Nearest_spin_result transform(const Dirac_options& options = {},
                                 const Go_further& go_further = Always_go_further());
 
-  /// \brief the surface of (1 - t) lambda + t mu, which is conformal for t = 0 only.
-  /// \param nearest of `transform()`
+  /// \brief the surface of (1 - t) lambda + t mu, which is conformal only for t = 0.
+  /// \param nearest result of `transform()`
   Nearest_spin_result blend(const Nearest_spin_result& nearest, double t);
 
  private:
@@ -104,7 +104,7 @@ class Nearest_spin_transformation {
                                                             const Nearest_spin_options& options);
 
   /// \brief multiplies lambda from the right by the constant that brings it nearest to mu: a
-  /// rotation and a scaling of the surface; where directions are prescribed, a scaling only.
+  /// rotation and a scaling of the surface; only a scaling if directions are prescribed.
   void align_spins(Quaternion_vector<double>& lambda) const;
   Nearest_spin_result placed(Spin_result found) const;
 

@@ -19,10 +19,10 @@ namespace Conformal_geometry_processing {
 ///
 /// Given one vector e_ij per edge i -> j, minimises sum_ij w_ij |f_j - f_i - e_ij|^2 over the
 /// positions f, where w are the cotan weights of the mesh. The minimiser solves L f = d0^T w e with
-/// the positive semidefinite cotan Laplacian; where weights are negative the sum is still convex.
+/// the positive semidefinite cotan Laplacian L; the sum is convex even if weights are negative.
 ///
-/// L depends on the mesh alone and is factored in the constructor, and by `update_geometry()` when
-/// the mesh has moved; every call costs two triangular solves with three right-hand sides.
+/// L depends only on the mesh. The constructor factors it, and `update_geometry()` again after the
+/// mesh has moved; each call costs two triangular solves with three right-hand sides.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits = Default_solver_traits>
@@ -34,7 +34,7 @@ class Poisson_reconstruction {
   /// \throw Solver_error if the Laplacian cannot be factored
   Poisson_reconstruction(const Surface_ref& surface, std::shared_ptr<const Sparse_pattern> pattern);
 
-  /// shares the analysis of another solver on the same pattern
+  /// shares the symbolic analysis of another solver with the same pattern
   /// \param other a `Solver` of the same traits, for any scalar
   template <class OtherSolver>
   Poisson_reconstruction(const Surface_ref& surface, std::shared_ptr<const Sparse_pattern> pattern,
@@ -44,20 +44,21 @@ class Poisson_reconstruction {
     update_geometry();
   }
 
-  /// \brief the mesh has new positions: assembles the Laplacian and factors it on the same
-  /// analysis. \throw Solver_error if the Laplacian cannot be factored
+  /// \brief adopts new positions of the mesh: assembles the Laplacian and factors it with the same
+  /// symbolic analysis.
+  /// \throw Solver_error if the Laplacian cannot be factored
   void update_geometry();
 
-  /// solves with the Laplacian
+  /// the solver for the Laplacian
   const Grounded_solver<SolverTraits>& solver() const { return m_solver; }
 
-  /// returns f, 3 x |V|, the one minimiser whose vertices have mean zero
+  /// returns f, 3 x |V|: the unique minimiser with mean zero
   /// \param edges |E| x 3, edge k runs from `surface.ends(k)[0]` to `surface.ends(k)[1]`
   Points positions(const Eigen::MatrixX3d& edges) const;
 
-  /// \brief |d0 f - e| / |e|: zero exactly when the edge vectors close up around every face.
+  /// \brief |d0 f - e| / |e|: zero if and only if the edge vectors close up around every face.
   ///
-  /// The norms use |w|, for w itself is negative opposite large angles and then defines none.
+  /// The norms use |w|, because w is negative opposite large angles and then defines no norm.
   double residual(const Points& f, const Eigen::MatrixX3d& edges) const;
 
   Solver_statistics statistics() const { return m_solver.statistics(); }

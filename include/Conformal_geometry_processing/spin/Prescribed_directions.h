@@ -19,20 +19,20 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
 /// \brief the space of spins that turn a direction of the boundary frames into prescribed
-/// directions, and a smooth member of it to which solutions are compared.
+/// directions, with a smooth member, the guide, to which solutions are compared.
 ///
-/// The guide turns the surface as a whole, as well as that can be done, and has at the boundary
-/// the rotations into the targets that twist least along it and are nearest to that turn; inside
-/// it is harmonic. Where the problem has several solutions, the one nearest to it turns the
-/// surface least.
+/// At the boundary, the guide consists of the rotations into the targets that twist least along the
+/// boundary and are nearest to the best common rotation of the whole surface; inside it is
+/// harmonic. If the problem has several solutions, the one nearest to the guide turns the surface
+/// least.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits>
 class Prescribed_directions {
  public:
-  /// \param surface its positions may change; must outlive the object
-  /// \param condition of kind `directions`, with directions in its targets or none
-  /// \param solver one of the same traits whose analysis is shared
+  /// \param surface must outlive the object; its positions may change
+  /// \param condition of kind `directions`, with or without targets
+  /// \param solver of the same traits; its symbolic analysis is shared
   template <class Solver>
   Prescribed_directions(const Surface_ref& surface, const Boundary_condition& condition,
                         std::shared_ptr<const Sparse_pattern> pattern, const Solver& solver)
@@ -47,7 +47,8 @@ class Prescribed_directions {
     update();
   }
 
-  /// the mesh has new positions; targets that were given stay, others are the directions it has
+  /// adopts new positions of the mesh; given targets are kept, otherwise the targets are the new
+  /// directions of the mesh
   void update_geometry();
 
   const std::vector<int>& vertices() const { return m_frames.vertices; }
@@ -55,7 +56,7 @@ class Prescribed_directions {
   /// the space of lambda
   const Reduced_basis<double>& basis() const { return m_basis; }
 
-  /// |V|, in the space
+  /// the guide, |V|, an element of the space
   const Quaternion_vector<double>& guide() const { return m_guide; }
 
   /// unit vectors, 3 x number of `vertices()`

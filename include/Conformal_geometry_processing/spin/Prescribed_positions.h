@@ -20,12 +20,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief spins and positions of a surface whose boundary becomes a given curve with given normals
-/// [CGP 6.3.2].
+/// \brief spins and positions of a surface whose boundary is mapped to a given curve with given
+/// normals [CGP 6.3.2].
 ///
-/// At the boundary lambda is known: it turns the frame of the surface into that of the curve and
-/// stretches by the ratio of lengths. Inside it minimises |(D - rho) lambda|^2, a linear system.
-/// The positions are those of (5.5), with the boundary where it has to be.
+/// At the boundary lambda is known: it rotates the frame of the surface into that of the curve and
+/// scales by the ratio of lengths. Inside it minimises |(D - rho) lambda|^2, which is a linear
+/// system. The positions solve (5.5) with the boundary fixed on the curve.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits>
@@ -33,11 +33,11 @@ class Prescribed_positions {
  public:
   /// \param surface must outlive the object
   /// \param condition of kind `positions`
-  /// \param pattern `vertex_graph(surface)` \param solver one of the same traits whose analysis is
-  /// shared
-  /// \throw Precondition_error if the normals of the curve turn once too often against those of
-  /// the surface: no continuous lambda does that (they are of different spin structures); if the
-  /// curve folds back at a vertex, or has its normal along it
+  /// \param pattern `vertex_graph(surface)`
+  /// \param solver of the same traits; its symbolic analysis is shared
+  /// \throw Precondition_error if no continuous lambda exists, because the normals of the curve
+  /// make one turn too many relative to those of the surface (their spin structures differ); if the
+  /// curve folds back at a vertex, or its normal is parallel to it
   template <class Solver>
   Prescribed_positions(const Surface_ref& surface, const Boundary_condition& condition,
                        std::shared_ptr<const Sparse_pattern> pattern, const Solver& solver,
@@ -50,19 +50,19 @@ class Prescribed_positions {
         m_positions(std::move(pattern), m_frames.vertices, solver)
   {}
 
-  /// \brief factors the part of X inside.
-  /// \throw Solver_error if that fails
+  /// \brief factors the interior part of X.
+  /// \throw Solver_error if the factorization fails
   void factorize(const Hermitian_sparse_matrix<Quaternion<double>>& X) { m_lambda.factorize(X); }
 
-  /// \brief lambda, |V|: the values at the boundary, and the least energy inside
+  /// \brief lambda, |V|: the given values at the boundary, and the minimiser of the energy inside
   /// \pre X has been factorized
   Quaternion_vector<double> spins(const Hermitian_sparse_matrix<Quaternion<double>>& X) const;
 
-  /// of the linear system inside, relative to what the boundary contributes
+  /// residual of the interior system, relative to the contribution of the boundary
   double residual(const Hermitian_sparse_matrix<Quaternion<double>>& X,
                   const Quaternion_vector<double>& lambda) const;
 
-  /// the positions with edges as given as can be, and the boundary on the curve; 3 x |V|
+  /// the positions that fit the edges best with the boundary on the curve; 3 x |V|
   /// \throw Solver_error if the Laplacian cannot be factored
   Points positions(const Eigen::MatrixX3d& edges);
 
@@ -70,7 +70,7 @@ class Prescribed_positions {
   std::vector<Quaternion<double>> spins(const Boundary_condition& condition,
                                         const std::string& function) const;
 
-  /// \param first the place of the loop among all boundary vertices
+  /// \param first index of the first vertex of the loop among all boundary vertices
   Quaternion<double> spin_at(const Boundary_condition& condition, std::size_t first,
                              const std::vector<int>& loop, std::size_t k,
                              const std::string& function) const;

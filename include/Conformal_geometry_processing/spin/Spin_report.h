@@ -9,11 +9,12 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// why a surface with what was prescribed at its boundary is not to be trusted
+/// why a surface with prescribed boundary data is not reliable
 enum class Boundary_fault {
   none,
-  not_realizable,  ///< no conformal surface has it: the singular value of D - rho stays away from 0
-  does_not_close,  ///< the edges do not fit together
+  not_realizable,  ///< no conformal surface has the data: the singular value of D - rho does not
+                   ///< tend to 0
+  does_not_close,  ///< the edges do not close up
   degenerate       ///< lambda nearly vanishes somewhere
 };
 
@@ -21,46 +22,47 @@ enum class Boundary_fault {
 const char* to_string(Boundary_fault fault);
 
 /// \ingroup PkgSpin
-/// \brief the result of a spin transformation in numbers, which are its proof. The curvature that
-/// came is rho + gamma; if it was cancelled, nothing has been written.
+/// \brief the numbers that verify a spin transformation. The realised change of curvature is rho +
+/// gamma. If the transformation was cancelled, nothing has been written.
 struct [[nodiscard]] Spin_report : Dirac_evidence {
-  int steps = 1;             ///< of a surface with handles, on which it stays closed
-  double reached = 1;        ///< share of the way to rho that could be made, in [0, 1]
-  double missing_share = 0;  ///< norm of the part of rho with which the surface would not have
-                             ///< closed up, and that was left out, by that of rho
-  double period_defect = 0;  ///< what was left of it, relative to the edges, sum of the steps
+  int steps = 1;             ///< number of steps, for a surface with handles that stays closed
+  double reached = 1;        ///< completed share of the path to rho, in [0, 1]
+  double missing_share = 0;  ///< norm of the part of rho that was left out because the surface
+                             ///< would not have closed up, relative to that of rho
+  double period_defect = 0;  ///< remaining period defect, relative to the edges, sum of the steps
 
-  /// of prescribed directions at a boundary, radians: of those of the new surface to the targets
+  /// with prescribed directions at a boundary: the angles between the directions of the new surface
+  /// and the targets, in radians
   struct Direction_error {
     double mean = 0, max = 0;
   } direction_error;
   Boundary_fault boundary_fault = Boundary_fault::none;
 
-  /// what the triangulation was made of on which robust operators worked; of several steps the
-  /// most, and what was measured in the first
+  /// how the intrinsic triangulation was built; over several steps the maximum, but what was
+  /// measured in the first
   struct Mollification {
-    double share = 0;          ///< that was asked for; 0: none
-    int thin_faces = 0;        ///< whose edges lacked length
-    int longer_edges = 0;      ///< that were made longer: all or none
-    double added_length = 0;   ///< to each of them, in the unit of the mesh
-    int flipped_edges = 0;     ///< until all were Delaunay
+    double share = 0;          ///< requested share; 0: none
+    int thin_faces = 0;        ///< whose edges formed no triangle, or nearly none
+    int longer_edges = 0;      ///< number of lengthened edges: all or none
+    double added_length = 0;   ///< of each edge, in the unit of the mesh
+    int flipped_edges = 0;     ///< until all edges were Delaunay
     int measured_faces = 0;    ///< on which `conformality` is measured: the `well_shaped_faces()`
-    double measured_area = 0;  ///< of those, as a share of all; at least 95 %
+    double measured_area = 0;  ///< their share of the area; at least 95 %
   } mollification;
 
   double closure_residual = 0;  ///< how far the new edges are from closing up, relative
   Conformality conformality;    ///< of the map from the old surface to the new one
-  double min_spin_ratio = 0;  ///< min |lambda| / max |lambda|; near zero where the map degenerates
+  double min_spin_ratio = 0;    ///< min |lambda| / max |lambda|; near zero if the map degenerates
 
   /// wall clock seconds
   struct Seconds : Dirac_evidence::Seconds {
     double setup = 0;           ///< pattern, ordering, symbolic analysis: once per mesh
-    double reconstruction = 0;  ///< the Laplacian's factorization too, the first time
+    double reconstruction = 0;  ///< includes the factorization of the Laplacian the first time
     double certificate = 0;
   } seconds;
 
-  /// whether the transformation was carried out: solved, every number of it finite, and what was
-  /// asked for at a boundary possible
+  /// whether the transformation succeeded: the equation is solved, all numbers are finite, and the
+  /// boundary data could be realised
   explicit operator bool() const;
 };
 
@@ -71,9 +73,9 @@ void append(Spin_report::Mollification& all, const Spin_report::Mollification& n
 }  // namespace internal
 
 /// \relates Spin_report
-/// \brief the report of two transformations, one after the other, out of theirs: sums of what was
-/// spent, and of evidence the worse. What is measured from end to end (conformality, spins) is left
-/// to the caller.
+/// \brief appends the report of a second transformation to that of the first: sums costs, and takes
+/// the worse evidence. Quantities measured from start to end (conformality, spins) are left to the
+/// caller.
 void append(Spin_report& all, const Spin_report& next);
 
 }  // namespace Conformal_geometry_processing

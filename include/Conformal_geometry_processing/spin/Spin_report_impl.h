@@ -34,7 +34,7 @@ namespace internal {
 
 CGP_INLINE void append(Spin_report::Mollification& all, const Spin_report::Mollification& next)
 {
-  const bool is_first = all.share == 0;  // where the conformality of the whole way is measured
+  const bool is_first = all.share == 0;  // whose faces measure the conformality of the whole path
   if (is_first) all.measured_faces = next.measured_faces;
   if (is_first) all.measured_area = next.measured_area;
   all.share = next.share;

@@ -10,7 +10,7 @@
 namespace Conformal_geometry_processing {
 
 /// \relates Spin_report
-/// the certificate in words, a line per fact, each ended
+/// writes the certificate, one fact per line
 std::ostream& operator<<(std::ostream& out, const Spin_report& r);
 
 }  // namespace Conformal_geometry_processing

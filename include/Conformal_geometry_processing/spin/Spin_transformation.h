@@ -29,43 +29,43 @@ struct Spin_result {
 };
 
 /// \ingroup PkgSpin
-/// what a spin transformation does at boundaries, handles and thin faces
+/// options of `Spin_transformation` for boundaries, handles and thin faces
 struct Spin_transformation_options {
-  Boundary_condition boundary = {};  ///< of a surface that has one; the default is a free one
-  /// how the edges are kept exact around handles and holes, see `exactness_constraints()`; without,
-  /// the surface is sheared where they do not close up
+  Boundary_condition boundary = {};  ///< for surfaces with boundary; the default is a free one
+  /// how the edges are kept exact around handles and holes, see `exactness_constraints()`; if
+  /// empty, the surface is sheared where they do not close up
   std::optional<Exactness> exactness = Exactness::adjoint;
-  /// lets faces be as thin as they may be, or of area zero: the equation is solved on the intrinsic
-  /// Delaunay triangulation, and to all edges the length is added that triangles lack, at most this
-  /// share of the mean one, 0 < share < 1; 1e-6 is a good one
+  /// admits faces of any thinness, also of area zero: solves the equation on the intrinsic Delaunay
+  /// triangulation, and adds to all edges the length that thin faces lack to form triangles, at
+  /// most this share of the mean length, 0 < share < 1; 1e-6 is a good value
   std::optional<double> mollification = std::nullopt;
-  double max_period_defect = 0.02;  ///< relative to the edges, of all steps together
-  double min_step = 1. / 256;       ///< the least share of rho that is worth a step
+  double max_period_defect = 0.02;  ///< relative to the edges, over all steps together
+  double min_step = 1. / 256;       ///< the smallest share of rho for a step
 };
 
 /// \ingroup PkgSpin
-/// \brief spin transformations of one surface: prescribes a change rho of its mean curvature, with
-/// optional boundary conditions, and finds the conformally equivalent surface that has it
-/// [CGP (5.3)-(5.5), 5.7].
+/// \brief computes spin transformations of a surface: finds the conformally equivalent surface
+/// whose mean curvature differs by a prescribed rho, with optional boundary conditions [CGP
+/// (5.3)-(5.5), 5.7].
 ///
 /// H~ |lambda|^2 = H + rho + gamma, so positive rho bulges along the normals. The result has the
-/// area and the centroid of the mesh, unless positions are prescribed. All that depends on the mesh
-/// alone is done once: checks, ordering and symbolic analysis in the constructor, the factorization
-/// of the Laplacian when it is first needed. Every call of `transform()` costs one numeric
+/// area and the centroid of the mesh, unless positions are prescribed. Computations that depend
+/// only on the mesh are done once: checks, ordering and symbolic analysis in the constructor, the
+/// factorization of the Laplacian on first use. Each call of `transform()` costs one numeric
 /// factorization of the Dirac matrix, three to eight solves with it, and one with the Laplacian.
 ///
-/// On a surface with handles or holes the edges of a transformed surface have periods along their
-/// loops, and a surface that is made to close all the same is sheared. To first order the periods
-/// vanish if rho is orthogonal to three functions for each loop, so what is left falls with the
-/// square of the step: `transform()` applies the part of rho with which the surface stays closed in
-/// as many steps as the tolerance needs, each from the surface found towards the curvature that is
-/// missing [CGP 4.5.2]. A step costs a second factorization, and 10 solves or so for each handle.
+/// On a surface with handles or holes, the edges of a transformed surface have periods along the
+/// loops, and forcing the surface to close shears it. To first order the periods vanish if rho is
+/// orthogonal to three functions for each loop, so the remaining periods decrease with the square
+/// of the step. `transform()` applies the part of rho that keeps the surface closed, in as many
+/// steps as the tolerance requires, each from the surface found so far towards the missing
+/// curvature [CGP 4.5.2]. A step costs a second factorization, and about 10 solves for each handle.
 ///
 /// With mollification, triangles may be needles, caps, or of area zero. Area, centroid and
-/// certificate are then those of the `well_shaped_faces()`, which leave out the thinnest, at most
-/// 5 % of the area.
+/// certificate then refer to the `well_shaped_faces()`, which exclude the thinnest faces, at most 5
+/// % of the area.
 ///
-/// Computes in a frame of unit size around the centre, so that neither scale nor position matter.
+/// Computes in a frame of unit size around the centre, so that scale and position have no effect.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
@@ -78,7 +78,7 @@ class Spin_transformation {
   /// \throw Precondition_error if the mesh is not a connected, oriented manifold with finite
   /// coordinates and, without mollification, positive areas; if the boundary condition does not fit
   /// it, see `require_condition()`; if mollification is out of its range. The message names the
-  /// first element in the way
+  /// first offending element
   /// \throw Solver_error if the analysis fails
   explicit Spin_transformation(const Mesh_view& mesh,
                                const Spin_transformation_options& options = {},
@@ -87,18 +87,18 @@ class Spin_transformation {
   Spin_transformation(const Spin_transformation&) = delete;
   Spin_transformation& operator=(const Spin_transformation&) = delete;
 
-  /// \brief the mesh has moved, as in the steps of a flow: `transform()` starts from there.
+  /// \brief moves the mesh, as in the steps of a flow; `transform()` starts from the new positions.
   ///
-  /// Nothing is ordered or analyzed again; with `Lagged_solver_traits`, the factors are kept for as
-  /// long as that pays. With mollification, however, another triangulation has another pattern, and
-  /// it costs what the constructor does.
+  /// Ordering and symbolic analysis are kept; `Lagged_solver_traits` also keeps the factors as long
+  /// as that pays off. With mollification, the triangulation and its pattern change, and the call
+  /// costs as much as the constructor.
   /// \param positions 3 x |V|
-  /// \throw Precondition_error if their number is another, one is not finite or a face (with
-  /// mollification: every face) has area zero, or the boundary has prescribed positions; everything
-  /// is as before then
+  /// \throw Precondition_error if their number is wrong, one is not finite or a face (with
+  /// mollification: every face) has area zero, or the boundary has prescribed positions; the object
+  /// is then unchanged
   void set_positions(const Points& positions);
 
-  /// of the mesh, 3 x |V|
+  /// the positions of the mesh, 3 x |V|
   const Points& positions() const { return m_stage->domain.positions(); }
 
   /// the surface, in the frame of the computation
@@ -112,49 +112,51 @@ class Spin_transformation {
   /// \throw Solver_error if the Laplacian cannot be factored
   const Poisson_reconstruction<SolverTraits>& reconstruction();
 
-  /// \brief the constraints that keep the surface exact, in the frame; found when first asked for.
+  /// \brief the constraints that keep the surface exact, in the frame; computed on first use.
   /// \throw Solver_error if a factorization fails, or a solve
   const Exactness_constraints& exactness(Curvature_potential::On on);
 
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   void require_potential(const Curvature_potential& rho) const;
 
-  /// \brief the surface whose mean curvature is changed by rho. The object is as before.
+  /// \brief computes the surface whose mean curvature is changed by rho. The object is unchanged.
   ///
-  /// Where not all of rho can be reached, the report tells which share (`reached`), and what was
-  /// left out (`missing_share`). If it was cancelled, or no step could be made (`steps` is zero),
-  /// there are no positions.
+  /// If rho cannot be realised entirely, the report contains the completed share (`reached`) and
+  /// the share that was left out (`missing_share`). If it was cancelled, or no step was possible
+  /// (`steps` is zero), there are no positions.
   /// \param rho in 1/length of the mesh, one number per vertex or per face
-  /// \param go_further asked between iterations with an `Eigensolver_progress`; false cancels
+  /// \param go_further called between iterations with an `Eigensolver_progress`; cancels by
+  /// returning false
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
-  /// \throw Solver_error if a factorization fails. No convergence is a field of the report.
+  /// \throw Solver_error if a factorization fails. Failure to converge is a field of the report.
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
                         const Go_further& go_further = Always_go_further()) &;
 
-  /// the same for the last time: needs less memory, for the two factors are not there together
+  /// the last transformation by this object: needs less memory, because the two factors do not
+  /// exist at the same time
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
                         const Go_further& go_further = Always_go_further()) &&;
 
-  /// \brief a single transformation by rho as it is, whether the edges stay exact or not.
+  /// \brief a single transformation by the given rho, whether the edges stay exact or not.
   /// \throw as `transform()`
   Spin_result step(const Curvature_potential& rho, const Dirac_options& options = {},
                    const Go_further& go_further = Always_go_further());
 
-  /// \brief the surface with given spins, whether they solve a Dirac equation or not.
+  /// \brief computes the surface with given spins, whether they solve a Dirac equation or not.
   ///
-  /// `report.closure_residual` tells how far they are from spins of a surface; `converged` whether
-  /// all numbers are finite.
+  /// `report.closure_residual` measures how far they are from the spins of a surface; `converged`
+  /// tells whether all numbers are finite.
   /// \param lambda |V|
-  /// \throw Precondition_error if their number is another
+  /// \throw Precondition_error if their number is wrong
   /// \throw Solver_error if the Laplacian cannot be factored
   Spin_result integrate(Quaternion_vector<double> lambda);
 
  private:
-  /// what depends on the positions
+  /// everything that depends on the positions
   struct Stage {
     Stage(const Mesh_view& mesh, const Spin_transformation& of);
 
-    Stopwatch watch;  // started before all else is constructed
+    Stopwatch watch;  // started before all other members
     internal::Framed_surface domain;
     Dirac_system<SolverTraits> system;
     std::optional<Poisson_reconstruction<SolverTraits>> poisson;
@@ -163,18 +165,19 @@ class Spin_transformation {
     double seconds;
   };
 
-  /// positions in the frame; directions are the same there
+  /// converts positions to the frame; directions do not change
   static Boundary_condition in_frame(Boundary_condition condition, const Normalized_frame& frame);
   void require_size(Eigen::Index size, const std::string& what) const;
 
-  /// whether there are loops around handles or holes that have to close
+  /// whether there are loops around handles or holes, which have to close
   bool has_loops() const;
 
-  /// lambda, with the part of the report that tells of it
+  /// lambda, with its part of the report
   Spin_result solve(const Curvature_potential& rho, Dirac_options options,
                     const Go_further& go_further);
 
-  /// Positions from lambda, with the area and the centroid of the mesh, and the certificate.
+  /// Computes positions from lambda, with the area and the centroid of the mesh, and the
+  /// certificate.
   void reconstruct(Spin_result& result);
   void judge_boundary(const Points& f, Spin_report& report) const;
 

@@ -200,10 +200,10 @@ void Spin_transformation<SolverTraits, EigensolverTraits>::reconstruct(Spin_resu
   Points f = positions ? positions->positions(edges) : reconstruction().positions(edges);
   r.closure_residual = reconstruction().residual(f, edges);
   r.seconds.reconstruction = watch.lap();
-  // Not by thin faces: those of no area may have got wrinkled.
+  // Excludes thin faces: those of area zero may have become wrinkled.
   if (!positions) restore_area(domain().measured(), f, result.lambda);
   result.positions = domain().frame().from_frame(f);
-  f = domain().frame().to_frame(result.positions);  // as they are rounded
+  f = domain().frame().to_frame(result.positions);  // after rounding
   internal::certify(domain().measured(), f, result.lambda, r);
   judge_boundary(f, r);
   r.seconds.certificate = watch.lap();

@@ -8,15 +8,15 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief a model of `SpinVisitor` that watches without a word; derive from it to override one.
+/// \brief a model of `SpinVisitor` that does nothing; derive from it to override a function.
 ///
-/// Passed by `parameters::visitor(std::ref(v))`. Whatever it throws passes through, and leaves the
-/// mesh as it was.
+/// Pass it by `parameters::visitor(std::ref(v))`. Its exceptions are propagated and leave the mesh
+/// unchanged.
 struct Spin_visitor {
   /// called after every iteration of the eigensolver
   void on_iteration(const Eigensolver_progress&) {}
 
-  /// asked then: false stops the work, and nothing is written
+  /// called after every iteration: false cancels, and nothing is written
   bool go_further() { return true; }
 };
 

@@ -11,9 +11,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief the one rotation that turns directions U into V as well as a single one can: a unit
-/// quaternion q of least sum |U q - q V|^2, and of those that fit about as well (all U may lie on a
-/// line, or nearly so) the nearest to 1. \param U, V unit vectors, 3 x n with n > 0
+/// \brief the rotation that best turns directions U into V: the unit quaternion q that minimises
+/// sum |U q - q V|^2; of several that fit about equally well (all U may be nearly parallel to one
+/// line), the one nearest to 1.
+/// \param U, V unit vectors, 3 x n with n > 0
 Quaternion<double> best_turn(const Points& U, const Points& V);
 
 }  // namespace Conformal_geometry_processing

@@ -28,8 +28,9 @@ CGP_INLINE Quaternion<double> best_turn(const Points& U, const Points& V)
   }
   const auto eigen = hermitian_jacobi<double>(M);
   const auto vector = [&](int c) -> Eigen::Vector4d { return eigen.vectors.col(c); };
-  // Where even the best turn does not fit, others that miss up to three times as much are as good:
-  // binormals of a hemisphere, all nearly parallel, that shall tilt inward ask for no half turn.
+  // If even the best rotation does not fit, those with up to three times its misfit count as
+  // equally good: nearly parallel binormals of a hemisphere, to be tilted inward, do not require a
+  // half turn.
   const double as_good = (std::max)(0.02, 2 * eigen.values[0]), nothing = 1e-3;
   Eigen::Vector4d best = Eigen::Vector4d::Zero();
   for (int c = 0; c < 4; ++c)

@@ -9,22 +9,21 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief the greatest singular value of D - rho, in 1/length, that the length of the edges
-/// explains: where gamma is a misfit, greater ones belong to no surface.
+/// \brief the largest singular value of D - rho, in 1/length, that the edge length explains: if
+/// gamma is a misfit, larger values belong to no surface.
 double greatest_misfit(const Surface_ref& surface);
 
 /// \ingroup PkgSpin
-/// \brief whether what was prescribed at the boundary can be.
+/// \brief whether the data prescribed at the boundary can be realised.
 ///
-/// Of data that can, the singular value sigma of D - rho tends to zero with the length h of the
-/// edges; of data that cannot, it stays. The residual of the positions tends to zero with the
-/// square of h. Where it is small, there is a surface with this boundary nonetheless, and its
-/// curvature is rho up to sigma: not less than prescribed binormals promise, which realise rho up
-/// to gamma. Non-planar tangents are of this kind: exact solutions for them are exceptions [CGP
-/// 5.7], good ones are not.
+/// For realisable data, the singular value sigma of D - rho tends to zero with the edge length h;
+/// otherwise it does not. The residual of the positions tends to zero with h^2. If the residual is
+/// small, a surface with this boundary exists nevertheless, and its curvature is rho up to sigma;
+/// prescribed binormals, which realise rho up to gamma, guarantee no more. Non-planar tangents are
+/// of this kind: exact solutions are exceptional [CGP 5.7], good approximations are not.
 ///
-/// \param sigma in 1/length, or zero where it is a true eigenvalue and no misfit
-/// \param report with what has been measured
+/// \param sigma in 1/length; zero if it is a true eigenvalue and not a misfit
+/// \param report contains the measured quantities
 Boundary_fault boundary_fault(const Surface_ref& surface, double sigma, const Spin_report& report);
 
 }  // namespace Conformal_geometry_processing

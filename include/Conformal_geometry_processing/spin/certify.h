@@ -12,9 +12,10 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \brief Enters into the report how conformal the map from a surface to new positions is, and
-/// between which lengths its spins are; one with a position that is not finite has not converged.
-/// \param measured the surface, or the part of it that has areas
+/// \brief Writes into the report how conformal the map from a surface to new positions is, and the
+/// ratio of the smallest to the largest spin; if a position is not finite, the result has not
+/// converged.
+/// \param measured the surface, or its part with positive areas
 /// \param f 3 x |V| \param lambda |V|
 void certify(const Mesh_view& measured, const Points& f, const Quaternion_vector<double>& lambda,
              Spin_report& report);

@@ -10,11 +10,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief the constant spins that turn the directions at the boundary into those prescribed: an
+/// \brief the constant spins that turn the directions at the boundary into the prescribed ones: an
 /// orthonormal basis over the reals of the quaternions q with q = B B^T q, at most four.
 ///
-/// Kept directions allow 1, and if they are all parallel, as the binormals of a cylinder are, the
-/// rotations about them too.
+/// Kept directions admit 1 and, if they are all parallel, as the binormals of a cylinder are, the
+/// rotations about them.
 Vector<Quaternion<double>> constant_spins(const Reduced_basis<double>& basis);
 
 }  // namespace Conformal_geometry_processing

@@ -14,16 +14,16 @@ namespace Conformal_geometry_processing {
 /// \brief the rho of a bump of height h along the normals, rho = Delta h / 2 with the positive
 /// semidefinite Laplacian; on vertices, in 1/length [CGP 6.2, where the factor is missing].
 ///
-/// A displacement by h N shears the surface as soon as h is not small; the spin transformation by
-/// rho has a bump of much the same height, and does not. On planes and spheres H |df| changes by
-/// rho |df| to first order in h; on other surfaces also by -(H^2 - K) h |df|, which is left out as
-/// the displacement is not conformal there.
+/// A displacement by h N shears the surface unless h is small; the spin transformation by rho gives
+/// a bump of about the same height without shear. On planes and spheres H |df| changes by rho |df|
+/// to first order in h; on other surfaces also by -(H^2 - K) h |df|, which is omitted because the
+/// displacement is not conformal there.
 ///
-/// The Laplacian is M_V^-1 L, so that rho is exactly what the height is worth against every linear
-/// function. At the boundary, where L h also holds the slope of h, rho is the mean of the interior
-/// neighbours.
+/// The Laplacian is M_V^-1 L, so that rho is exact in the weak sense, against every linear
+/// function. At the boundary, where L h also contains the slope of h, rho is the mean of the
+/// interior neighbours.
 /// \param height |V| numbers, in the units of the mesh
-/// \throw Precondition_error if their number is another
+/// \throw Precondition_error if their number is wrong
 Curvature_potential curvature_of_displacement(const Mesh_view& mesh, const Eigen::VectorXd& height);
 
 }  // namespace Conformal_geometry_processing

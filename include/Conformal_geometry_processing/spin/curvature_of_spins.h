@@ -10,10 +10,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief the rho on faces for which (D - rho) mu is smallest in each: Re(conjugate(B mu) D mu) /
-/// |B mu|^2 [CGP 6.3]; in 1/length. Zero where the mean B mu of a face vanishes.
+/// \brief the rho on faces that minimises (D - rho) mu in each face: Re(conjugate(B mu) D mu) / |B
+/// mu|^2 [CGP 6.3]; in 1/length. Zero where the mean B mu of a face vanishes.
 ///
-/// Where mu solves a Dirac equation it is that one's rho + gamma.
+/// If mu solves a Dirac equation, the result is rho + gamma of that equation.
 /// \param mu |V|
 Curvature_potential curvature_of_spins(const Surface_ref& surface,
                                        const Quaternion_vector<double>& mu);

@@ -18,7 +18,7 @@ CGP_INLINE Curvature_potential curvature_of_spins(const Surface_ref& surface,
   Eigen::VectorXd products = Eigen::VectorXd::Zero(surface.size_of_faces()), squares = products;
   for (int s = 0; s < surface.size_of_sheets(); ++s) {
     const Sheet sheet = surface.sheet(s);
-    Quaternion<double> average, image;  // of B, and of M D
+    Quaternion<double> average, image;  // B mu, and M D mu
     for (int c = 0; c < 3; ++c) {
       const auto& l = mu[sheet.corners[static_cast<std::size_t>(c)]];
       const Eigen::Vector3d e = sheet.vectors.col(c) / 2;

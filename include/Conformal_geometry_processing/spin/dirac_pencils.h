@@ -15,13 +15,13 @@
 #include <utility>
 
 /// \file dirac_pencils.h
-/// \brief the Hermitian pencils of D - rho on the space of spins of a `Dirac_system` whose
-/// potential is rho. They refer to the system, and to the constants that are left out.
+/// \brief the Hermitian pencils of D - rho on the space of spins of a `Dirac_system` with potential
+/// rho. They refer to the system and to the excluded constants.
 
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// the constants in the space of spins, orthonormal with M_V: the kernel of X for rho = 0
+/// the constants in the space of spins, M_V-orthonormal: the kernel of X for rho = 0
 template <class SolverTraits>
 Block<Quaternion<double>> constants_in_space(const Dirac_system<SolverTraits>& system)
 {
@@ -34,8 +34,8 @@ Block<Quaternion<double>> constants_in_space(const Dirac_system<SolverTraits>& s
   return v;
 }
 
-/// \brief X^-1 b beside the constants: what b has of them is rounding, which the factor would blow
-/// up.
+/// \brief X^-1 b without its constant component: that of b is rounding error, which the factor
+/// would amplify.
 template <class SolverTraits>
 Block<Quaternion<double>> solve_beside(const Dirac_system<SolverTraits>& system,
                                        const Block<Quaternion<double>>& constants,
@@ -89,7 +89,7 @@ Pencil pencil_of_form(const Dirac_system<SolverTraits>& system, const Curvature_
   return pencil;
 }
 
-/// `dirac_forms()` over the numbers of the space
+/// `dirac_forms()` over the scalars of the space
 template <class SolverTraits>
 Dirac_forms forms_in_space(const Dirac_system<SolverTraits>& system, const Curvature_potential& rho,
                            const Block<Quaternion<double>>& v)

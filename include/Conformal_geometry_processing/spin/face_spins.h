@@ -11,18 +11,18 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief the spins of the similarities of the faces that come nearest to a deformation, |F| of
-/// either sign [CGP 5.9, 6.3].
+/// \brief the spins of the similarities nearest to the deformation of each face, |F| of either sign
+/// [CGP 5.9, 6.3].
 ///
-/// Between a face and its image is a linear map; its nearest rotation, times the root of its
-/// determinant, is conjugate(q) v q for the edges v. Two quaternions, q and -q, belong to it.
+/// A linear map takes a face to its image; its nearest rotation, times the square root of its
+/// determinant, maps the edges v to conjugate(q) v q. Both q and -q represent it.
 /// \param positions of the deformed surface, 3 x |V|
 /// \pre no face has area zero before or after
 Quaternion_vector<double> face_spins(const Mesh_view& mesh, const Points& positions);
 
 /// \ingroup PkgSpin
-/// \brief gives faces that are thin before or after, whose own spins are decided by rounding or do
-/// not exist, the mean of their neighbours', ring by ring from the others.
+/// \brief replaces the spins of faces that are thin before or after the deformation, which depend
+/// on rounding or do not exist, by the mean of their neighbours, ring by ring.
 ///
 /// A face is thin if its height is less than a thousandth of its longest edge.
 void replace_thin_faces(const Mesh_view& mesh, const Points& positions,
@@ -32,14 +32,14 @@ void replace_thin_faces(const Mesh_view& mesh, const Points& positions,
 /// \brief chooses the signs of face spins such that they agree with those of their neighbours along
 /// a spanning tree of the faces.
 ///
-/// Without, the mean over the faces at a vertex would be of arbitrary signs as soon as rotations
-/// exceed half a turn.
-/// \returns how many edges have opposite signs on their sides: of a deformation that is smooth at
-/// the scale of the faces none, unless it is of another spin structure
+/// Otherwise the mean over the faces at a vertex would have arbitrary signs once rotations exceed
+/// half a turn.
+/// \returns the number of edges with opposite signs on their sides: zero for deformations that are
+/// smooth at the scale of the faces, unless the spin structures differ
 int make_consistent(const Mesh_view& mesh, Quaternion_vector<double>& spins);
 
 /// \ingroup PkgSpin
-/// the mean of the faces around each vertex, weighted by area, |V|
+/// the area-weighted mean of the faces around each vertex, |V|
 Quaternion_vector<double> vertex_spins(const Mesh_view& mesh,
                                        const Quaternion_vector<double>& face_spins);
 

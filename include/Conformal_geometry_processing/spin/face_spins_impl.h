@@ -20,7 +20,8 @@ namespace Conformal_geometry_processing {
 
 CGP_INLINE Quaternion_vector<double> face_spins(const Mesh_view& mesh, const Points& positions)
 {
-  // T along the first edge of the face, N its normal; and the coordinates of the third corner.
+  // Frame with T along the first edge of the face and N its normal; and coordinates of the third
+  // corner.
   const auto frame = [](const Eigen::Vector3d& first, const Eigen::Vector3d& second) {
     Eigen::Matrix3d F;
     F.col(0) = first.normalized();

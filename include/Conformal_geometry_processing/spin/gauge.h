@@ -10,11 +10,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief fixes the freedom of an eigenvector lambda, which is a right factor: makes its mean real
-/// and positive and the mean of |lambda|^2 one.
+/// \brief fixes the gauge of an eigenvector lambda, a right factor: makes its mean real and
+/// positive and the mean of |lambda|^2 one.
 ///
-/// So a constant lambda becomes 1 and the surface neither turns nor grows on the whole. Where the
-/// mean vanishes (it has no direction) the largest value is made real instead.
+/// A constant lambda thus becomes 1, and the surface as a whole neither turns nor grows. If the
+/// mean vanishes (it has no direction), the largest value is made real instead.
 /// \param areas the weights of the mean, |V| positive numbers
 void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas);
 

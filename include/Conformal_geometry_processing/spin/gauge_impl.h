@@ -14,7 +14,7 @@ namespace Conformal_geometry_processing {
 
 CGP_INLINE void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas)
 {
-  const double vanishing = 1e-6;  // of the root of the mean square
+  const double vanishing = 1e-6;  // relative to the root mean square
   Quaternion<double> direction;
   double square = 0;
   for (Eigen::Index i = 0; i < lambda.size(); ++i) {

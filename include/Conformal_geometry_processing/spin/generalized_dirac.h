@@ -15,23 +15,24 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \throw Precondition_error if rho is on vertices: the K of the generalized problem is not
-/// Hermitian then
+/// \throw Precondition_error if rho is on vertices: K of the generalized problem is then not
+/// Hermitian
 void require_on_faces(const Curvature_potential& rho);
 
 /// \ingroup PkgSpin
-/// \brief replaces a solution of the standard problem by that of the generalized one,
-/// X lambda = g K lambda with K = B^H M_F (D - R) [CGP (5.2)], where that can be trusted.
+/// \brief replaces a solution of the standard problem by that of the generalized one, X lambda = g
+/// K lambda with K = B^H M_F (D - R) [CGP (5.2)], if the latter is reliable.
 ///
-/// Unlike the text, which calls it more robust, the generalized problem loses the wanted vector
-/// when gamma is near zero: with the discretisation error delta^2 = mu - gamma^2 its eigenvalue is
-/// g = (gamma^2 + delta^2) / gamma, and once that exceeds the next one in modulus another
-/// eigenvector is the smallest. So the standard solution is the guess and the judge: the result
-/// is taken only if it is the smallest, has converged, and is on the same branch.
+/// [CGP] calls the generalized problem more robust, but it loses the wanted vector when gamma is
+/// near zero: with the discretisation error delta^2 = mu - gamma^2 its eigenvalue is g = (gamma^2 +
+/// delta^2) / gamma, and once that exceeds the next one in modulus, another eigenvector is the
+/// smallest. The standard solution is therefore the initial guess and the criterion: the result is
+/// accepted only if it is the smallest, has converged, and is on the same branch.
 ///
 /// Solved as K lambda = (1/g) X lambda, whose right-hand side is positive definite.
 /// \param system of a closed surface, whose potential was rho in the last solve
-/// \param s a converged solution of the standard problem; unchanged if the other is not trusted
+/// \param s a converged solution of the standard problem; unchanged if the generalized one is
+/// rejected
 /// \pre `require_on_faces(rho)` holds
 template <class SolverTraits>
 void solve_generalized_dirac(const Dirac_system<SolverTraits>& system,
@@ -48,7 +49,7 @@ void solve_generalized_dirac(const Dirac_system<SolverTraits>& system,
   const auto apply_k = [&](const Block<Quaternion<double>>& x) {
     return Block<Quaternion<double>>(form(x) * (gamma > 0 ? -1. : 1.));
   };
-  // Eigenvectors have X > 0; the constants, where rho is tiny, only just.
+  // Eigenvectors have X > 0; the constants only barely, if rho is tiny.
   const double positive = 1e-12 * system.unit();
   const auto apply_x = [&](const Block<Quaternion<double>>& x) {
     Block<Quaternion<double>> y = energy(x);

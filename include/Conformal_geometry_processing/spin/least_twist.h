@@ -15,14 +15,14 @@ using Boundary_plane = Reduced_basis<double>::Plane;
 }  // namespace internal
 
 /// \ingroup PkgSpin
-/// \brief unit quaternions, one in each plane along a closed loop, that turn in their planes as
-/// little as they can from one to the next: carried along without twist, what is missing where the
-/// loop closes spread evenly, and all of them turned such that they are near to q.
+/// \brief unit quaternions, one in each plane along a closed loop, that turn as little as possible
+/// from one to the next: transported without twist, with the mismatch where the loop closes
+/// distributed evenly, and all rotated in their planes to be nearest to q.
 ///
-/// Of the smallest rotations of one direction into another, which seem the natural choice, those
-/// at the two ends of the loop may be opposite quaternions of one rotation; these never are, for a
-/// plane contains q and -q with all between. O(n).
-/// \param planes orthonormal bases; (q, -q V) with the same V on one side of all, as
+/// With the smallest rotations of one direction into another, the two ends of the loop may be
+/// opposite quaternions of one rotation. This cannot happen here, because a plane contains q, -q
+/// and everything between. O(n).
+/// \param planes orthonormal bases; (q, -q V) with V on the same side of all, as
 /// `boundary_plane()` makes them
 std::vector<Quaternion<double>> least_twist(const std::vector<Reduced_basis<double>::Plane>& planes,
                                             const Quaternion<double>& q);

@@ -19,8 +19,8 @@ CGP_INLINE Quaternion<double> at_angle(const Boundary_plane& plane, double angle
   return plane[0] * std::cos(angle) + plane[1] * std::sin(angle);
 }
 
-/// the angle that takes coordinates in one plane to those of the nearest points of another, in the
-/// mean over all points: a rotation, so that what a loop adds up is the same wherever one begins
+/// the angle that maps coordinates in one plane to those of the nearest points of another, averaged
+/// over all points: a rotation, so that its sum over a loop does not depend on the start
 CGP_INLINE double turn_between(const Boundary_plane& from, const Boundary_plane& to)
 {
   const double cosine = dot(to[0], from[0]) + dot(to[1], from[1]);
@@ -28,7 +28,7 @@ CGP_INLINE double turn_between(const Boundary_plane& from, const Boundary_plane&
   return std::atan2(sine, cosine);
 }
 
-/// the angle by which quaternions, one in each plane, have to turn to be nearest to q in the sum
+/// the angle by which quaternions, one in each plane, have to turn to be nearest to q on the whole
 CGP_INLINE double angle_to_nearest(const std::vector<Boundary_plane>& planes,
                                    const std::vector<double>& angles, const Quaternion<double>& q)
 {

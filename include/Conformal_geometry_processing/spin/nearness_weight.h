@@ -8,10 +8,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief the weight alpha^2 of nearness to 1 for a surface with free boundary, in 1/area:
-/// alpha = 10 h / R^2 with the mean length h of the edges and pi R^2 the area.
+/// \brief the weight alpha^2 of the distance to lambda = 1 for a surface with free boundary, in
+/// 1/area: alpha = 10 h / R^2 with the mean edge length h and the area pi R^2.
 ///
-/// Where h << alpha R^2 << R, the solution tends to the projection of 1 on the kernel of D - rho.
+/// If h << alpha R^2 << R, the solution tends to the projection of 1 onto the kernel of D - rho.
 double nearness_weight(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing

@@ -11,7 +11,7 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-// Tangent of twice the angle of a mixture that matters: two degrees.
+// Tangent of twice the angle from which a mixture matters: two degrees.
 inline constexpr double visible_mixture = 0.06;
 
 }  // namespace internal
@@ -19,21 +19,22 @@ inline constexpr double visible_mixture = 0.06;
 /// \ingroup PkgSpin
 /// \brief whether a vector alone proves that X has not mixed it.
 ///
-/// A mixture of eigenvectors +-g of D - rho by the angle t has the signed quotient g cos 2t, and
-/// the energy g^2 plus the error of discretisation: a small difference leaves no room for t.
-/// \param gamma its signed quotient \param mu its eigenvalue of X
+/// A mixture of eigenvectors of D - rho with eigenvalues +-g by the angle t has the signed quotient
+/// g cos 2t, and the energy g^2 plus the discretisation error: if they nearly agree, t is small.
+/// \param gamma signed quotient of the vector
+/// \param mu its eigenvalue of X
 bool is_surely_unmixed(double gamma, double mu);
 
 /// \ingroup PkgSpin
 /// \brief whether X has mixed two eigenvectors of D - rho of opposite sign.
 ///
-/// X is a square: where D - rho has eigenvalues near +g and -g, those of X nearly coincide, and its
-/// eigenvectors are any combination of the two wanted ones. In the signed form a mixture shows as
-/// an off-diagonal entry s that is not small against the difference of the diagonal ones; the angle
-/// of the rotation that takes it away is atan(2 |s| / difference) / 2. Vectors of one sign, such as
-/// those of a double eigenvalue on a symmetric surface, need no separation: theirs are
-/// eigenvectors of D - rho too.
-/// \param forms those of two vectors
+/// X is a square: if D - rho has eigenvalues near +g and -g, those of X nearly coincide, and its
+/// eigenvectors are arbitrary combinations of the two wanted ones. In the signed form, a mixture
+/// appears as an off-diagonal entry s that is not small relative to the difference of the diagonal
+/// entries; the rotation that removes it has the angle atan(2 |s| / difference) / 2. Vectors of one
+/// sign, such as those of a double eigenvalue on a symmetric surface, need no separation, because
+/// their combinations are eigenvectors of D - rho as well.
+/// \param forms forms of two vectors
 bool has_mixed_signs(const Dirac_forms& forms);
 
 /// \ingroup PkgSpin
@@ -42,18 +43,18 @@ bool has_mixed_signs(const Dirac_forms& forms);
 std::array<double, 2> signed_eigenvalues(const Dirac_forms& forms);
 
 /// \ingroup PkgSpin
-/// \brief whether X has mixed two eigenvectors of D - rho so that a shift by one of their
-/// eigenvalues makes the mixture smaller by a third or more.
+/// \brief whether X has mixed two eigenvectors of D - rho such that a shift by one of their
+/// eigenvalues reduces the mixture by a third or more.
 ///
-/// The shift by a takes the squares of eigenvalues a and b of opposite sign from b^2 - a^2 apart to
-/// (|a| + |b|)^2, which is (|b| + |a|) / (|b| - |a|) times as much. Where |a| is small against |b|
-/// already, what looks like a mixture is the error of a coarse mesh.
-/// \param forms those of two vectors
+/// The shift by a increases the distance of the squares of eigenvalues a and b of opposite sign
+/// from b^2 - a^2 to (|a| + |b|)^2, by the factor (|b| + |a|) / (|b| - |a|). If |a| is already
+/// small relative to |b|, an apparent mixture is an error of a coarse mesh.
+/// \param forms forms of two vectors
 bool separation_pays(const Dirac_forms& forms);
 
 /// \ingroup PkgSpin
-/// the vectors in the span of `vectors` on which the signed form is diagonal: Rayleigh-Ritz for
-/// D - rho itself; |V| x k, normalised to <B v, M_F B v> = 1, ascending in their signed eigenvalue
+/// the vectors in the span of `vectors` that diagonalise the signed form: Rayleigh-Ritz for D - rho
+/// itself; |V| x k, normalised to <B v, M_F B v> = 1, ascending in their signed eigenvalue
 Block<Quaternion<double>> rayleigh_ritz_of_dirac(const Block<Quaternion<double>>& vectors,
                                                  const Dirac_forms& forms);
 

@@ -26,7 +26,7 @@ CGP_INLINE bool has_mixed_signs(const Dirac_forms& forms)
   const auto& S = forms.dirac;
   const double a = S(0, 0).w / forms.mass(0, 0).w, b = S(1, 1).w / forms.mass(1, 1).w;
   const double s = norm(S(0, 1)) / std::sqrt(forms.mass(0, 0).w * forms.mass(1, 1).w);
-  const bool are_opposite = a * b < s * s;  // the determinant of the form
+  const bool are_opposite = a * b < s * s;  // the determinant of the form is negative
   return are_opposite && 2 * s > internal::visible_mixture * std::abs(a - b);
 }
 

@@ -11,7 +11,7 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief refuses conditions that do not fit the surface.
+/// \brief checks that a condition fits the surface.
 ///
 /// \throw Precondition_error if a condition other than `free` is set and there is no boundary; if
 /// the number of targets or normals is not that of the boundary vertices; if one is zero or not

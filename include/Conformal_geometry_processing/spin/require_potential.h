@@ -12,8 +12,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \throw Precondition_error if rho has the wrong length or a value that is not finite, also when
-/// counted in 1/`unit`
+/// \throw Precondition_error if rho has the wrong length or a value that is not finite, also after
+/// conversion to 1/`unit`
 void require_potential(const Mesh_view& mesh, const Curvature_potential& rho, double unit,
                        const std::string& function);
 

@@ -17,8 +17,8 @@ Eigen::Vector3d centroid(const Mesh_view& mesh, const Points& f, const Eigen::Ve
 }  // namespace internal
 
 /// \ingroup PkgSpin
-/// \brief scales new positions f and the spins that led to them together, so that the area is that
-/// of the mesh, and moves the centroid to that of the mesh.
+/// \brief scales new positions f, and the spins that led to them, so that the area is that of the
+/// mesh, and moves the centroid to that of the mesh.
 void restore_area(const Mesh_view& mesh, Points& f, Quaternion_vector<double>& lambda);
 
 }  // namespace Conformal_geometry_processing

@@ -9,8 +9,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief where the normals of the faces should point after a spin transformation: turned by the
-/// mean spin of their corners, 3 x |F|, not normalised.
+/// \brief the expected normals of the faces after a spin transformation: rotated by the mean spin
+/// of their corners, 3 x |F|, not normalised.
 Points rotated_normals(const Mesh_view& mesh, const Quaternion_vector<double>& lambda);
 
 }  // namespace Conformal_geometry_processing

@@ -14,25 +14,28 @@ namespace Conformal_geometry_processing {
 /// \brief solves (D - rho) lambda = gamma lambda [CGP (5.2), (5.3)] on the space of spins of a
 /// system.
 ///
-/// On a closed surface lambda is the eigenvector on the branch that leads to 1 as rho goes to zero.
-/// With prescribed directions it is the singular vector of smallest value, or one of the next that
-/// is nearer to the guide of `Prescribed_directions` [CGP 5.7]. With prescribed positions it has
-/// the least energy of those with the given values at the boundary [CGP 6.3.2].
+/// On a closed surface, lambda is the eigenvector on the branch that tends to 1 as rho tends to
+/// zero. With prescribed directions, it is the singular vector of the smallest value, or one of the
+/// next that is nearer to the guide of `Prescribed_directions` [CGP 5.7]. With prescribed
+/// positions, it has the least energy among the spins with the given boundary values [CGP 6.3.2].
 ///
-/// With a free boundary lambda minimises |(D - rho) lambda|^2 + alpha^2 |lambda - 1|^2 with alpha^2
-/// = `nearness_weight()`. The eigenvector of smallest eigenvalue, which [CGP 5.8.3] takes, is
-/// arbitrary: without a condition at the boundary the kernel has infinite dimension, and which of
-/// its vectors has the smallest discretisation error says nothing; often it has zeros.
+/// With a free boundary, lambda minimises |(D - rho) lambda|^2 + alpha^2 |lambda - 1|^2 with
+/// alpha^2 = `nearness_weight()`. The eigenvector of the smallest eigenvalue, which [CGP 5.8.3]
+/// takes, is arbitrary: without a boundary condition the kernel has infinite dimension, and the
+/// discretisation error alone determines which of its vectors is smallest; that vector often has
+/// zeros.
 ///
-/// One factorization, or one for each substep of the branch; three to eight solves for each.
+/// Costs one factorization, or one for each substep of the branch, and three to eight solves for
+/// each.
 ///
 /// \param rho finite values, in 1/length
-/// \param go_further asked between iterations with an `Eigensolver_progress`; false cancels
+/// \param go_further called between iterations with an `Eigensolver_progress`; cancels by returning
+/// false
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`, for closed surfaces
-/// \throw Precondition_error if the generalized problem is asked for with rho on vertices, or on a
+/// \throw Precondition_error if the generalized problem is requested with rho on vertices, or on a
 /// surface with boundary
-/// \throw Solver_error if a factorization fails. No convergence is not an error but a field of the
-/// result.
+/// \throw Solver_error if a factorization fails. Failure to converge is not an error but a field of
+/// the result.
 template <class EigensolverTraits = Lobpcg_eigensolver_traits, class SolverTraits>
 Dirac_solution solve_dirac_equation(Dirac_system<SolverTraits>& system,
                                     const Curvature_potential& rho,

@@ -81,7 +81,7 @@ Dirac_solution solve_dirac_equation(Dirac_system<SolverTraits>& system,
   else
     internal::solve_with_free_boundary(system, rho, s);
   s.energy = inner_product(s.lambda, system.matrix() * s.lambda).w / system.squared_norm(s.lambda);
-  s.eigenvalue = dirac_misfit(system.surface(), rho, s.lambda);  // no terms cancel, as they do in X
+  s.eigenvalue = dirac_misfit(system.surface(), rho, s.lambda);  // without the cancellation in X
   s.converged = components(s.lambda).allFinite();
   s.overlap = system.overlap_with_identity(s.lambda);
   return s;

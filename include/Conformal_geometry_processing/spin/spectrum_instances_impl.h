@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPECTRUM_INSTANCES_IMPL_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPECTRUM_INSTANCES_IMPL_H
 
-// The templates that the compiled library contains, for its own solvers.
+// Template instantiations of the compiled library, for its own solvers.
 
 #include <Conformal_geometry_processing/spin/Conformal_shape_space_templates.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem_templates.h>

@@ -15,8 +15,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// \brief which regular homotopy class an immersed closed surface belongs to: a number modulo 2 for
-/// each generating loop, and how the loops cross.
+/// \brief the regular homotopy class of an immersed closed surface: a number modulo 2 for each
+/// generating loop, and the crossings of the loops.
 ///
 /// Surfaces of the same connectivity can be deformed into each other without creases, and are spin
 /// transformations of each other up to conformal equivalence, only if all their values agree
@@ -25,8 +25,8 @@ struct Spin_structure {
   std::vector<int> values;    ///< one per loop of `loops_of_faces()`: see `turns_evenly()`
   Eigen::MatrixXi crossings;  ///< see `crossings_modulo_2()`
 
-  /// the invariant of the class whatever the loops: 0 for every embedded surface; 1 for instance
-  /// for a torus whose cross-section is a figure eight that turns once around the axis
+  /// the invariant of the class, independent of the loops: 0 for every embedded surface; 1 for
+  /// instance for a torus whose cross-section is a figure eight that turns once around the axis
   int arf_invariant() const;
 
   friend bool operator==(const Spin_structure& a, const Spin_structure& b)
@@ -40,20 +40,20 @@ struct Spin_structure {
 /// \brief whether the frame (direction, normal, their product) turns an even number of times along
 /// a loop of faces.
 ///
-/// Rotations of space by one full turn cannot be undone, by two they can. Around a point of the
-/// plane the frame turns once; that is why a loop has the value 1 if it turns evenly, and 0 like a
-/// contractible one if not.
+/// A loop of rotations of space by one full turn cannot be contracted, one by two full turns can.
+/// Around a point of the plane the frame turns once; therefore a loop has the value 1 if the frame
+/// turns an even number of times, and 0, like a contractible loop, otherwise.
 bool turns_evenly(const Mesh_view& mesh, const Face_loop& loop);
 
 /// \ingroup PkgSpin
-/// \brief the spin structure of a closed surface. O(|V| + |F|) and the lengths of its loops.
+/// \brief the spin structure of a closed surface. O(|V| + |F|) plus the lengths of its loops.
 /// \pre the surface is closed, `require_surface(mesh)` holds, and no two neighbouring faces are
 /// folded onto each other
 Spin_structure spin_structure(const Mesh_view& mesh);
 
 /// \ingroup PkgSpin
-/// \throw Precondition_error if a closed surface and its deformation are of different spin
-/// structure, so that no spin transformation leads from one near to the other
+/// \throw Precondition_error if a closed surface and its deformation have different spin
+/// structures, so that no spin transformation leads from one to a surface near the other
 /// \param positions of the deformed surface, 3 x |V|
 void require_same_spin_structure(const Mesh_view& mesh, const Points& positions,
                                  const std::string& function);

@@ -28,7 +28,8 @@ CGP_INLINE bool turns_evenly(const Mesh_view& mesh, const Face_loop& loop)
   Quaternion<double> turned{1, 0, 0, 0};  // conjugate(turned) v turned
   for (std::size_t k = 0; k < n; ++k) {
     const int before = loop[(k + n - 1) % n], here = loop[k], after = loop[(k + 1) % n];
-    // About the edge into the next face, and there about its normal: both by less than a half turn.
+    // Turns about the edge into the next face, then about its normal: both by less than half a
+    // turn.
     const Quaternion<double> hinge = rotor(normal(here), normal(after));
     const Eigen::Vector3d arriving = spin(hinge, middle(here) - middle(before)).normalized();
     turned = turned * hinge * rotor(arriving, (middle(after) - middle(here)).normalized().eval());
@@ -61,9 +62,9 @@ CGP_INLINE void require_same_spin_structure(const Mesh_view& mesh, const Points&
 
 CGP_INLINE int Spin_structure::arf_invariant() const
 {
-  // Loops in pairs that cross each other and no others, one pair after the other: the invariant is
-  // the sum of the products of their values. The value of a sum of loops is that of both plus the
-  // number of their crossings.
+  // Combines the loops to consecutive pairs that cross each other and no other loops: the invariant
+  // is the sum of the products of their values. The value of a sum of two loops is the sum of their
+  // values plus the number of their crossings.
   std::vector<int> q = values;
   Eigen::MatrixXi M = crossings;
   const Eigen::Index n = M.rows();

@@ -16,7 +16,7 @@ namespace Conformal_geometry_processing {
 ///
 ///     e~ = 1/3 l_i^ e l_i + 1/6 l_i^ e l_j + 1/6 l_j^ e l_i + 1/3 l_j^ e l_j,   l^ = conjugate(l),
 ///
-/// which is imaginary by itself. Constant lambda gives conjugate(lambda) e lambda exactly.
+/// which is purely imaginary. Constant lambda gives conjugate(lambda) e lambda exactly.
 Eigen::Vector3d transformed_edge(const Eigen::Vector3d& e, const Quaternion<double>& l_i,
                                  const Quaternion<double>& l_j);
 

@@ -23,7 +23,7 @@ CGP_INLINE Points turned_binormals(const Mesh_view& from, const Mesh_view& to,
   for (std::size_t k = 0; k < S.vertices.size(); ++k) {
     const Eigen::Vector3d end = F.frames[k].transpose() * G.binormal(k);
     const double sine = std::hypot(end.x(), end.y()), angle = std::atan2(sine, end.z());
-    // Half a turn is over the normal.
+    // A half turn passes through the normal.
     const Eigen::Vector3d side =
         sine > 0 ? Eigen::Vector3d(end.x() / sine, end.y() / sine, 0) : Eigen::Vector3d::UnitY();
     turned.col(static_cast<Eigen::Index>(k)) =
