@@ -31,21 +31,23 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
 /// \brief the conformal Willmore flow of a surface: a sequence of spin transformations that makes
-/// it as smooth as its conformal class allows, and its boundary [CGP 6.4].
+/// the surface and its boundary as smooth as the conformal class allows [CGP 6.4].
 ///
-/// Each step takes the direction v (-H for the Willmore flow), removes from it what the constraints
-/// forbid, and transforms by rho = tau v. On closed surfaces the constants are forbidden, for they
-/// change nothing, and the components of the normals, which belong to sphere inversions. With a
-/// free boundary, or prescribed tangents, nothing is forbidden; with prescribed binormals the
-/// constants are, so that the flow ends at constant mean curvature. Where there are handles or
-/// holes, the edges must close up around them. Area and centroid stay.
+/// Each step takes the direction v (-H for the Willmore flow), projects it onto the constraints,
+/// and transforms by rho = tau v. On closed surfaces, v must be orthogonal to the constants, which
+/// have no effect, and to the components of the normals, which correspond to sphere inversions.
+/// With a free boundary or prescribed tangents, there are no such constraints; with prescribed
+/// binormals, v must be orthogonal to the constants, so that the flow converges to constant mean
+/// curvature. On surfaces with handles or holes, the edges must close up around them. Area and
+/// centroid are preserved.
 ///
-/// A step is accepted if its equation is solved, it is conformal enough, its edges close up, and
-/// the energy falls, but for steps that turn a boundary to prescribed directions; otherwise it is
-/// tried again with half of tau: the surface in this object is that of the last complete step.
+/// A step is accepted if its equation is solved, its distortion is small enough, its edges close
+/// up, and the energy decreases (not required of steps that turn a boundary to prescribed
+/// directions). Otherwise it is repeated with half of tau. The surface of this object is always
+/// that of the last complete step.
 ///
-/// The order of elimination and the symbolic factorization are found once, in the constructor. A
-/// trial costs one numeric factorization of the Dirac matrix and some ten solves with it.
+/// Ordering and symbolic factorization are computed once, in the constructor. A trial costs one
+/// numeric factorization of the Dirac matrix and about ten solves with it.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
@@ -66,20 +68,20 @@ class Conformal_willmore_flow {
   /// the surface after the last complete step
   const Mesh_view& mesh() const { return m_mesh; }
 
-  /// the surface the flow has started from
+  /// the initial surface of the flow
   const Mesh_view& initial_mesh() const { return m_initial; }
 
-  /// that of the direction, or else Willmore's
+  /// the energy of the direction, or the Willmore energy if it has none
   double energy() const { return m_energy; }
 
-  /// how many steps have been accepted
+  /// number of accepted steps
   int size_of_steps() const { return m_steps; }
 
   /// \brief makes one step, as large as the energy allows, or reports why there is none.
   ///
-  /// The surface is as it was if the step is not accepted, or something is thrown.
+  /// The surface is unchanged if the step is not accepted, or an exception is thrown.
   /// \throw Precondition_error if the direction is not one finite number per vertex
-  /// \throw Solver_error if a solver runs out of memory; what else it fails at is reported
+  /// \throw Solver_error if a solver runs out of memory; other failures of solvers are reported
   template <class Visitor = Flow_visitor>
   Flow_step_report step(Visitor&& visitor = Visitor())
   {
@@ -99,7 +101,7 @@ class Conformal_willmore_flow {
           return visitor.go_further();
         });
     } catch (const Solver_error& error) {
-      if (is_out_of_memory(error)) throw;  // a smaller step needs as much
+      if (is_out_of_memory(error)) throw;  // a smaller step needs as much memory
       report.message = error.what();
       report.stop = Flow_stop::step_failed;
     }
@@ -107,7 +109,7 @@ class Conformal_willmore_flow {
     return report;
   }
 
-  /// \brief makes steps until there is a reason to stop; may be called again, to go on.
+  /// \brief makes steps until a stopping criterion holds; a further call continues the flow.
   template <class Visitor = Flow_visitor>
   Flow_report run(Visitor&& visitor = Visitor())
   {
@@ -131,7 +133,7 @@ class Conformal_willmore_flow {
   }
 
  private:
-  /// what came of a trial
+  /// the result of a trial
   enum class Verdict { good, rises_slightly, bad, cancelled };
 
   double energy_of(const Mesh_view& mesh) const;
@@ -140,27 +142,28 @@ class Conformal_willmore_flow {
   /// the part of the initial mesh on which distortion is measured
   const Mesh_view& measured() const { return m_well_shaped ? m_well_shaped->mesh : m_initial; }
 
-  // A type of its own for each visitor would have the eigensolver compiled for each.
+  // A single type for all visitors, so that the eigensolver is compiled only once.
   using Go_further = std::function<bool(const Eigensolver_progress&)>;
 
   /// Tries time steps until one is accepted or none is left.
   void find_time_step(const Eigen::VectorXd& v, Flow_step_report& report,
                       const Go_further& go_further);
 
-  /// Transforms the surface, and moves the object there if the result is good.
+  /// Transforms the surface; adopts the result if it is acceptable.
   Verdict try_step(const Eigen::VectorXd& rho, Flow_step_report& report,
                    const Go_further& go_further);
   Verdict judge(Spin_result result, Flow_step_report& report);
 
-  /// \brief balances the surface that comes next, and returns its energy.
+  /// \brief balances the next surface and returns its energy.
   ///
-  /// Inversions keep it up to O(h^2), and are left out where that is more than the step has gained.
+  /// Inversions preserve the energy up to O(h^2); they are omitted if that error exceeds the
+  /// decrease by the step.
   double balanced(double energy);
 
-  /// a step must raise the energy by less: by nothing, unless a boundary has yet to turn
+  /// upper bound of the increase of energy by a step: zero, unless the boundary still has to turn
   double forbidden_rise() const;
 
-  /// how far the boundary is from the directions prescribed, in radians
+  /// angle between the boundary and the prescribed directions, in radians
   double turning_angle() const;
   bool is_turning() const { return turning_angle() > 0.01; }
 
@@ -169,14 +172,14 @@ class Conformal_willmore_flow {
   /// whether a change of the energy is below the tolerance, extrapolated to a time of 1
   bool is_small(double change, double time) const;
 
-  /// Everything that may fail comes before the first change.
+  /// Adopts the step. Performs all operations that may fail before the first change.
   Verdict move_on(double energy, Flow_step_report& report);
   void accept(Flow_step_report& report);
 
   std::string m_function;
   Flow_options m_options;
   Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
-  Mesh_view m_initial, m_mesh, m_next;             // m_next: room for trials
+  Mesh_view m_initial, m_mesh, m_next;             // m_next: workspace for trials
   std::optional<Well_shaped_faces> m_well_shaped;  // of the initial mesh, with mollification
   Constrained_direction<SolverTraits, EigensolverTraits, Direction> m_direction;
   Flow_balance m_balance;

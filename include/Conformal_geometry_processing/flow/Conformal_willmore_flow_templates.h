@@ -72,7 +72,7 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::find_t
       accept(report);
     else if (!m_options.backtracking)
       report.stop = Flow_stop::step_failed;
-    else if (slight_rises == 2)  // half the step has not helped: this is the minimum
+    else if (slight_rises == 2)  // halving the step does not help: this is the minimum
       report.stop = Flow_stop::energy_settled;
     else if (!m_time_step.halve())
       report.stop = Flow_stop::time_step_too_small;
@@ -154,7 +154,7 @@ template <class SolverTraits, class EigensolverTraits, class Direction>
 bool Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::is_small(
     double change, double time) const
 {
-  // A minimal surface, of energy zero, is not approached faster than its mesh allows.
+  // Near minimal surfaces, whose energy is zero, the discretisation limits the convergence.
   const double scale = (std::max)(m_energy, 0.01 * energy_of(m_initial));
   return std::abs(change) < m_options.energy_tolerance * time * scale;
 }

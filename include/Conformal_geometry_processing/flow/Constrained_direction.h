@@ -19,9 +19,10 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgFlow
 /// \brief filters the direction of a flow and projects it onto the constraints [CGP 6.4.4].
 ///
-/// Removed are the constants, where they change nothing; the functions of `Exactness_constraints`;
-/// and on closed surfaces the components of the normals, which belong to sphere inversions:
-/// curvature has no part along them, but its filtered part has, and would set the surface drifting.
+/// Removes the constants, if they have no effect; the functions of `Exactness_constraints`; and on
+/// closed surfaces the components of the normals, which correspond to sphere inversions: the
+/// curvature has no component along them, but the filtered curvature has, and would make the
+/// surface drift.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
@@ -31,34 +32,34 @@ class Constrained_direction {
  public:
   using Transformation = Spin_transformation<SolverTraits, EigensolverTraits>;
 
-  /// of one surface
+  /// the direction on one surface
   struct Result {
     Eigen::VectorXd v;  ///< |V| numbers in 1/length
     double norm = 0;    ///< root of the integral of v^2
-    double share = 0;   ///< what is left of the direction, between 0 and 1
+    double share = 0;   ///< remaining share of the direction, between 0 and 1
 
-    /// \brief whether a share of at most `tolerance` is left of the direction, or of the curvature
-    /// of a round sphere: that of a flat surface is rounding, of which all is left.
+    /// \brief whether a share of at most `tolerance` remains of the direction, or of the curvature
+    /// of a round sphere: the direction of a flat surface is rounding error, all of which remains.
     bool has_vanished(double tolerance) const;
   };
 
-  /// \param transformation of the surface that flows; must outlive the object
+  /// \param transformation of the evolving surface; must outlive the object
   Constrained_direction(Transformation& transformation, Direction direction,
                         const Flow_options& options, std::string function);
 
   const Direction& unconstrained() const { return m_direction; }
 
-  /// \brief the direction of the surface as it is now.
+  /// \brief the direction on the present surface.
   /// \param mesh the surface
   /// \throw Precondition_error if the direction is not one finite number per vertex
-  /// \throw Solver_error if a factorization fails, or a solve, or the surface has degenerated so
-  /// far that its constraints make no sense
+  /// \throw Solver_error if a factorization or a solve fails, or the surface is so degenerate that
+  /// its constraints are meaningless
   Result operator()(const Mesh_view& mesh);
 
-  /// the part of a change of curvature that keeps the edges exact
+  /// the component of a change of curvature that keeps the edges exact
   Eigen::VectorXd exact_part(const Eigen::VectorXd& rho);
 
-  /// of a transformation of the surface as it is now, see `Exactness_constraints`
+  /// the period defect of a transformation of the present surface, see `Exactness_constraints`
   double period_defect(const Quaternion_vector<double>& lambda);
 
  private:

@@ -92,7 +92,7 @@ Constrained_direction<SolverTraits, EigensolverTraits, Direction>::exactness()
   return m_transformation.exactness(Curvature_potential::On::vertices);
 }
 
-// With mollification, the surface and its pattern are other ones after every step.
+// With mollification, the surface and its pattern change in every step.
 template <class SolverTraits, class EigensolverTraits, class Direction>
 Eigen::VectorXd Constrained_direction<SolverTraits, EigensolverTraits, Direction>::filtered(
     const Eigen::VectorXd& v)

@@ -15,23 +15,23 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// \brief lets through the high frequencies of a function on the vertices, such as the direction of
-/// a curvature flow, which then keeps the large features of the surface [CGP 6.4.2.1].
+/// \brief high-pass filter for a function on the vertices, such as the direction of a curvature
+/// flow, which then preserves the large features of the surface [CGP 6.4.2.1].
 ///
 /// v -> v - (id + sigma Delta^k)^-1 v with the positive semidefinite Laplacian Delta = M_V^-1 L. An
 /// eigenfunction of eigenvalue l is multiplied by sigma l^k / (1 + sigma l^k): constants vanish,
-/// and the larger the order k, the sharper is the cut at l = sigma^(-1/k). Order 0 multiplies all
-/// by sigma / (1 + sigma). The text of [CGP 6.4.2.1] has id - sigma Delta^k, which is indefinite.
+/// and the larger the order k, the sharper the cut-off at l = sigma^(-1/k). Order 0 multiplies all
+/// functions by sigma / (1 + sigma). [CGP 6.4.2.1] has id - sigma Delta^k, which is indefinite.
 ///
-/// sigma is taken on the surface scaled to the area 4 pi, where the eigenvalues of the round sphere
-/// are l = n (n + 1) for degree n; so it is a plain number, and the scale of the mesh never
-/// matters.
+/// sigma refers to the surface scaled to the area 4 pi, where the eigenvalues of the round sphere
+/// are l = n (n + 1) for degree n; sigma is therefore dimensionless and independent of the scale of
+/// the mesh.
 ///
-/// Delta^k itself is never formed: it couples vertices k edges apart, and its condition is that of
-/// L to the power k, which ruins all digits on meshes with small faces. Instead, with the bounded
-/// operator C = (id + sigma^(1/k) Delta)^-1, the filter is (1 - C)^k / (C^k + (1 - C)^k), a smooth
-/// function of C on [0, 1], and its Chebyshev series, cut off below 1e-10, is all that is needed.
-/// The matrix of C has the pattern of the mesh and is factored in the constructor and by
+/// Delta^k is never assembled: it couples vertices k edges apart, and its condition number is that
+/// of L to the power k, which destroys all digits on meshes with small faces. Instead, with the
+/// bounded operator C = (id + sigma^(1/k) Delta)^-1, the filter is (1 - C)^k / (C^k + (1 - C)^k), a
+/// smooth function of C on [0, 1], which is evaluated by its Chebyshev series, truncated below
+/// 1e-10. The matrix of C has the pattern of the mesh and is factored in the constructor and by
 /// `update_geometry()`; a call costs 1, 27, 42, 58 solves for the orders 1, 2, 3, 4.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
@@ -48,7 +48,7 @@ class Curvature_filter {
   /// \throw Solver_error if the matrix cannot be factored
   Curvature_filter(const Surface_ref& surface, double weight, int order);
 
-  /// shares the analysis of another solver on the same pattern
+  /// shares the symbolic analysis of another solver with the same pattern
   /// \param pattern `vertex_graph(surface)`
   /// \param other a `Solver` of the same traits, for any scalar
   template <class OtherSolver>
@@ -60,7 +60,7 @@ class Curvature_filter {
     update_geometry();
   }
 
-  /// \brief the mesh has new positions: factors again on the same analysis.
+  /// \brief adopts new positions of the mesh: factors again with the same symbolic analysis.
   /// \throw Solver_error if the matrix cannot be factored
   void update_geometry();
 
@@ -77,9 +77,8 @@ class Curvature_filter {
   Eigen::VectorXd smoothed(const Eigen::VectorXd& v) const;
 
   /// The Chebyshev coefficients of (1 - c)^k / (c^k + (1 - c)^k) in t = 2c - 1. Its poles nearest
-  /// to
-  /// [-1, 1] are at +-i tan(pi / 2k), and the terms fall like 1 / (sum of that ellipse's half
-  /// axes)^j.
+  /// to [-1, 1] are at +-i tan(pi / 2k), so the terms decay like 1 / (sum of the half axes of that
+  /// ellipse)^j.
   static Eigen::VectorXd gain_series(int k);
   static void check(const char* step, Solver_status status);
 

@@ -19,14 +19,14 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// \brief keeps the balance of a flow in the way its options ask for, if they do.
+/// \brief keeps a flow balanced as its options specify.
 class Flow_balance {
  public:
-  /// \param mesh the surface the flow starts from
-  /// \param transformation of it
+  /// \param mesh the initial surface of the flow
+  /// \param transformation of the mesh
   /// \param function named in exceptions
   /// \throw Precondition_error if a prescribed area is not positive, their number is not that of
-  /// the vertices, or the canonical metric of a sphere is asked for
+  /// the vertices, or the canonical metric of a sphere is requested
   template <class Transformation>
   Flow_balance(const Mesh_view& mesh, const Flow_options& options, Transformation& transformation,
                const std::string& function)
@@ -35,16 +35,16 @@ class Flow_balance {
     if (options.balance == Balance::none) return;
     require_closed(mesh, function);
     m_balancing.emplace(target_areas(options, transformation, function), function);
-    (void)m_balancing->imbalance(mesh);  // finds out about a wrong number of areas
+    (void)m_balancing->imbalance(mesh);  // throws if the number of areas is wrong
   }
 
-  /// \brief what to add to the curvature potential of a step, |V| numbers in 1/length; zero if
-  /// balance is not kept in this way.
+  /// \brief the term to be added to the curvature potential of a step, |V| numbers in 1/length;
+  /// zero if balance is not kept by a potential.
   ///
-  /// Not to be multiplied by the time step: the surface can go all the way back at once.
+  /// Must not be multiplied by the time step: the surface can return in a single step.
   Eigen::VectorXd potential(const Mesh_view& mesh) const;
 
-  /// whether `inverted()` is to be applied after a step
+  /// whether `inverted()` must be applied after a step
   bool is_by_inversion() const { return m_balancing && m_way == Balancing::inversion; }
 
   /// \brief the balanced image of the surface under sphere inversions, with its area and centroid.

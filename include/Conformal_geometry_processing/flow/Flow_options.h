@@ -16,13 +16,14 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// \brief towards which areas of the vertices the surface is led among its Moebius transforms.
+/// \brief the vertex areas towards which the surface is balanced among its Moebius transforms.
 ///
-/// Curvature cannot tell these apart, so a flow without balance may drift, on tori in particular.
+/// The Moebius transforms of a surface do not differ in curvature, so a flow without balance may
+/// drift, on tori in particular.
 enum class Balance {
   none,
-  initial,    ///< those it starts with
-  canonical,  ///< those of its canonical metric [CGP 4.5.3]; genus > 0
+  initial,    ///< the initial areas
+  canonical,  ///< those of the canonical metric [CGP 4.5.3]; genus > 0
   prescribed  ///< `Flow_options::target_areas`
 };
 
@@ -34,53 +35,52 @@ enum class Balancing {
 };
 
 /// \ingroup PkgFlow
-/// how to run a conformal Willmore flow
+/// options of a conformal Willmore flow
 struct Flow_options {
-  /// tau in rho = -tau H. The flow is stable for 0 < tau < 2 on every mesh; tau = 1 takes high
-  /// frequencies away in one step. Near the round sphere a bump of degree k is multiplied by
-  /// 1 - tau (1 - 2 / (k (k + 1))). The thesis writes tau = 2 tau', so its bound is tau' < 1.
+  /// tau in rho = -tau H. The flow is stable for 0 < tau < 2 on every mesh; tau = 1 removes high
+  /// frequencies in one step. Near the round sphere a bump of degree k is multiplied by 1 - tau (1
+  /// - 2 / (k (k + 1))). The thesis writes tau = 2 tau', so its bound is tau' < 1.
   double time_step = 1;
-  double min_time_step = 1e-2;  ///< backing off stops here
+  double min_time_step = 1e-2;  ///< backtracking stops here
   int max_steps = 100;          ///< of one `run()`
 
-  /// whether a step that raises the energy, distorts or tears too much, is tried again with half
-  /// of tau;
-  /// after a success tau grows by half, up to `time_step`
+  /// whether a step that increases the energy, distorts too much, or does not close up, is repeated
+  /// with half of tau; after a success tau grows by half, up to `time_step`
   bool backtracking = true;
   double max_step_distortion = 1.5;  ///< mean quasi-conformal error of one step
   double max_step_closure = 0.1;     ///< closure residual of one step
 
-  /// stop where the energy changes by less than this share of it in a time of 1; where it goes to
-  /// zero, of a hundredth of what it was in the beginning
+  /// stop if the energy changes by less than this share of it in a time of 1; if it tends to zero,
+  /// of a hundredth of the initial energy
   double energy_tolerance = 1e-4;
-  double direction_tolerance = 1e-4;  ///< stop where the constraints leave less than this share of
-                                      ///< the direction, or of the curvature of a round sphere
+  double direction_tolerance = 1e-4;  ///< stop if the constraints leave less than this share of the
+                                      ///< direction, or of the curvature of a round sphere
 
-  /// how rho is kept such that surfaces close up around handles and holes; without, they are
-  /// sheared beyond recognition. With a boundary it is the adjoint in any case
+  /// how rho is constrained so that surfaces close up around handles and holes; if empty, they are
+  /// sheared beyond recognition. With a boundary, always the adjoint
   std::optional<Exactness> exactness = Exactness::adjoint;
 
-  /// lets faces be as thin as they may be, see `Spin_transformation_options`. Curvature and energy
-  /// are then those of the triangulation, if the direction takes a `Surface_ref`, and distortion is
-  /// that of the `well_shaped_faces()` of the initial mesh
+  /// admits faces of any thinness, see `Spin_transformation_options`. Curvature and energy are then
+  /// computed on the triangulation, if the direction takes a `Surface_ref`, and distortion on the
+  /// `well_shaped_faces()` of the initial mesh
   std::optional<double> mollification = std::nullopt;
-  /// sigma > 0 keeps low frequencies out of the direction, and so the shape on the whole; zero is
-  /// no filter. See `Curvature_filter` for its units and for the order.
+  /// sigma > 0 removes low frequencies from the direction, which preserves the overall shape; zero:
+  /// no filter. See `Curvature_filter` for the units and the order.
   double filter_weight = 0;
   int filter_order = 1;
 
   Balance balance = Balance::none;
   Balancing balancing = Balancing::inversion;
-  Eigen::VectorXd target_areas;  ///< of `Balance::prescribed`, |V| positive numbers
+  Eigen::VectorXd target_areas;  ///< for `Balance::prescribed`, |V| positive numbers
 
-  /// what is kept or prescribed at the boundary of a surface that has one; directions, or nothing
+  /// the condition at the boundary, if the surface has one: directions, or free
   Boundary_condition boundary;
 
   Dirac_options dirac;
 };
 
 /// \relates Flow_options
-/// the options, if they are in their ranges
+/// returns the options if they are in their ranges
 /// \throw Precondition_error naming `function` otherwise
 const Flow_options& checked(const Flow_options& o, const std::string& function);
 

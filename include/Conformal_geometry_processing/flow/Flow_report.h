@@ -14,14 +14,14 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgFlow
 /// why a flow has stopped
 enum class Flow_stop {
-  none,                 ///< it has not: it can go on
+  none,                 ///< it has not stopped: it can continue
   energy_settled,       ///< the energy changes by less than the tolerance
   direction_vanished,   ///< the constraints leave less of the direction than the tolerance
-  steps_done,           ///< the steps asked for are done
-  cancelled,            ///< the visitor said no
+  steps_done,           ///< the requested number of steps is done
+  cancelled,            ///< the visitor cancelled
   time_step_too_small,  ///< no step of at least `min_time_step` is acceptable
-  step_failed           ///< no step could be computed, or it gave no surface and
-                        ///< backtracking is off
+  step_failed           ///< no step could be computed, or a step was rejected and backtracking is
+                        ///< off
 };
 
 /// \relates Flow_report
@@ -29,43 +29,43 @@ enum class Flow_stop {
 const char* to_string(Flow_stop stop);
 
 /// \ingroup PkgFlow
-/// \brief one step of a flow in numbers, which are its proof.
+/// \brief the numbers that verify one step of a flow.
 struct [[nodiscard]] Flow_step_report {
   int step = 0;                      ///< its number, from 1
   bool accepted = false;             ///< the surface has moved
-  Flow_stop stop = Flow_stop::none;  ///< why no further step should follow, if so
-  std::string message;               ///< what was wrong with the last trial, if anything
+  Flow_stop stop = Flow_stop::none;  ///< why the flow must stop after this step, if it must
+  std::string message;               ///< why the last trial was rejected, if it was
 
-  double energy_before = 0, energy = 0;  ///< of the direction; Willmore's where it has none
+  double energy_before = 0, energy = 0;  ///< of the direction; Willmore energy if it has none
   double time_step = 0;                  ///< tau of the last trial
   int trials = 0;                        ///< how many time steps were tried
-  double direction_norm = 0;             ///< root of the integral of v^2, after the constraints
-  double remaining_share = 0;            ///< of the direction, after the constraints
+  double direction_norm = 0;             ///< root of the integral of v^2, after projection
+  double remaining_share = 0;            ///< of the direction, after projection
   double period_defect = 0;      ///< harmonic part of the new edges, relative; zero without loops
-  Spin_report spin;              ///< the spin transformation of the step, its distortion too
+  Spin_report spin;              ///< the spin transformation of the step, with its distortion
   Distribution quasi_conformal;  ///< from the initial surface to the present one
   double seconds = 0;            ///< wall clock, all trials together
 };
 
 /// \ingroup PkgFlow
-/// \brief a whole flow in numbers.
+/// \brief the numbers that verify a whole flow.
 struct [[nodiscard]] Flow_report {
   Flow_stop stop = Flow_stop::none;
-  std::string message;                  ///< what was wrong with the last trial, if it was rejected
+  std::string message;                  ///< why the last trial was rejected, if it was
   std::vector<Flow_step_report> steps;  ///< the accepted ones
   double initial_energy = 0, energy = 0;
   Conformality conformality;  ///< of the map from the initial surface to the last one
   double seconds = 0;         ///< wall clock
 
-  /// whether the flow has arrived
+  /// whether the flow has converged
   bool converged() const;
 
-  /// whether it has arrived, or made the steps it was asked for
+  /// whether it has converged, or made the requested number of steps
   explicit operator bool() const { return converged() || stop == Flow_stop::steps_done; }
 };
 
 /// \relates Flow_report
-/// \brief adds a step if it was accepted, and takes over whether it is the last and why.
+/// \brief appends a step if it was accepted, and copies its reason to stop.
 /// \returns whether it was accepted
 bool append(Flow_report& report, Flow_step_report step);
 

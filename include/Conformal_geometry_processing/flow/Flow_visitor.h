@@ -10,17 +10,17 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// \brief a model of `FlowVisitor` that watches without a word; derive from it to override one.
+/// \brief a model of `FlowVisitor` that does nothing; derive from it to override a function.
 ///
-/// Whatever it throws passes through; the flow is at its last complete step then.
+/// Its exceptions are propagated; the flow then remains at its last complete step.
 struct Flow_visitor {
-  /// called once, with the surface the flow starts from and its energy
+  /// called once, with the initial surface and its energy
   void on_flow_begin(const Mesh_view&, double) {}
 
   /// called before every iteration of the eigensolver
   void on_iteration(const Eigensolver_progress&) {}
 
-  /// asked before every step and after every iteration: false stops the flow at the last complete
+  /// called before every step and after every iteration: false stops the flow at the last complete
   /// step
   bool go_further() { return true; }
 

@@ -13,53 +13,54 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// \brief finds, among all sphere inversions of a surface, the one that brings the areas of its
-/// vertices nearest to given ones [CGP 4.5.3, 6.4.5.2].
+/// \brief finds the sphere inversion of a surface that brings the areas of its vertices nearest to
+/// given ones [CGP 4.5.3, 6.4.5.2].
 ///
-/// Curvature does not see Moebius transformations, so a flow by curvature may drift along them
+/// Moebius transformations do not change the curvature, so a curvature flow may drift along them
 /// until nearly all area is in a few faces. The inversion f -> (f^-1 - a)^-1 of a surface f around
 /// the origin changes the logarithm of lengths by -2<a, f> and the curvature potential by -2<a, N>
-/// to first order. So with the logarithmic length scale u of the surface against the target, a =
-/// 1/2 (sum V f f^T)^-1 sum V u f is what brings sum V u^2 down most; V are the areas of vertices,
-/// f is taken from the centroid. The text of [CGP 6.4.4] has another sign and factor, and its step
-/// of unit length never comes to rest.
+/// to first order. With the logarithmic length scale u of the surface relative to the target, a =
+/// 1/2 (sum V f f^T)^-1 sum V u f therefore minimises sum V u^2; V are the areas of vertices, and f
+/// is measured from the centroid. [CGP 6.4.4] has another sign and factor, and its step of unit
+/// length does not converge.
 ///
 /// Balanced surfaces have a = 0. Either the step is added to the curvature potential of a flow
-/// (`curvature_change()`), or the inversion is applied exactly (`balanced()`), which repeated
-/// converges quadratically, up to O(h^2), and is conformal to rounding. Each step costs O(|V|).
+/// (`curvature_change()`), or the inversion is applied exactly (`balanced()`); repeated, this
+/// converges quadratically, up to O(h^2), and is conformal up to rounding. Each step costs O(|V|).
 class Moebius_balancing {
  public:
-  /// \param target_areas one for each vertex, compared with those of a surface of the same total
-  /// area: only their ratios matter
+  /// \param target_areas one for each vertex, scaled to the total area of the surface: only their
+  /// ratios matter
   /// \param function named in exceptions
   /// \throw Precondition_error if one is not positive
   explicit Moebius_balancing(Eigen::VectorXd target_areas,
                              std::string function = "Moebius_balancing");
 
-  /// \brief u, half the logarithm of area over target area, |V| numbers of mean zero over the
-  /// surface: positive where it is too large.
-  /// \throw Precondition_error, as all below, if the mesh has another number of vertices
+  /// \brief u, half the logarithm of area over target area, |V| numbers with mean zero over the
+  /// surface: positive where the area is too large.
+  /// \throw Precondition_error, like all functions below, if the number of vertices of the mesh
+  /// differs
   Eigen::VectorXd log_length_scale(const Mesh_view& mesh) const;
 
-  /// the root of the mean of u^2 over the surface: zero exactly if the areas are those wanted
+  /// the root mean square of u over the surface: zero if and only if the areas match the target
   double imbalance(const Mesh_view& mesh) const;
 
   /// \brief a, in 1/length.
   ///
-  /// Shortened where needed, so that the pole of the inversion is twice as far from the centroid as
-  /// any vertex; then no length changes by more than a factor of 4.
+  /// Shortened if necessary, so that the pole of the inversion is at least twice as far from the
+  /// centroid as any vertex; then no length changes by more than a factor of 4.
   Eigen::Vector3d step(const Mesh_view& mesh) const;
 
-  /// \brief -2<a, N>, |V| numbers in 1/length: what the inversion adds to the curvature potential
-  /// rho to first order; not to be multiplied by a time step.
+  /// \brief -2<a, N>, |V| numbers in 1/length: the first-order change of the curvature potential
+  /// rho by the inversion; must not be multiplied by a time step.
   /// \param a `step(mesh)` \param normals 3 x |V| unit normals
   static Eigen::VectorXd curvature_change(const Eigen::Vector3d& a, const Points& normals);
 
   /// \brief the image of the surface under the inversion by `step(mesh)`, with the centroid and the
   /// area of the surface; 3 x |V|.
   ///
-  /// Goes back to half the step until the imbalance falls, so that it never rises; returns the
-  /// surface as it is where no step helps, as it does when balanced up to rounding.
+  /// Halves the step until the imbalance decreases, so that it never increases; returns the surface
+  /// unchanged if no step helps, as when it is balanced up to rounding.
   Points balanced(const Mesh_view& mesh) const;
 
  private:

@@ -8,10 +8,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// \brief the time step of a flow that backs off where it must, and then grows again.
+/// \brief the time step of a flow with backtracking: shrinks after failures and grows again.
 ///
-/// The largest one is tried first. Growing by less than halving undoes keeps a flow that is
-/// limited by its step from failing every other time.
+/// The largest step is tried first. Growth by a smaller factor than halving undoes prevents a flow
+/// with a limited step from failing in every other trial.
 class Time_step {
  public:
   /// \pre 0 < smallest <= largest
@@ -19,10 +19,10 @@ class Time_step {
 
   double value() const { return m_value; }
 
-  /// after a step that failed; returns false, and stays, where half the step would be too small
+  /// call after a failed step; returns false and keeps the step if half of it would be too small
   bool halve();
 
-  /// after a step that succeeded
+  /// call after a successful step
   void grow() { m_value = (std::min)(1.5 * m_value, m_largest); }
 
  private:

@@ -17,16 +17,16 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// \brief the direction -H of the conformal Willmore flow [CGP 6.4.2]: curvature itself is what
-/// changes, so every frequency is damped at the same rate.
+/// \brief the direction -H of the conformal Willmore flow [CGP 6.4.2]: the flow changes the
+/// curvature itself, so every frequency is damped at the same rate.
 ///
-/// H has mixed Voronoi areas: with those the icospheres are fixed points to 1e-7, with barycentric
-/// ones to 1e-4.
+/// H is computed with mixed Voronoi areas: icospheres are then fixed points to 1e-7, with
+/// barycentric areas only to 1e-4.
 struct Willmore_direction {
-  /// the wanted rate of change of H |df|, |V| numbers in 1/length
+  /// the prescribed rate of change of H |df|, |V| numbers in 1/length
   Eigen::VectorXd operator()(const Surface_ref& surface) const { return -mean_curvature(surface); }
 
-  /// what the flow decreases
+  /// the energy that the flow decreases
   double energy(const Surface_ref& surface) const { return willmore_energy(surface); }
 };
 
@@ -39,13 +39,12 @@ template <class Direction>
 struct Has_energy<Direction, std::void_t<decltype(std::declval<const Direction&>().energy(
                                  std::declval<const Mesh_view&>()))>> : std::true_type {};
 
-/// whether a direction is one of any surface, not only of meshes
+/// whether a direction is defined on any surface, not only on meshes
 template <class Direction>
 inline constexpr bool is_for_surfaces = std::is_invocable_v<const Direction&, const Surface_ref&>;
 
-/// \brief the direction of a mesh, or of the surface that stands for it where the direction can be
-/// taken there.
-/// \param unit by which lengths of the mesh are larger than those of the surface
+/// \brief the direction on the surface if it is defined there, otherwise on the mesh.
+/// \param unit ratio of lengths of the mesh to lengths of the surface
 template <class Direction>
 Eigen::VectorXd direction_of(const Direction& direction, const Mesh_view& mesh,
                              const Surface_ref& surface, double unit)
@@ -56,7 +55,7 @@ Eigen::VectorXd direction_of(const Direction& direction, const Mesh_view& mesh,
     return direction(mesh);
 }
 
-/// the energy of the direction, Willmore's if it has none, of a surface
+/// the energy of the direction on a surface; Willmore energy if it has none
 template <class Direction>
 double energy_of(const Direction& direction, const Mesh_view& mesh, const Surface_ref& surface)
 {

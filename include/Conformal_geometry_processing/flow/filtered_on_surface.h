@@ -14,18 +14,18 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// of `filtered_on_surface()`
+/// options of `filtered_on_surface()`
 struct Filter_options {
   double weight = 0.01;  ///< sigma > 0, on the surface scaled to the area 4 pi: features larger
-                         ///< than about sigma^(1/(2 order)) are large
-  int order = 1;         ///< k >= 0, how sharp the cut is
+                         ///< than about sigma^(1/(2 order)) count as large
+  int order = 1;         ///< k >= 0, the sharpness of the cut-off
   double amount = 1;     ///< of `Curvature_band::unsharp`
 };
 
 /// \ingroup PkgFlow
 /// \brief filters a function on the vertices, such as rho or a height, by its frequencies on the
-/// surface: of an eigenfunction of the Laplacian with eigenvalue l, the share h = sigma l^k / (1 +
-/// sigma l^k) is its high part, see `Curvature_filter`; low-pass is (id + sigma Delta^k)^-1.
+/// surface: the high part of an eigenfunction of the Laplacian with eigenvalue l is its share h =
+/// sigma l^k / (1 + sigma l^k), see `Curvature_filter`; low-pass is (id + sigma Delta^k)^-1.
 /// \param v |V| numbers
 /// \pre `require_surface(mesh)` holds
 /// \throw Precondition_error if weight or order are out of range

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_INSTANCES_IMPL_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_INSTANCES_IMPL_H
 
-// The templates that the compiled library contains, for its own solvers.
+// Template instantiations of the compiled library, for its own solvers.
 
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow_templates.h>
 

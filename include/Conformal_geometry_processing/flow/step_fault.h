@@ -11,11 +11,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// \brief why a step of a flow must not be taken, whatever its energy; empty if it may.
+/// \brief why a step of a flow must be rejected whatever its energy; empty if it may be accepted.
 ///
 /// \param report of the spin transformation of the step
-/// \param is_turning whether the boundary is still on its way to prescribed directions. Tangents
-/// that are merely kept need not be realizable: where they are not planar, no curvature is.
+/// \param is_turning whether the boundary has not yet reached the prescribed directions. Tangents
+/// that are merely kept need not be realizable: if they are not planar, no curvature is.
 std::string step_fault(const Spin_report& report, bool is_turning, const Flow_options& options);
 
 }  // namespace Conformal_geometry_processing

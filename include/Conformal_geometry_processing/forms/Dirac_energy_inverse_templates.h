@@ -38,7 +38,7 @@ auto Dirac_energy_inverse<Solver>::solve(Vectors c) const -> Vectors
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(c.rows());
   remove_mean(c, ones);
   const auto factor = inverse_operator(m_solver);
-  // The factor blows constants up, which X does not see: rounding would go with them.
+  // The factor amplifies constants, and with them rounding errors, which X does not see.
   const auto precondition = [&](const Vectors& r, Vectors& z) {
     factor(r, z);
     remove_mean(z, ones);
@@ -47,7 +47,7 @@ auto Dirac_energy_inverse<Solver>::solve(Vectors c) const -> Vectors
   options.tolerance = 1e-11;
   Vectors Y;
   const auto result = conjugate_gradients(block_operator(m_X), precondition, c, Y, options);
-  // Slivers leave fewer digits, after which the iterations break down.
+  // Slivers leave fewer correct digits, after which the iterations break down.
   if (!result.converged && !(result.estimates.maxCoeff() <= worst_error))
     throw Solver_error("Dirac_energy_inverse", "the iterations do not converge");
   remove_mean(Y, m_areas);

@@ -14,11 +14,11 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgForms
-/// \brief the harmonic 1-forms of a surface, 2G of them for genus G, and 2G + loops - 1 where it
-/// has a boundary; orthonormal with respect to sum_e w_e omega_e omega'_e.
+/// \brief the harmonic 1-forms of a surface: 2G for genus G, or 2G + loops - 1 with a boundary;
+/// orthonormal with respect to sum_e w_e omega_e omega'_e.
 ///
-/// They are closed, d1 omega = 0, and co-closed, d0^T w omega = 0, which at a boundary makes their
-/// fields tangent to it. Which basis of their space it is, depends on the numbering of the mesh.
+/// They are closed, d1 omega = 0, and co-closed, d0^T w omega = 0; at a boundary, their fields are
+/// therefore tangent to it. The choice of the basis depends on the numbering of the mesh.
 struct Harmonic_basis {
   Eigen::MatrixXd one_forms;   ///< |E| x `size()`, along each edge i -> j, i < j; dimensionless
   std::vector<Points> fields;  ///< each 3 x sheets: `tangent_field()` of the forms, in 1/length
@@ -26,31 +26,32 @@ struct Harmonic_basis {
   int size() const { return static_cast<int>(one_forms.cols()); }
   int genus() const { return size() / 2; }  ///< of closed surfaces
 
-  /// \brief <omega_i, alpha> for the forms of the basis and those given: `size()` x k.
+  /// \brief <omega_i, alpha> for the forms omega_i of the basis and the columns alpha: `size()` x
+  /// k.
   ///
-  /// The harmonic part of alpha is `one_forms * coefficients(w, alpha)`, and what the coefficients
-  /// square and sum up to is its squared norm.
+  /// The harmonic part of alpha is `one_forms * coefficients(w, alpha)`; its squared norm is the
+  /// sum of the squared coefficients.
   /// \param w `cotan_weights(surface)` \param alpha |E| x k
   Eigen::MatrixXd coefficients(const Eigen::VectorXd& w, const Eigen::MatrixXd& alpha) const;
 };
 
 namespace internal {
 
-/// \brief Takes d0 u with L u = d0^T w omega off 1-forms omega: what is left is co-closed.
+/// \brief Subtracts d0 u with L u = d0^T w omega from 1-forms omega; the result is co-closed.
 /// \param laplacian solves with L of the surface
 template <class Laplacian>
 void remove_exact_parts(const Surface_ref& surface, const Eigen::VectorXd& w,
                         const Laplacian& laplacian, Eigen::MatrixXd& forms)
 {
-  constexpr Eigen::Index at_once = 16;  // columns: what bounds the memory for solutions
+  constexpr Eigen::Index at_once = 16;  // columns per solve: bounds the memory for solutions
   for (Eigen::Index first = 0; first < forms.cols(); first += at_once) {
     auto some = forms.middleCols(first, (std::min)(at_once, forms.cols() - first));
     some -= differential(surface, laplacian.solve(codifferential(surface, w, some)));
   }
 }
 
-/// Replaces closed forms by orthonormal ones that span the same. By fields, whose inner products
-/// are positive definite also to rounding, which sums with negative cotan weights are not.
+/// Replaces closed forms by orthonormal ones with the same span. Uses their fields, whose inner
+/// products are positive definite despite rounding, unlike sums with negative cotan weights.
 /// \throw Precondition_error if they are linearly dependent, or a number is not finite
 void orthonormalize(const Surface_ref& surface, Eigen::MatrixXd& forms);
 

@@ -28,8 +28,8 @@ CGP_INLINE Eigen::MatrixXd Harmonic_basis::coefficients(const Eigen::VectorXd& w
 
 namespace internal {
 
-/// The fields of closed forms, each vector times the root of its sheet's area, one form per column:
-/// ordinary inner products of the columns are those of the forms.
+/// The fields of closed forms, one form per column, with each vector multiplied by the square root
+/// of its sheet's area: the inner products of the columns are those of the forms.
 CGP_INLINE Eigen::MatrixXd weighted_fields(const Surface_ref& surface, const Eigen::MatrixXd& forms)
 {
   Eigen::VectorXd roots(surface.size_of_sheets());
@@ -45,10 +45,10 @@ CGP_INLINE Eigen::MatrixXd weighted_fields(const Surface_ref& surface, const Eig
   return columns;
 }
 
-/// \param pivots what is left of each form beside those before
+/// \param pivots norm of each form's component orthogonal to the preceding forms
 CGP_INLINE void require_independent(const Eigen::VectorXd& pivots)
 {
-  const double least_pivot = 1e-7;  // relative: half the digits
+  const double least_pivot = 1e-7;  // relative: half of the digits
   if (!pivots.allFinite() || !(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
     throw Precondition_error("orthonormalize", "the 1-forms are not linearly independent");
 }
@@ -56,7 +56,8 @@ CGP_INLINE void require_independent(const Eigen::VectorXd& pivots)
 CGP_INLINE void orthonormalize(const Surface_ref& surface, Eigen::MatrixXd& forms)
 {
   if (forms.cols() == 0) return;
-  for (int pass = 0; pass < 2; ++pass) {  // the second takes out the rounding of the first
+  for (int pass = 0; pass < 2; ++pass) {  // the second pass removes the rounding errors of the
+                                          // first
     Eigen::MatrixXd V = weighted_fields(surface, forms);
     Eigen::VectorXd pivots(V.cols());
     for (Eigen::Index j = 0; j < V.cols(); ++j) {

@@ -15,27 +15,28 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgForms
-/// the parts of k 1-forms: their sum is the form, and any two are orthogonal
+/// the parts of k 1-forms: they sum up to the forms and are pairwise orthogonal
 struct Hodge_parts {
-  Eigen::MatrixXd potential;  ///< |V| x k: u with exact = d0 u, of mean zero
+  Eigen::MatrixXd potential;  ///< |V| x k: u with exact = d0 u and mean zero
   Eigen::MatrixXd exact;      ///< |E| x k
   Eigen::MatrixXd coexact;    ///< |E| x k
   Eigen::MatrixXd harmonic;   ///< |E| x k
 };
 
 /// \ingroup PkgForms
-/// \brief splits 1-forms of a surface into exact, co-exact and harmonic parts, and finds a basis of
-/// the harmonic ones [CGP 6.4.5].
+/// \brief splits 1-forms of a surface into exact, co-exact and harmonic parts, and computes a basis
+/// of the harmonic forms [CGP 6.4.5].
 ///
-/// At a boundary, co-exact and harmonic fields are tangent to it (forms of Neumann type), and the
+/// At a boundary, co-exact and harmonic fields are tangent to it (Neumann conditions), and the
 /// functions of exact ones are free.
 ///
-/// Orthogonal means sum_e w_e a_e b_e = 0 with cotan weights w, which may be negative. No weight is
-/// divided by, so right angles do no harm: the exact part is d0 u with L u = d0^T w omega, the
-/// harmonic part is found by the basis, and the rest is co-exact. The basis comes from closed
-/// generators in the same way: omega = eta - d0 u.
+/// Orthogonality means sum_e w_e a_e b_e = 0 with cotan weights w, which may be negative. The
+/// method does not divide by weights, so right angles are harmless: the exact part is d0 u with L u
+/// = d0^T w omega, the basis determines the harmonic part, and the rest is co-exact. The basis is
+/// computed in the same way from closed generators eta: omega = eta - d0 u.
 ///
-/// Factors the Laplacian once, unless it is given; the basis takes two solves with it per form.
+/// Factors the Laplacian once, unless its factor is given; the basis costs two solves with it per
+/// form.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits = Default_solver_traits>
@@ -44,18 +45,19 @@ class Hodge_decomposition {
   /// \param mesh must outlive the object
   /// \param function named in exceptions
   /// \throw Precondition_error if the mesh is not a connected, oriented manifold with finite
-  /// coordinates and positive areas; the message names the first element in the way
+  /// coordinates and positive areas; the message names the first offending element
   /// \throw Solver_error if the Laplacian cannot be factored
   explicit Hodge_decomposition(const Mesh_view& mesh,
                                const std::string& function = "Hodge_decomposition");
 
   /// \brief from given generators, with a given factor.
-  /// \param generators closed forms, |E| x their number (see `closed_generators()`), with no exact
-  /// one among their combinations
+  /// \param generators closed forms, |E| x their number (see `closed_generators()`), no linear
+  /// combination of which is exact
   /// \param surface must outlive the object
-  /// \param laplacian solves with the Laplacian of the surface, as
-  /// `Poisson_reconstruction::solver()` does; must outlive the object \pre `require_surface(mesh)`
-  /// holds \throw Precondition_error if the generators are not independent
+  /// \param laplacian solves with the Laplacian of the surface, like
+  /// `Poisson_reconstruction::solver()`; must outlive the object
+  /// \pre `require_surface(mesh)` holds
+  /// \throw Precondition_error if the generators are not independent
   Hodge_decomposition(const Surface_ref& surface, const Eigen::MatrixXd& generators,
                       const Grounded_solver<SolverTraits>& laplacian);
 
@@ -71,7 +73,7 @@ class Hodge_decomposition {
  private:
   using Laplacian = std::shared_ptr<const Grounded_solver<SolverTraits>>;
 
-  // A mesh that has passed the checks, which must come before all else.
+  // A checked mesh; the checks must precede all other members.
   struct Checked_mesh {
     Checked_mesh(const Mesh_view& mesh_, const std::string& function);
     const Mesh_view& mesh;

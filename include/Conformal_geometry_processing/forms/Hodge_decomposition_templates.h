@@ -66,7 +66,7 @@ Hodge_decomposition<SolverTraits>::Hodge_decomposition(const Surface_ref& surfac
   Eigen::MatrixXd& forms = m_basis.one_forms = std::move(generators);
   internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
   internal::orthonormalize(surface, forms);
-  // What the solver has left of the large part of generators.
+  // Removes the solver's error in the exact part, which is large for generators.
   internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
   for (Eigen::Index i = 0; i < forms.cols(); ++i)
     m_basis.fields.push_back(tangent_field(surface, forms.col(i)));

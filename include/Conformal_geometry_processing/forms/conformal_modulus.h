@@ -14,8 +14,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgForms
-/// the integral of a ^ b over the surface, for closed 1-forms: changes sign with the order and the
-/// orientation, and does not change when exact forms are added
+/// the integral of a ^ b over the surface, for closed 1-forms: changes its sign with the order and
+/// the orientation, and is invariant under the addition of exact forms
 /// \param a, b |E| numbers, along each edge i -> j, i < j
 template <class A, class B>
 double wedge_product(const Mesh_view& mesh, const Eigen::MatrixBase<A>& a,
@@ -33,19 +33,20 @@ double wedge_product(const Mesh_view& mesh, const Eigen::MatrixBase<A>& a,
 /// \ingroup PkgForms
 /// \brief the representative of a modulus under SL(2, Z): |Re tau| <= 1/2 and |tau| >= 1.
 ///
-/// On the boundary of this domain, where there are two, rounding decides.
+/// On the boundary of this domain, where there are two representatives, rounding decides.
 /// \pre Im tau > 0
 std::complex<double> reduced_modulus(std::complex<double> tau);
 
 /// \ingroup PkgForms
-/// \brief tau of a torus, which is conformally the plane modulo the lattice of 1 and tau.
+/// \brief tau of a torus, which is conformally equivalent to the plane modulo the lattice of 1 and
+/// tau.
 ///
-/// From G_ij = <h_i, h_j> for the harmonic forms h_1, h_2 with integer periods and
-/// integral h_1 ^ h_2 = 1: tau = (-G_12 + i sqrt(det G)) / G_22, reduced. Second order in the
-/// fineness of the mesh. A reflection of the surface maps tau to -conjugate(tau).
+/// From G_ij = <h_i, h_j> for the harmonic forms h_1, h_2 with integer periods and integral h_1 ^
+/// h_2 = 1: tau = (-G_12 + i sqrt(det G)) / G_22, reduced. Second order in the edge length. A
+/// reflection of the surface maps tau to -conjugate(tau).
 ///
-/// No solve: the harmonic parts of the generators are their coefficients in the basis.
-/// \pre `basis` is that of the mesh
+/// Needs no solve: the coefficients of the generators in the basis give their harmonic parts.
+/// \pre `basis` belongs to the mesh
 /// \throw Precondition_error if the surface has a boundary, or its genus is not one
 std::complex<double> conformal_modulus(const Mesh_view& mesh, const Harmonic_basis& basis);
 

@@ -25,7 +25,7 @@ CGP_INLINE std::complex<double> reduced_modulus(std::complex<double> tau)
   for (;;) {
     tau -= std::round(tau.real());
     if (std::norm(tau) >= 1 - rounding) return tau;
-    tau = -1. / tau;  // Im tau grows, so this ends
+    tau = -1. / tau;  // Im tau grows, so the loop terminates
   }
 }
 

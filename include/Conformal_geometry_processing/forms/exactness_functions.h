@@ -16,15 +16,15 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgForms
-/// how the constraints of exactness are discretised
+/// the discretisation of the exactness constraints
 enum class Exactness {
-  adjoint,  ///< the derivative of what the program computes: the error left is of second order
+  adjoint,  ///< the derivative of the discrete transformation: leaves an error of second order
   thesis    ///< solutions of D Z = v [CGP 6.4.5], least squares: leaves a first-order error O(h^2)
 };
 
 /// \ingroup PkgForms
-/// \brief solves for the change y of lambda = 1 that answers to sources c: (D^H M D) y = c in the
-/// space of spins; |V| x k -> |V| x k.
+/// \brief computes the response y of lambda = 1 to sources c: (D^H M D) y = c in the space of
+/// spins; |V| x k -> |V| x k.
 using Spin_response = std::function<Block<Quaternion<double>>(const Block<Quaternion<double>>&)>;
 
 /// \ingroup PkgForms
@@ -33,15 +33,15 @@ using Spin_response = std::function<Block<Quaternion<double>>(const Block<Quater
 /// 4.5.2, 6.4.5].
 ///
 /// For small rho the solution of (D - rho) lambda = gamma lambda is 1 + Y with D^H D Y = D^H rho,
-/// and the harmonic part of the new edges is, to first order, twice the inner products of rho and
-/// z in the basis of forms and the axes of space: sum_i A_i rho_i z_i with the areas
+/// and the harmonic part of the new edges, in the basis of forms and the axes of space, is to first
+/// order twice the inner products of rho and z: sum_i A_i rho_i z_i with the areas
 /// `curvature_areas()`. On isothermic surfaces, such as tori of revolution, only 6G - 1 of the 6G
 /// functions are independent.
 ///
-/// Where the spins are a space over the quaternions, costs one solve for each form; where they are
-/// one over the reals (directions prescribed at a boundary), one for each form and axis.
+/// Costs one solve for each form if the space of spins is quaternionic, and one for each form and
+/// axis if it is real (directions prescribed at a boundary).
 ///
-/// \param on where rho lives
+/// \param on where the values of rho are
 /// \param version `Exactness::thesis` on closed surfaces only
 /// \returns |V| x 3k or |F| x 3k; column 3 i + a belongs to form i and axis a
 Eigen::MatrixXd exactness_functions(const Surface_ref& surface, const Harmonic_basis& basis,

@@ -16,7 +16,8 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// D^H M D Y = c: half the sum of w omega e over the edges e at each vertex, for each form
+/// the sources c of D^H M D Y = c: half the sum of w omega e over the edges e at each vertex, for
+/// each form
 CGP_INLINE Block<Quaternion<double>> adjoint_sources(const Surface_ref& surface,
                                                      const Harmonic_basis& basis)
 {
@@ -33,7 +34,7 @@ CGP_INLINE Block<Quaternion<double>> adjoint_sources(const Surface_ref& surface,
   return c;
 }
 
-/// the same for D Z = v in the sense of least squares: D^H M v
+/// the sources of D Z = v in the sense of least squares: D^H M v
 CGP_INLINE Block<Quaternion<double>> field_sources(const Surface_ref& surface,
                                                    const Harmonic_basis& basis)
 {
@@ -52,7 +53,7 @@ CGP_INLINE Block<Quaternion<double>> field_sources(const Surface_ref& surface,
   return c;
 }
 
-/// a column for each column of sources and each axis of space
+/// one column for each column of sources and each axis of space
 CGP_INLINE Block<Quaternion<double>> sources_along_axes(const Block<Quaternion<double>>& sources)
 {
   const std::array<Quaternion<double>, 3> axes = {{{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
@@ -63,8 +64,8 @@ CGP_INLINE Block<Quaternion<double>> sources_along_axes(const Block<Quaternion<d
   return c;
 }
 
-/// \brief z with <a, rho> = sum_i A_i rho_i z_i for all rho, of a function a on the sheets.
-/// \param integral of a over sheet s per share, in its four parts
+/// \brief z with <a, rho> = sum_i A_i rho_i z_i for all rho, for a function a on the sheets.
+/// \param integral integral of a over sheet s divided by its share, in its four components
 template <class Integral>
 Eigen::MatrixX4d represented(const Surface_ref& surface, Curvature_potential::On on,
                              Integral integral)
@@ -83,7 +84,7 @@ Eigen::MatrixX4d represented(const Surface_ref& surface, Curvature_potential::On
   return areas.cwiseInverse().asDiagonal() * z;
 }
 
-/// of D y
+/// z of the function D y
 CGP_INLINE Eigen::MatrixX4d represented_derivative(const Surface_ref& surface,
                                                    Curvature_potential::On on,
                                                    const Quaternion_vector<double>& y)
@@ -98,7 +99,7 @@ CGP_INLINE Eigen::MatrixX4d represented_derivative(const Surface_ref& surface,
   });
 }
 
-/// of y itself: its values, or the means of faces
+/// z of the function y itself: its values, or the means of faces
 CGP_INLINE Eigen::MatrixX4d represented_values(const Surface_ref& surface,
                                                Curvature_potential::On on,
                                                const Quaternion_vector<double>& y)

@@ -12,21 +12,21 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgForms
-/// \brief a loop from face to face, which meets none twice: the halfedges through which it leaves
-/// them, in order.
+/// \brief a loop from face to face that visits no face twice: the halfedges through which it leaves
+/// the faces, in order.
 using Face_loop = std::vector<int>;
 
 /// \ingroup PkgForms
-/// \brief 2G loops of faces that generate the homology of a closed surface, those that the forms of
-/// `closed_generators()` count crossings with. Depends on the connectivity alone.
+/// \brief 2G loops of faces that generate the homology of a closed surface; the forms of
+/// `closed_generators()` count crossings with these loops. Depends only on the connectivity.
 ///
-/// O(|V| + |F|) and the lengths of the loops.
+/// O(|V| + |F|) plus the lengths of the loops.
 /// \pre the surface is closed, and `require_surface(mesh)` holds
 std::vector<Face_loop> loops_of_faces(const Mesh_view& mesh);
 
 /// \ingroup PkgForms
-/// \brief how often loops of faces cross each other, modulo 2: a symmetric matrix with zeros on the
-/// diagonal, of odd determinant if the loops are a basis of the homology.
+/// \brief the numbers of crossings between loops of faces, modulo 2: a symmetric matrix with zeros
+/// on the diagonal, of odd determinant if the loops are a basis of the homology.
 Eigen::MatrixXi crossings_modulo_2(const Mesh_view& mesh, const std::vector<Face_loop>& loops);
 
 }  // namespace Conformal_geometry_processing

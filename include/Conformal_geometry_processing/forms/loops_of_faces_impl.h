@@ -21,7 +21,8 @@ CGP_INLINE std::vector<Face_loop> loops_of_faces(const Mesh_view& mesh)
   const internal::Tree_cotree trees(mesh);
   std::vector<Face_loop> loops;
   for (const int k : trees.leftover_edges()) {
-    // Through the edge and on to the root of the tree, and from there to where it began.
+    // The path through the edge to the root of the tree, and the path to the root from the face
+    // before.
     Face_loop there, back;
     trees.for_each_crossing(
         k, [&](int h, int sign) { sign > 0 ? there.push_back(h) : back.push_back(h); });
@@ -44,7 +45,7 @@ CGP_INLINE Eigen::MatrixXi crossings_modulo_2(const Mesh_view& mesh,
     for (const int h : loops[static_cast<std::size_t>(j)])
       is_crossed[static_cast<std::size_t>(mesh.edge(h))] = 1;
     for (Eigen::Index i = 0; i < n; ++i) {
-      // Pushed to its left, the loop runs along edges: those of its faces that it leaves there.
+      // Shifted to its left, the loop runs along the edges of its faces on that side.
       const Face_loop& loop = loops[static_cast<std::size_t>(i)];
       for (std::size_t k = 0; k < loop.size(); ++k) {
         const int in = mesh.twin(loop[k]), out = loop[(k + 1) % loop.size()];

@@ -41,14 +41,14 @@ CGP_INLINE Eigen::MatrixXd random_closed_forms(const Mesh_view& mesh, unsigned s
     value = std::ldexp(static_cast<double>(random() >> 11), -52) - 1;
 
   const Eigen::SparseMatrix<double> d1 = exterior_derivative_1(mesh);
-  // Without boundary, the sum of all rows is zero, and constants are the kernel: row and column 0
-  // are left out.
+  // Without boundary, the rows sum up to zero and the kernel consists of the constants: row and
+  // column 0 are left out.
   const Eigen::SparseMatrix<double> part = d1.bottomRows(mesh.size_of_faces() - is_closed);
   const Eigen::SparseMatrix<double> laplacian =
       part * w.cwiseInverse().asDiagonal() * part.transpose();
   const Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(laplacian);
   assert(factor.info() == Eigen::Success);
-  for (int pass = 0; pass < 2; ++pass)  // the second removes what rounding has left
+  for (int pass = 0; pass < 2; ++pass)  // the second pass removes rounding errors
     alpha -= w.cwiseInverse().asDiagonal() *
              (part.transpose() * factor.solve(Eigen::MatrixXd(part * alpha)));
   return alpha;

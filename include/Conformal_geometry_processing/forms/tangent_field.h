@@ -26,8 +26,8 @@ namespace internal {
 
 /// \brief the integrals of a closed 1-form along the edges of a sheet.
 ///
-/// An edge that joins a vertex with itself has no direction i -> j; its integral is what the others
-/// leave, whose sum is zero.
+/// An edge that joins a vertex with itself has no direction i -> j; its integral follows from the
+/// other two, because the sum is zero.
 template <class Derived>
 Eigen::Vector3d along_edges(const Sheet& sheet, const Eigen::MatrixBase<Derived>& omega)
 {
@@ -51,8 +51,8 @@ Eigen::Vector3d along_edges(const Sheet& sheet, const Eigen::MatrixBase<Derived>
 /// \brief the tangent vector v of each sheet with <v, e> = omega(e) along its edges, 3 x sheets,
 /// which are the faces of a mesh [CGP 6.4.5]; in units of omega per length.
 ///
-/// v = (omega_1 e_2 - omega_2 e_1) x N / (2A). Then the sum of A <v, v'> over the faces is that of
-/// w_e omega_e omega'_e over the edges.
+/// v = (omega_1 e_2 - omega_2 e_1) x N / (2A). The sum of A <v, v'> over the faces equals the sum
+/// of w_e omega_e omega'_e over the edges.
 /// \param omega |E| numbers, a closed 1-form: otherwise v fits only two edges of a face
 /// \pre no triangle has area zero
 template <class Derived>

@@ -13,20 +13,20 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// A spanning tree of the faces by breadth-first search, which keeps the loops short, and the edges
-/// that neither it crosses nor a spanning tree of the vertices takes. What is outside of a surface
-/// with boundary counts as one more face: so 2G + loops - 1 edges are left, and 2G without
-/// boundary.
+/// A spanning tree of the faces by breadth-first search, which keeps the loops short, and the
+/// leftover edges: those neither crossed by it nor contained in a spanning tree of the vertices.
+/// The outside of a surface with boundary counts as one more face, so 2G + loops - 1 edges are left
+/// over, and 2G without boundary.
 class Tree_cotree {
  public:
   explicit Tree_cotree(const Mesh_view& mesh);
 
-  /// the edges that are left over, ascending
+  /// the leftover edges, ascending
   const std::vector<int>& leftover_edges() const { return m_leftover; }
 
-  /// the halfedges of the loop of faces that crosses the leftover edge k: calls visit(h, sign)
-  /// where it leaves face(h) through h, sign = 1, or enters it there, sign = -1. What it goes to
-  /// and fro is visited both ways.
+  /// the halfedges of the loop of faces that crosses the leftover edge k: calls visit(h, sign) with
+  /// sign = 1 where the loop leaves face(h) through h, and with sign = -1 where it enters there.
+  /// Edges traversed twice are reported with both signs.
   template <class Visitor>
   void for_each_crossing(int k, Visitor visit) const
   {
@@ -54,7 +54,7 @@ class Tree_cotree {
   /// the face on the other side of a halfedge
   int beyond(int h) const;
 
-  /// the halfedges by which faces around f reach it
+  /// the halfedges through which the neighbouring faces reach f
   template <class Visitor>
   void for_each_halfedge_around(int f, Visitor visit) const
   {
@@ -69,8 +69,8 @@ class Tree_cotree {
   void grow_tree();
 
   const Mesh_view& m_mesh;
-  // |F| + 1, the last one the outside: the halfedge towards the root, -1 at the root. Boundary
-  // edges have one halfedge for both directions.
+  // |F| + 1 entries, the last for the outside: the halfedge towards the root, -1 at the root.
+  // Boundary edges have one halfedge for both directions.
   std::vector<int> m_exit;
   std::vector<char> m_is_crossed;  // |E|: by the tree of the faces
   std::vector<int> m_leftover;
@@ -80,19 +80,19 @@ class Tree_cotree {
 
 /// \ingroup PkgForms
 /// \brief closed 1-forms whose classes are a basis of the cohomology with integer coefficients: 2G
-/// of them on a closed surface, 2G + loops - 1 on one with boundary. |E| x as many whole numbers,
+/// on a closed surface, 2G + loops - 1 with boundary. A matrix of |E| rows and integer entries,
 /// mostly 0.
 ///
-/// Tree-cotree decomposition: what is left of the edges when a spanning tree of the faces crosses
-/// some and a spanning tree of the vertices takes others are as many edges. Across each, a loop
-/// closes in the tree of faces, and its form is 1 on the edges that it crosses from left to right
-/// (seen along the edge i -> j, i < j), -1 where from right to left. The sum around a face is zero
-/// exactly, for the loop leaves it as often as it enters; the integral along a curve is the number
-/// of times that it meets the loop. Loops may lead through the outside, as if all holes were one
-/// face; the form is then one of a path from boundary to boundary. Depends on the connectivity
-/// alone.
+/// Tree-cotree decomposition: the edges that are neither crossed by a spanning tree of the faces
+/// nor contained in a spanning tree of the vertices are as many. Each of them closes a loop in the
+/// tree of faces, whose form is 1 on the edges that it crosses from left to right (seen along the
+/// edge i -> j, i < j), and -1 on those crossed from right to left. The sum around a face is
+/// exactly zero, because the loop leaves the face as often as it enters; the integral along a curve
+/// is the number of its crossings with the loop. Loops may pass through the outside, as if all
+/// holes were one face; the form then belongs to a path from boundary to boundary. Depends only on
+/// the connectivity.
 ///
-/// O(|V| + |F|) and the lengths of the loops.
+/// O(|V| + |F|) plus the lengths of the loops.
 /// \pre `require_surface(mesh)` holds
 Eigen::MatrixXd closed_generators(const Mesh_view& mesh);
 

@@ -14,8 +14,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
-/// \brief rho: the change of mean curvature that a spin transformation brings about, in 1/length,
-/// with one value per vertex or one per face.
+/// \brief rho: the change of mean curvature by a spin transformation, in 1/length, with one value
+/// per vertex or one per face.
 ///
 /// H~ |lambda|^2 = H + rho + gamma: positive rho bulges outward [CGP (4.6)].
 struct Curvature_potential {
@@ -46,8 +46,8 @@ Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
 
 /// \ingroup PkgOperators
 /// \brief the areas that belong to the values of rho, |V| or |F|: integrals over the surface are
-/// sums with them. That of a face is at least a millionth of the mean, so that it can be divided
-/// by.
+/// sums weighted by them. The area of a face is at least a millionth of the mean, so that division
+/// by it is safe.
 Eigen::VectorXd curvature_areas(const Surface_ref& surface, Curvature_potential::On on);
 
 /// \ingroup PkgOperators

@@ -14,16 +14,16 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
-/// of the angle of a sheet's triangle at corner c
+/// the cotangent of the angle of a sheet's triangle at corner c
 double cotangent(const Sheet& sheet, int c);
 
 /// \ingroup PkgOperators
-/// the cotangent of the angle opposite halfedge h, that is of face h / 3 at its corner h % 3
+/// the cotangent of the angle opposite halfedge h, which is at corner h % 3 of face h / 3
 double cotangent(const Mesh_view& mesh, int h);
 
 /// \ingroup PkgOperators
-/// w = (cot alpha + cot beta) / 2 for each edge, one cotangent only at the boundary; |E| numbers,
-/// negative where alpha + beta > pi. The Hodge star on 1-forms [CGP 5.6].
+/// w = (cot alpha + cot beta) / 2 for each edge, with only one cotangent at the boundary; |E|
+/// numbers, negative if alpha + beta > pi. The Hodge star on 1-forms [CGP 5.6].
 Eigen::VectorXd cotan_weights(const Surface_ref& surface);
 
 /// \ingroup PkgOperators
@@ -35,13 +35,13 @@ void assemble_cotan_laplacian(const Surface_ref& surface, const Eigen::VectorXd&
 /// \ingroup PkgOperators
 /// \brief L = d0^T diag(w) d0 on a given pattern [CGP 5.6].
 ///
-/// |V| x |V|, real symmetric, positive *semidefinite* also where weights are negative; the kernel
-/// of a connected surface are the constants. (L f)_i = sum_j w_ij (f_i - f_j). Dimensionless.
+/// |V| x |V|, real symmetric, positive *semidefinite* even if weights are negative; the kernel of a
+/// connected surface consists of the constants. (L f)_i = sum_j w_ij (f_i - f_j). Dimensionless.
 Hermitian_sparse_matrix<double> cotan_laplacian(const Surface_ref& surface,
                                                 std::shared_ptr<const Sparse_pattern> pattern);
 
 /// \ingroup PkgOperators
-/// L on a pattern of its own
+/// L on a new pattern
 Hermitian_sparse_matrix<double> cotan_laplacian(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing

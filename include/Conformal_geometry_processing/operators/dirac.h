@@ -11,9 +11,9 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgOperators
 /// \brief D: |F| x |V|, the discrete quaternionic Dirac operator [CGP (5.1)].
 ///
-/// (D lambda)_f = -1/(2 A_f) sum_c e_c lambda_c, where e_c is the edge opposite corner c, run
-/// through counter-clockwise. D f = -2 N on every face, constants are in the kernel, and B^H M_F D
-/// is Hermitian on a closed surface. In 1/length.
+/// (D lambda)_f = -1/(2 A_f) sum_c e_c lambda_c, where e_c is the edge opposite corner c, oriented
+/// counter-clockwise. D f = -2 N on every face, constants are in the kernel, and B^H M_F D is
+/// Hermitian on a closed surface. In 1/length.
 /// \param mesh must outlive the matrix
 /// \pre no face has area zero
 Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh);

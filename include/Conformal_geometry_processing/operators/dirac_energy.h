@@ -13,21 +13,22 @@ namespace Conformal_geometry_processing {
 /// \brief assembles X = (D - R)^H M (D - R), sheet by sheet [CGP Alg. 2].
 ///
 /// X is |V| x |V|, quaternionic, Hermitian and positive semidefinite; dimensionless. For rho = 0
-/// its real part is the cotan Laplacian and its kernel on a closed surface are the constants. A
-/// sheet with corners i, j, edges e_i, area A and curvatures rho_i adds its share of
+/// its real part is the cotan Laplacian, and its kernel on a closed surface consists of the
+/// constants. A sheet with corners i, j, edges e_i, area A and curvatures rho_i contributes its
+/// share of
 ///
 ///     X_ij += -e_i e_j / (4A) + (rho_i e_j - rho_j e_i) / 6 + A rho_i rho_j / 9,
 ///
-/// which for rho on faces is the other formula of [CGP Alg. 2]. On a mesh X grows as one over the
-/// height of its thinnest face; on a `Delaunay_view` the imaginary part is bounded by 1 per entry
-/// and triangle, and the real part is the intrinsic Delaunay Laplacian. O(sheets), in place.
+/// which for rho on faces is the other formula of [CGP Alg. 2]. On a mesh, X grows like the inverse
+/// of the height of the thinnest face; on a `Delaunay_view` the imaginary part is bounded by 1 per
+/// entry and triangle, and the real part is the intrinsic Delaunay Laplacian. O(sheets), in place.
 /// \param X a matrix on `vertex_graph(surface)`; its values are replaced
 /// \pre no triangle has area zero
 void assemble_dirac_energy(const Surface_ref& surface, const Curvature_potential& rho,
                            Hermitian_sparse_matrix<Quaternion<double>>& X);
 
 /// \ingroup PkgOperators
-/// X on a pattern of its own
+/// X on a new pattern
 Hermitian_sparse_matrix<Quaternion<double>> dirac_energy(const Surface_ref& surface,
                                                          const Curvature_potential& rho);
 
@@ -35,7 +36,7 @@ Hermitian_sparse_matrix<Quaternion<double>> dirac_energy(const Surface_ref& surf
 /// \brief the Hermitian part of B^H M (D - R), |V| x |V|, indefinite, in units of length; on a
 /// closed surface with rho on faces the right-hand side of the generalized problem [CGP (5.2)].
 ///
-/// A sheet adds its share of (e_i - e_j) / 12 - A (rho_i + rho_j) / 18 to entry (i, j).
+/// A sheet contributes its share of (e_i - e_j) / 12 - A (rho_i + rho_j) / 18 to entry (i, j).
 Hermitian_sparse_matrix<Quaternion<double>> dirac_form(const Surface_ref& surface,
                                                        const Curvature_potential& rho);
 

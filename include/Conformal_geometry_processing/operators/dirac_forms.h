@@ -12,8 +12,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
-/// \brief the two forms whose quotient is the eigenvalue of D - rho *with its sign*, on k vectors
-/// V: |V| x k. Both k x k, Hermitian.
+/// \brief the two forms whose quotient is the *signed* eigenvalue of D - rho, on k vectors V: |V| x
+/// k. Both are k x k and Hermitian.
 struct Dirac_forms {
   Block<Quaternion<double>> dirac;  ///< the Hermitian part of V^H B^H M_F (D - R) V; indefinite
   Block<Quaternion<double>> mass;   ///< V^H B^H M_F B V; positive definite
@@ -35,14 +35,14 @@ Quaternion_vector<double> apply_dirac_form(const Surface_ref& surface,
 /// \brief gamma = Re <B lambda, M_F (D - R) lambda> / <B lambda, M_F B lambda> for an eigenvector
 /// lambda of X; in 1/length.
 ///
-/// The eigenvalue mu of X is gamma^2 plus the discretisation error (unlike [CGP (5.3)], which
-/// writes gamma for it): its root has no sign, and near zero not the right size either.
+/// The eigenvalue mu of X is gamma^2 plus the discretisation error ([CGP (5.3)] writes gamma for
+/// it): its root has no sign, and is inaccurate near zero.
 double dirac_quotient(const Surface_ref& surface, const Curvature_potential& rho,
                       const Quaternion_vector<double>& lambda);
 
 /// \ingroup PkgOperators
-/// \brief |(D - R) lambda| / |lambda|, in 1/length: the root of the quotient of X and the areas of
-/// the vertices, to all digits also where it is zero but for rounding, for no terms cancel.
+/// \brief |(D - R) lambda| / |lambda|, in 1/length: the root of the Rayleigh quotient of X and the
+/// vertex areas. Accurate to all digits even if it is zero up to rounding, because no terms cancel.
 /// O(sheets), without assembling a matrix.
 double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
                     const Quaternion_vector<double>& lambda);

@@ -23,8 +23,8 @@ inline Eigen::MatrixXd differential(const Surface_ref& surface, const Eigen::Mat
 /// \ingroup PkgOperators
 /// \brief d0^T diag(w) omega, |V| x k, of k 1-forms given as one row of `omega` per edge i -> j.
 ///
-/// Row i is the sum of w_ij omega over the edges *into* i minus the edges out of it: what
-/// [CGP 5.6] calls the divergence, *minus* the usual one, to match the positive semidefinite L:
+/// Row i is the sum of w_ij omega over the edges *into* i minus the edges out of it. [CGP 5.6]
+/// calls this the divergence; it is *minus* the usual one, to match the positive semidefinite L:
 /// codifferential(d0 f) = L f. Columns sum to zero.
 /// \param w `cotan_weights(surface)`, |E| \param omega |E| x k
 template <class Derived>

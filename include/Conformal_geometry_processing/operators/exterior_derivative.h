@@ -11,8 +11,8 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgOperators
-/// d0: |E| x |V|, the difference along each edge i -> j, i < j; the kernel of a connected mesh are
-/// the constants [CGP 5.6]
+/// d0: |E| x |V|, the difference along each edge i -> j, i < j; the kernel of a connected mesh
+/// consists of the constants [CGP 5.6]
 Eigen::SparseMatrix<double, Eigen::RowMajor> exterior_derivative_0(const Mesh_view& mesh);
 
 /// \ingroup PkgOperators

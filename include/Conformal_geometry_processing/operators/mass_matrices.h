@@ -15,17 +15,17 @@ namespace Conformal_geometry_processing {
 Eigen::VectorXd face_areas(const Surface_ref& surface);
 
 /// \ingroup PkgOperators
-/// M_V: the barycentric area of each vertex, a third of the faces around it, |V| numbers; the
-/// diagonal of a positive definite matrix [CGP 5.4]
+/// M_V: the barycentric area of each vertex, a third of the area of the faces around it, |V|
+/// numbers; the diagonal of a positive definite matrix [CGP 5.4]
 /// \pre every vertex has a triangle of positive area
 Eigen::VectorXd vertex_areas(const Surface_ref& surface);
 
 /// \ingroup PkgOperators
 /// the mixed Voronoi area of each vertex: the part of each non-obtuse face that is nearest to the
-/// vertex; of an obtuse face one half at the obtuse corner, a quarter at each other.
+/// vertex; half of an obtuse face at its obtuse corner, a quarter at each other.
 ///
-/// Pointwise curvatures need these (`mean_curvature()`): with barycentric areas H is wrong by 15 %
-/// at vertices of valence 5, on however fine a mesh.
+/// Pointwise curvatures require these (`mean_curvature()`): with barycentric areas, H has an error
+/// of 15 % at vertices of valence 5 even on fine meshes.
 Eigen::VectorXd voronoi_areas(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing

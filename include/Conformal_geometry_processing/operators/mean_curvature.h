@@ -12,8 +12,8 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// Gives each unknown vertex the mean of its known neighbours, ring by ring for those that have
-/// none; leaves the values where nothing is known.
+/// Sets each unknown value to the mean of the known neighbours, ring by ring; leaves the values
+/// unchanged if nothing is known.
 void fill_unknown(const Surface_ref& surface, std::vector<char> is_unknown,
                   Eigen::VectorXd& values);
 }  // namespace internal
@@ -21,10 +21,10 @@ void fill_unknown(const Surface_ref& surface, std::vector<char> is_unknown,
 /// \ingroup PkgOperators
 /// \brief H at the vertices, |V| numbers in 1/length: +1 on the unit sphere with outward normals.
 ///
-/// H_i = <N_i, (L f)_i> / (2 V_i), from Delta f = 2 H N, with mixed Voronoi areas V_i and angle-
-/// weighted normals. At boundary vertices L f also holds the curvature of the boundary curve, and
-/// at vertices whose area is less than a thousandth of a neighbour's, rounding decides: there H is
-/// the mean of the other neighbours instead.
+/// H_i = <N_i, (L f)_i> / (2 V_i), from Delta f = 2 H N, with mixed Voronoi areas V_i and
+/// angle-weighted normals. At boundary vertices L f also contains the curvature of the boundary
+/// curve, and at vertices whose area is less than a thousandth of a neighbour's, rounding
+/// dominates: there H is the mean of the other neighbours.
 Eigen::VectorXd mean_curvature(const Surface_ref& surface);
 
 /// \ingroup PkgOperators

@@ -40,7 +40,7 @@ CGP_INLINE void fill_unknown(const Surface_ref& surface, std::vector<char> is_un
   }
 }
 
-/// on the boundary, or of nearly no area
+/// the vertices on the boundary, or of nearly zero area
 CGP_INLINE std::vector<char> without_curvature(const Surface_ref& surface,
                                                const Eigen::VectorXd& areas)
 {

@@ -22,7 +22,7 @@ int diagonal_position(const Sparse_pattern& pattern, int i);
 
 namespace internal {
 
-/// \brief adds to a matrix what a sheet contributes.
+/// \brief adds the contribution of a sheet to a matrix.
 /// \param A on `vertex_graph()` of the surface
 /// \param entry the value for corners (i, j), Hermitian: entry(j, i) is the conjugate
 template <class Scalar, class Entry>

@@ -19,16 +19,16 @@ Quaternion_vector<double> as_quaternions(const Eigen::VectorXd& numbers);
 Quaternion_vector<double> as_quaternions(const Points& vectors);
 
 /// \ingroup PkgOperators
-/// \brief D with what takes its values apart: everything that the vector calculus of a surface is
-/// made from [CGP 3.3, Table 3.1].
+/// \brief D and the decomposition of its values: the basis of the vector calculus on a surface [CGP
+/// 3.3, Table 3.1].
 ///
 /// Functions and vector fields are given at the vertices, where tangent vectors X and normals are
-/// vectors of R^3; derivatives live on the faces. A face value is q = a + X + b N, with its face
+/// vectors of R^3; derivatives live on the faces. A face value is q = a + X + b N with the face
 /// normal N. In general
 ///
 ///     D(a + X + b N) = -curl X + (J grad a - S X + grad b) + (-div X - 2 H b) N,    J X = N x X
 ///
-/// (the text has + 2 H b). The error of first derivatives is O(h).
+/// ([CGP] has + 2 H b). The error of first derivatives is O(h).
 class Surface_derivative {
  public:
   /// \param mesh must outlive the object \pre no face has area zero
@@ -40,14 +40,14 @@ class Surface_derivative {
   /// N, 3 x |F|
   const Points& normals() const { return m_normals; }
 
-  /// D of functions, or of vectors: |F|
+  /// D of a function or of a vector field: |F|
   template <class Field>
   Quaternion_vector<double> operator()(const Field& at_vertices) const
   {
     return m_D * as_quaternions(at_vertices);
   }
 
-  /// \brief D once more, on values at faces: M_V^-1 D^H M_F q, |V|; D^2 with what comes before.
+  /// \brief D of face values: M_V^-1 D^H M_F q, |V|; applied after D, it gives D^2.
   Quaternion_vector<double> adjoint(Quaternion_vector<double> q) const;
 
   /// a, |F|

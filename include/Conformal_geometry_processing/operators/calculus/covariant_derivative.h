@@ -16,8 +16,8 @@ Eigen::VectorXd covariant_derivative(const Surface_derivative& d, const Points& 
                                      const Eigen::VectorXd& phi);
 
 /// \ingroup PkgOperators
-/// \brief the covariant derivative of a vector field, del_X Y = (dY(X))^T, 3 x |F|: its coordinates
-/// in R^3 derived along X, and what is normal taken off.
+/// \brief the covariant derivative of a vector field, del_X Y = (dY(X))^T, 3 x |F|: the tangential
+/// part of the derivative of its coordinates in R^3 along X.
 /// \param X tangent vectors on the faces, 3 x |F| \param Y tangent vectors at the vertices, 3 x |V|
 Points covariant_derivative(const Surface_derivative& d, const Points& X, const Points& Y);
 

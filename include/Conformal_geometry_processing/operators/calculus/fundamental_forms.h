@@ -15,7 +15,7 @@ Eigen::VectorXd first_fundamental_form(const Points& X, const Points& Y);
 
 /// \ingroup PkgOperators
 /// \brief the second fundamental form, II(X, Y) = Re(Y D X) = <S X, Y>, |F|: positive on the unit
-/// sphere. (Minus the one that [CGP 2.2] defines, which has the other sign than the rest of it.)
+/// sphere. (Minus the form that [CGP 2.2] defines, whose sign is inconsistent with the rest of it.)
 /// \param X tangent vectors at the vertices, 3 x |V| \param Y tangent vectors on the faces, 3 x |F|
 Eigen::VectorXd second_fundamental_form(const Surface_derivative& d, const Points& X,
                                         const Points& Y);

@@ -17,16 +17,16 @@ Points dirac_normals(const Surface_derivative& d);
 /// \brief the mean curvature H = 1/2 N D N = -1/2 <N, D N> on the faces, |F|; +1 on the unit
 /// sphere.
 ///
-/// First order, and damps high frequencies as D does. At vertices, and for flows, take
+/// First order, and damps high frequencies as D does. At vertices and for flows, use
 /// `mean_curvature()`.
 /// \param normals of the surface at its vertices, 3 x |V|
 Eigen::VectorXd dirac_mean_curvature(const Surface_derivative& d, const Points& normals);
 
 /// \ingroup PkgOperators
-/// \brief the Gauss curvature K = 1/2 <N, Im(D^2) N> at the vertices, |V|, by the imaginary part of
-/// D^H M_F D, which sums to zero in each row and holds the jumps of the face normals only.
+/// \brief the Gauss curvature K = 1/2 <N, Im(D^2) N> at the vertices, |V|, from the imaginary part
+/// of D^H M_F D, whose rows sum to zero and which contains only the jumps of the face normals.
 ///
-/// The integral of K is exactly that of the matrix: second order on regular meshes.
+/// The integral of K is exact for the matrix: second order on regular meshes.
 /// \param normals of the surface at its vertices, 3 x |V|
 /// \pre the surface is closed
 Eigen::VectorXd dirac_gauss_curvature(const Surface_derivative& d, const Points& normals);
