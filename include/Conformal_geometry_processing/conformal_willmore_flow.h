@@ -43,7 +43,7 @@ Flow_options flow_options(const NamedParameters& np)
   return o;
 }
 
-/// takes the target areas from their map, if there is one
+/// reads the target areas from their map, if there is one
 template <class TriangleMesh, class NamedParameters>
 void read_target_areas(const Graph_view<TriangleMesh>& graph, const NamedParameters& np,
                        Flow_options& options)
@@ -57,14 +57,13 @@ void read_target_areas(const Graph_view<TriangleMesh>& graph, const NamedParamet
   }
 }
 
-/// the surface at the end of a flow, 3 x |V|, and the way there
+/// the final surface of a flow, 3 x |V|, and the report
 struct Flow_result {
   Points positions;
   Flow_report report;
 };
 
-/// What `conformal_willmore_flow()` finds, of a mesh or of one of its components; nothing is
-/// written.
+/// Computes `conformal_willmore_flow()` for a mesh or one of its components, without writing to it.
 template <class TriangleMesh, class NamedParameters>
 Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParameters& np,
                         const std::string& function)
@@ -103,20 +102,20 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 }  // namespace internal
 
 /// \ingroup PkgEntryPoints
-/// \brief makes a surface as smooth as its conformal class allows, in a handful of large
-/// steps that keep angles, and so textures and the shapes of triangles [CGP 6.4].
+/// \brief makes a surface as smooth as its conformal class allows, in a few large steps that
+/// preserve angles, and thus textures and the shapes of triangles [CGP 6.4].
 ///
 /// Each step is a spin transformation by rho = -tau H; spheres become round, tori become tori of
-/// Clifford's kind. Surfaces of any genus stay closed. Area and centroid stay. The energy, the
-/// integral of H^2, falls in every step: a step that would raise it is tried again with half of
-/// tau.
+/// Clifford type. Surfaces of any genus stay closed. Area and centroid are preserved. The energy,
+/// the integral of H^2, decreases in every step: a step that would increase it is repeated with
+/// half of tau.
 ///
-/// It is no tool against noise as fine as the mesh, which hardly takes part, nor for long thin
-/// limbs, which would have to shrink to nothing: there it stops and says why.
+/// The flow is not suitable for noise at the scale of the mesh, which hardly changes, or for long
+/// thin limbs, which would have to shrink to nothing: it then stops and reports the reason.
 ///
-/// Computes in double precision whatever the kernel. Each step factors a sparse quaternionic matrix
-/// on the vertices (two if there are handles); orderings and symbolic factorizations are found
-/// once. Use `Conformal_willmore_flow` to go step by step.
+/// Computes in double precision for every kernel. Each step factors a sparse quaternionic matrix on
+/// the vertices (two if there are handles); orderings and symbolic factorizations are computed
+/// once. Use `Conformal_willmore_flow` for single steps.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -126,36 +125,36 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{time_step}
-///     \cgalParamDescription{tau in rho = -tau H: stable below 2 on every mesh, and 1 takes high
-///                           frequencies away in one step}
+///     \cgalParamDescription{tau in rho = -tau H: stable below 2 on every mesh; 1 removes high
+///                           frequencies in one step}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{how many steps at most}
+///     \cgalParamDescription{maximum number of steps}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{100}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
-///     \cgalParamDescription{the flow stops where the energy changes by less than this share of it,
-///                           in a time of 1}
+///     \cgalParamDescription{the flow stops if the energy changes by less than this share of it, in
+///                           a time of 1}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-4}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{filter_weight}
-///     \cgalParamDescription{sigma > 0 keeps the shape on the whole and smoothes details, see
-///                           `Curvature_filter`; zero is no filter}
+///     \cgalParamDescription{sigma > 0 smoothes details and preserves the overall shape, see
+///                           `Curvature_filter`; zero: no filter}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{filter_order}
-///     \cgalParamDescription{how sharply the filter divides frequencies, if there is one}
+///     \cgalParamDescription{the sharpness of the cut-off of the filter, if there is one}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{1}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{balance}
-///     \cgalParamDescription{towards which areas of the vertices the surface is led among its
-///                           Moebius transforms, which curvature cannot tell apart}
+///     \cgalParamDescription{the vertex areas towards which the surface is balanced among its
+///                           Moebius transforms, which do not differ in curvature}
 ///     \cgalParamType{`Balance`}
 ///     \cgalParamDefault{`Balance::none`}
 ///   \cgalParamNEnd
@@ -165,22 +164,22 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///     \cgalParamDefault{`Balancing::inversion`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_target_area_map}
-///     \cgalParamDescription{areas to balance towards, of which only the ratios matter}
+///     \cgalParamDescription{target areas of the balance; only their ratios matter}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key; its value
 ///                    converts by `CGAL::to_double()`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_direction}
-///     \cgalParamDescription{which direction of the boundary frame is kept or prescribed}
+///     \cgalParamDescription{the direction of the boundary frame that is kept or prescribed}
 ///     \cgalParamType{`Boundary_direction`, not the normal}
-///     \cgalParamDefault{the tangent, if there is a `boundary_direction_map`; else none, and the
-///                       boundary is free}
+///     \cgalParamDefault{the tangent, if there is a `boundary_direction_map`; otherwise none, and
+///                       the boundary is free}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_direction_map}
-///     \cgalParamDescription{what it becomes, for each vertex on the boundary}
+///     \cgalParamDescription{the new direction at each vertex on the boundary}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
-///                    vector, not zero, as value}
-///     \cgalParamDefault{what it is in the beginning}
+///                    nonzero vector as value}
+///     \cgalParamDefault{the initial direction}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exactness}
 ///     \cgalParamDescription{how surfaces are kept closed around handles and holes}
@@ -188,18 +187,18 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///     \cgalParamDefault{`Exactness::adjoint`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{mollification}
-///     \cgalParamDescription{lets faces be as thin as they like, or of area zero, see
+///     \cgalParamDescription{admits faces of any thinness, also of area zero, see
 ///                           `spin_transform()`}
-///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good one}
-///     \cgalParamDefault{none: faces of area zero are refused}
+///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good value}
+///     \cgalParamDefault{none: faces of area zero are rejected}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{curvature_direction}
-///     \cgalParamDescription{another flow of curvature by the same machinery}
+///     \cgalParamDescription{the direction of another curvature flow}
 ///     \cgalParamType{a model of `CurvatureDirection`}
 ///     \cgalParamDefault{`Willmore_direction`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of every step and may stop the flow}
+///     \cgalParamDescription{is called after every step and may stop the flow}
 ///     \cgalParamType{a `std::reference_wrapper` of a model of `FlowVisitor`}
 ///     \cgalParamDefault{`Flow_visitor`}
 ///   \cgalParamNEnd
@@ -210,7 +209,7 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{output_vertex_point_map}
-///     \cgalParamDescription{where the new points go}
+///     \cgalParamDescription{receives the new points}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
 ///     \cgalParamDefault{the vertex point map}
 ///   \cgalParamNEnd
@@ -219,30 +218,30 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///     \cgalParamDefault{the kernel of the points}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_solver}
-///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
+///     \cgalParamDescription{the linear solver; only its type matters, not its value}
 ///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
 ///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{eigenvalue_solver}
-///     \cgalParamDescription{which eigenvalue solver to use; its type matters, not its value}
+///     \cgalParamDescription{the eigenvalue solver; only its type matters, not its value}
 ///     \cgalParamType{a model of `SparseHermitianEigensolverTraits`}
 ///     \cgalParamDefault{`Lobpcg_eigensolver_traits`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{of the second start vector of the eigenvalue solver}
+///     \cgalParamDescription{seed of the second start vector of the eigenvalue solver}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the report, which tells why the flow has stopped, and converts to `true` if it arrived
-/// or made the steps it was asked for. Whatever the reason, the points are those of the last
+/// \returns the report, which contains the reason to stop, and converts to `true` if the flow has
+/// converged or made the requested number of steps. In every case the points are those of the last
 /// complete step.
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
 /// finite coordinates and positive areas, or a parameter is out of its range; the message names the
-/// element
-/// \throw Solver_error if the analysis fails. Whatever is thrown, also by the visitor, the mesh is
-/// as it was.
+/// offending element
+/// \throw Solver_error if the analysis fails. After any exception, also of the visitor, the mesh is
+/// unchanged.
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 Flow_report conformal_willmore_flow(TriangleMesh& mesh,
                                     const NamedParameters& np = parameters::default_values())

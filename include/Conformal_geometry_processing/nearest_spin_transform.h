@@ -21,14 +21,14 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgSpin
 /// the report of `nearest_spin_transform()`
 struct [[nodiscard]] Nearest_spin_report : Spin_report {
-  double distance = 0;  ///< root mean square of the distances of the vertices from the target, by
+  double distance = 0;  ///< root mean square distance of the vertices from the target, relative to
                         ///< the diagonal of its bounding box
-  int sign_conflicts = 0;  ///< see `make_consistent()`; of smooth deformations none
+  int sign_conflicts = 0;  ///< see `make_consistent()`; zero for smooth deformations
 };
 
 namespace internal {
 
-/// The coordinates of a point in a map for each vertex, 3 x |V|, by the traits of the mesh.
+/// The coordinates of the points in a vertex property map, 3 x |V|, by the traits of the mesh.
 template <class TriangleMesh, class PointMap, class NamedParameters>
 Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParameters& np,
                    const char* function)
@@ -41,20 +41,19 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 }  // namespace internal
 
 /// \ingroup PkgEntryPoints
-/// \brief deforms a surface conformally, as nearly as it can in the way a given deformation does
-/// [CGP 5.9, 6.3].
+/// \brief deforms a surface conformally, as closely as possible to a given deformation [CGP 5.9,
+/// 6.3].
 ///
-/// The curvature of the deformation, and at a boundary its tangents (or another direction), are
-/// kept; its shear is not. So
-/// an editor of any kind becomes a conformal one. The surface comes to lie as near to the target as
-/// it can by a similarity.
+/// Keeps the curvature of the deformation and, at a boundary, its tangents (or another direction),
+/// but not its shear. This turns any editor into a conformal one. A similarity aligns the result
+/// with the target as closely as possible.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam PointMap a model of `ReadablePropertyMap` with the vertex descriptor as key
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the surface; its points are overwritten
-/// \param target_points where the deformation takes each vertex
+/// \param target_points the position of each vertex after the deformation
 /// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
@@ -64,7 +63,7 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{output_vertex_point_map}
-///     \cgalParamDescription{where the new points go}
+///     \cgalParamDescription{receives the new points}
 ///     \cgalParamDefault{the vertex point map}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_spin_map}
@@ -72,7 +71,7 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_scale_map}
-///     \cgalParamDescription{factors by which lengths are scaled beside}
+///     \cgalParamDescription{factors by which lengths are scaled additionally}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
 ///                    positive number as value}
 ///     \cgalParamDefault{1}
@@ -83,7 +82,7 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_direction}
-///     \cgalParamDescription{which direction of its frame the boundary takes from the target}
+///     \cgalParamDescription{the direction of the boundary frame that is taken from the target}
 ///     \cgalParamType{`Boundary_direction`}
 ///     \cgalParamDefault{the tangent}
 ///   \cgalParamNEnd
@@ -93,15 +92,14 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamDefault{`Exactness::adjoint`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{mollification}
-///     \cgalParamDescription{lets faces of the mesh and of the target be as thin as they like, or
-///     of
+///     \cgalParamDescription{admits faces of the mesh and of the target of any thinness, also of
 ///                           area zero, see `spin_transform()`}
-///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good one}
-///     \cgalParamDefault{none: faces of area zero are refused}
+///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good value}
+///     \cgalParamDefault{none: faces of area zero are rejected}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits, sparse_solver, eigenvalue_solver, eigenproblem, tolerance,
 ///                    number_of_iterations, maximum_number_of_substeps, random_seed, visitor}
-///     \cgalParamDescription{as of `spin_transform()`}
+///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -109,7 +107,7 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 /// been written.
 /// \throw Precondition_error if the mesh, or the target, is not a connected, oriented manifold
 /// triangle mesh with finite coordinates and positive areas, or a factor is not positive, or the
-/// target of a closed mesh is of another spin structure
+/// target of a closed mesh has another spin structure
 /// \throw Solver_error if a factorization fails
 template <class TriangleMesh, class PointMap,
           class NamedParameters = parameters::Default_named_parameters>

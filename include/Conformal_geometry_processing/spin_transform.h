@@ -17,13 +17,13 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// the class that the solvers of the named parameters belong to
+/// the class of the solvers that the named parameters specify
 template <class NamedParameters>
 using Spin_transformation_for = Spin_transformation<
     Parameter_type<NamedParameters, internal_np::sparse_solver_t, Default_solver_traits>,
     Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t, Lobpcg_eigensolver_traits>>;
 
-/// The options that the named parameters of `spin_transform()` tell.
+/// The options that the named parameters of `spin_transform()` specify.
 template <class TriangleMesh, class NamedParameters>
 Spin_transformation_options spin_transformation_options(const Graph_view<TriangleMesh>& graph,
                                                         const NamedParameters& np,
@@ -55,23 +55,23 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 /// [CGP (5.3)-(5.5)].
 ///
 /// Solves (D - rho) lambda = gamma lambda for the spins lambda and integrates the new edges
-/// conjugate(lambda) df lambda. The new surface has H~ |lambda|^2 = H + rho + gamma: positive rho
-/// bulges along the normals, its constant part has no effect. Angles are kept up to the fineness of
-/// the mesh; area and centroid stay.
+/// conjugate(lambda) df lambda. The new surface satisfies H~ |lambda|^2 = H + rho + gamma: positive
+/// rho bulges along the normals, and its constant part has no effect. Angles are preserved up to
+/// the discretisation error; area and centroid are preserved.
 ///
-/// On a surface of genus > 0 not every rho belongs to a surface that closes up around its handles:
-/// the part that does not is left out, and strong ones are reached in several steps. The report
-/// tells what was left out (`missing_share`), how many `steps` it took and which share of the way
-/// was `reached`.
+/// On a surface of genus > 0, not every rho belongs to a surface that closes up around its handles:
+/// the inadmissible part is left out, and a strong rho is applied in several steps. The report
+/// contains what was left out (`missing_share`), the number of `steps`, and the completed share of
+/// the path (`reached`).
 ///
-/// At a boundary the new directions of its tangents, its binormals or of anything between them and
-/// the normals can be prescribed, or where its points come to lie. A free boundary moves as little
-/// as it can. Data that no surface has are refused: the report is `false` and names the
-/// `boundary_fault`.
+/// At a boundary, the new directions of the tangents, of the binormals, or of anything between
+/// these and the normals can be prescribed, or the positions of the vertices. A free boundary moves
+/// as little as possible. Data that no surface has are rejected: the report is `false` and names
+/// the `boundary_fault`.
 ///
-/// Computes in double precision whatever the kernel. The sparse factorization of a quaternionic
-/// matrix on the vertices, and some ten solves with it, dominate time and memory. Use
-/// `Spin_transformation` for several rho on one mesh.
+/// Computes in double precision for every kernel. The sparse factorization of a quaternionic matrix
+/// on the vertices and about ten solves with it dominate time and memory. Use `Spin_transformation`
+/// for several rho on one mesh.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam CurvaturePotentialMap a model of `ReadablePropertyMap` whose key is the vertex or the
@@ -90,7 +90,7 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{output_vertex_point_map}
-///     \cgalParamDescription{where the new points go}
+///     \cgalParamDescription{receives the new points}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
 ///     \cgalParamDefault{the vertex point map}
 ///   \cgalParamNEnd
@@ -105,18 +105,18 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDefault{the kernel of the points}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_solver}
-///     \cgalParamDescription{which linear solver to use; its type matters, not its value}
+///     \cgalParamDescription{the linear solver; only its type matters, not its value}
 ///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
 ///     \cgalParamDefault{`Default_solver_traits`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{eigenvalue_solver}
-///     \cgalParamDescription{which eigenvalue solver to use; its type matters, not its value}
+///     \cgalParamDescription{the eigenvalue solver; only its type matters, not its value}
 ///     \cgalParamType{a model of `SparseHermitianEigensolverTraits`}
 ///     \cgalParamDefault{`Lobpcg_eigensolver_traits`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{eigenproblem}
-///     \cgalParamDescription{the discretisation: `Eigenproblem::generalized` needs rho on faces and
-///                           falls back to the standard one where it cannot be trusted}
+///     \cgalParamDescription{the discretisation: `Eigenproblem::generalized` requires rho on faces
+///                           and falls back to the standard problem if it is not reliable}
 ///     \cgalParamType{`Eigenproblem`}
 ///     \cgalParamDefault{`Eigenproblem::standard`}
 ///   \cgalParamNEnd
@@ -126,90 +126,89 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDefault{`Exactness::adjoint`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_direction}
-///     \cgalParamDescription{which direction of the boundary frame is prescribed}
+///     \cgalParamDescription{the direction of the boundary frame that is prescribed}
 ///     \cgalParamType{`Boundary_direction`, not the normal}
-///     \cgalParamDefault{the tangent, if there is a `boundary_direction_map`; else none, and the
-///                       boundary is free}
+///     \cgalParamDefault{the tangent, if there is a `boundary_direction_map`; otherwise none, and
+///                       the boundary is free}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_direction_map}
-///     \cgalParamDescription{what it becomes, for each vertex on the boundary}
+///     \cgalParamDescription{the new direction at each vertex on the boundary}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
-///                    vector, not zero, as value}
-///     \cgalParamDefault{what it is}
+///                    nonzero vector as value}
+///     \cgalParamDefault{the present direction}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_target_point_map}
-///     \cgalParamDescription{where the vertices on the boundary shall be; cannot be combined with
-///                           directions}
+///     \cgalParamDescription{the new positions of the vertices on the boundary; cannot be combined
+///                           with directions}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key; without
-///                    `vertex_normal_map` it has points for all vertices}
+///                    `vertex_normal_map` it must have points for all vertices}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_normal_map}
-///     \cgalParamDescription{normals of the surface sought at prescribed boundary points}
+///     \cgalParamDescription{normals of the new surface at prescribed boundary points}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
 ///                    vector as value}
-///     \cgalParamDefault{those of the surface made by the target points of all vertices}
+///     \cgalParamDefault{the normals of the surface with the target points of all vertices}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
-///     \cgalParamDescription{which vertices have target points; must be true on all of the
-///     boundary} \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key
-///     and `bool`
+///     \cgalParamDescription{which vertices have target points; must be true on the whole boundary}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and `bool`
 ///                    as value}
 ///     \cgalParamDefault{true on the boundary}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{kernel_tolerance}
-///     \cgalParamDescription{with directions: singular values of D - rho up to it, in 1/length,
-///                           count as zero, and of their surfaces the nearest one is taken}
+///     \cgalParamDescription{with directions: singular values of D - rho up to this bound, in
+///                           1/length, count as zero, and the nearest of their surfaces is taken}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0: the surface of one singular vector is taken}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{mollification}
-///     \cgalParamDescription{lets faces be as thin as they like, or of area zero: the equation is
-///                           solved on the intrinsic Delaunay triangulation, and to all edges the
-///                           length is added that triangles lack, at most this share of the mean
-///                           one; of `exactness` that of the adjoint. The certificate and the
-///                           area that stays are those of the `well_shaped_faces()`}
-///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good one}
-///     \cgalParamDefault{none: faces of area zero are refused}
+///     \cgalParamDescription{admits faces of any thinness, also of area zero: solves the equation
+///                           on the intrinsic Delaunay triangulation, and adds to all edges the
+///                           length that thin faces lack to form triangles, at most this share of
+///                           the mean length; to be used with `Exactness::adjoint`. Certificate and
+///                           preserved area refer to the `well_shaped_faces()`}
+///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good value}
+///     \cgalParamDefault{none: faces of area zero are rejected}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{branch}
-///     \cgalParamDescription{with directions: which singular vector of D - rho is taken}
+///     \cgalParamDescription{with directions: the singular vector of D - rho that is taken}
 ///     \cgalParamType{`Branch`}
 ///     \cgalParamDefault{`Branch::nearest`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
-///     \cgalParamDescription{of the error estimate of lambda}
+///     \cgalParamDescription{upper bound of the error estimate of lambda}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-8}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{how many the eigenvalue solver may take, in each substep}
+///     \cgalParamDescription{maximum number of iterations of the eigenvalue solver, per substep}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{200}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_substeps}
-///     \cgalParamDescription{in how many substeps a strong rho may be switched on}
+///     \cgalParamDescription{maximum number of substeps in which a strong rho is applied}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{64}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{of the second start vector of the eigenvalue solver}
+///     \cgalParamDescription{seed of the second start vector of the eigenvalue solver}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{watches the iterations and may cancel}
+///     \cgalParamDescription{is called after every iteration and may cancel}
 ///     \cgalParamType{a `std::reference_wrapper` of a model of `SpinVisitor`}
 ///     \cgalParamDefault{`Spin_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns the report, which converts to `true` if the equation was solved. Otherwise (no
-/// convergence, cancelled) nothing has been written.
+/// convergence, or cancelled) nothing has been written.
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
-/// finite coordinates and, without `mollification`, positive areas; if rho is not finite; if what
-/// is prescribed at the boundary does not fit it; or if `mollification` is not above 0 and below 1;
-/// the message names the element
+/// finite coordinates and, without `mollification`, positive areas; if rho is not finite; if the
+/// boundary data do not fit the boundary; or if `mollification` is not between 0 and 1. The message
+/// names the offending element
 /// \throw Solver_error if a factorization fails
 template <class TriangleMesh, class CurvaturePotentialMap,
           class NamedParameters = parameters::Default_named_parameters>

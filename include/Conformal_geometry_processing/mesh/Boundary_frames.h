@@ -19,14 +19,14 @@ namespace Conformal_geometry_processing {
 using Boundary_frame = Eigen::Matrix3d;
 
 /// \ingroup PkgMesh
-/// \brief the boundary of a surface, vertex after vertex, with a frame at each.
+/// \brief the boundary vertices of a surface in order, with a frame at each.
 ///
-/// T is the direction from the vertex before to the one after, the mean of the two edges weighted
-/// by their lengths: second order, where the outgoing edge alone would be first order and spoil the
+/// T is the direction from the previous to the next vertex, the mean of the two edges weighted by
+/// their lengths. It is second order; the outgoing edge alone would be first order and destroy the
 /// symmetry of the Dirac operator. N is the angle-weighted normal of the vertex, made orthogonal to
-/// T. Where an edge is so folded that T or N vanish, the frame holds zeros.
+/// T. If the boundary is folded so that T or N vanishes, the frame is zero.
 struct Boundary_frames {
-  std::vector<std::vector<int>> loops;  ///< as `boundary_loops()` returns them
+  std::vector<std::vector<int>> loops;  ///< see `boundary_loops()`
   std::vector<int> vertices;            ///< all of them, loop after loop
   std::vector<Boundary_frame> frames;   ///< one for each of `vertices`
 
@@ -36,7 +36,7 @@ struct Boundary_frames {
 };
 
 /// \ingroup PkgMesh
-/// the frame of a tangent and a normal, which need be neither unit vectors nor orthogonal
+/// the frame of a tangent and a normal, which need not be unit vectors or orthogonal
 Boundary_frame boundary_frame(const Eigen::Vector3d& tangent, const Eigen::Vector3d& normal);
 
 /// \ingroup PkgMesh

@@ -17,26 +17,26 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// \brief a surface as robust operators see it: functions are linear on the triangles of its
-/// intrinsic Delaunay triangulation, the tangent planes are those of the faces of the mesh.
+/// \brief the surface of robust operators: functions are linear on the triangles of the intrinsic
+/// Delaunay triangulation, and the tangent planes are those of the faces of the mesh.
 ///
-/// A model of `ConformalSurface`: each face that a triangle passes through is a `Sheet` of it.
-/// Where the mesh is Delaunay already, each triangle is a face of it, and its own only sheet. Cotan
-/// weights (`cotan_weights()`) are at least half the cotangent of 150 degrees, and not negative
-/// inside, but for the sides of caps.
+/// A model of `ConformalSurface`: each face that a triangle passes through is a `Sheet` of the
+/// triangle. If the mesh is Delaunay already, each triangle is a face with a single sheet. Cotan
+/// weights (`cotan_weights()`) are at least half the cotangent of 150 degrees, and in the interior
+/// not negative, except on the sides of caps.
 ///
-/// Faces may have area zero, and points may coincide: what the lengths of edges lack to form
-/// triangles is added to all (`mollified_lengths()`). O(|V| + |F|) as a rule; the number of sheets
-/// is that of the faces and a few for each flip, but quadratic in the worst case.
+/// Faces may have area zero, and points may coincide: the length that edges lack to form triangles
+/// is added to all edges (`mollified_lengths()`). Usually O(|V| + |F|); the number of sheets is
+/// that of the faces plus a few for each flip, but quadratic in the worst case.
 ///
-/// The edges of the boundary are never flipped. A cap along one (`boundary_caps()`) is two
-/// triangles, left and right of its height, of which both ends are the same vertex.
+/// Boundary edges are never flipped. A cap along one (`boundary_caps()`) is split into two
+/// triangles, left and right of its height, both ends of which are the same vertex.
 class Delaunay_view {
  public:
   /// \param mesh an oriented manifold with finite coordinates and more than one point
   /// \param mollification see `mollified_lengths()`
-  /// \param forms closed 1-forms of the mesh, |E| x k, to be taken along: three times their memory
-  /// for a while, and O(k) for every flip; empty: none
+  /// \param forms closed 1-forms of the mesh, |E| x k, to be transferred: temporarily needs three
+  /// times their memory, and O(k) for every flip; empty: none
   explicit Delaunay_view(const Mesh_view& mesh, double mollification = 1e-6,
                          const Eigen::MatrixXd& forms = {});
 
@@ -46,13 +46,13 @@ class Delaunay_view {
   const Points& positions() const { return m_positions; }
   Eigen::Vector3d position(int v) const { return m_positions.col(v); }
 
-  /// how many edges are not those of the mesh, or have been others meanwhile
+  /// number of edges that are not edges of the mesh, or were flipped away and back
   int number_of_flips() const { return m_flips; }
 
-  /// how many faces of the mesh had edges that formed no triangle, or nearly none
+  /// number of faces of the mesh whose edges formed no triangle, or nearly none
   int number_of_thin_faces() const { return m_thin_faces; }
 
-  /// what was added to the length of every edge therefore
+  /// the length that was added to every edge to form triangles
   double added_length() const { return m_added_length; }
 
   /// ordered by triangle
@@ -62,33 +62,35 @@ class Delaunay_view {
 
   int size_of_edges() const { return static_cast<int>(m_ends.size()); }
 
-  /// the vertices that edge k joins, the smaller number first; they may be the same, or those of
+  /// the vertices that edge k joins, the smaller number first; they may coincide, or be those of
   /// another edge
   const std::array<int, 2>& ends(int k) const { return m_ends[index(k)]; }
 
-  /// those of all edges
+  /// the ends of all edges
   const std::vector<std::array<int, 2>>& ends() const { return m_ends; }
 
-  /// the forms along the edges, `size_of_edges()` x k
+  /// the transferred forms along the edges, `size_of_edges()` x k
   const Eigen::MatrixXd& forms() const { return m_forms; }
 
-  /// of the mesh
+  /// the boundary loops of the mesh
   const std::vector<std::vector<int>>& boundary_loops() const { return m_loops; }
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  /// Numbers the edges that are left without the long edges of caps; returns the number of the edge
-  /// of each halfedge, -1 of those.
+  /// Numbers the edges without the long edges of caps; returns the number of the edge of each
+  /// halfedge, -1 for the long edges of caps.
   std::vector<int> number_edges(const Intrinsic_triangulation& triangles,
                                 const std::vector<int>& caps, const Transported_forms& forms);
 
-  /// \param cap the halfedge opposite the angle of a cap, or -1 \param edges of all halfedges
+  /// \param cap the halfedge opposite the angle of a cap, or -1
+  /// \param edges of all halfedges
   void add_face(const Intrinsic_triangulation& triangles, int t, int cap,
                 const std::vector<int>& edges,
                 const std::vector<Common_subdivision::Piece>& pieces);
 
-  /// \param triangle with corners, edges and area \param p the corners in its plane
+  /// \param triangle with corners, edges and area
+  /// \param p the corners in its plane
   void add_triangle(Sheet triangle, const Eigen::Matrix<double, 2, 3>& p,
                     const std::vector<Common_subdivision::Piece>& pieces);
 
@@ -103,7 +105,7 @@ class Delaunay_view {
 };
 
 /// \ingroup PkgMesh
-/// those of the mesh
+/// the boundary loops of the mesh
 inline const std::vector<std::vector<int>>& boundary_loops(const Delaunay_view& view)
 {
   return view.boundary_loops();

@@ -65,8 +65,8 @@ CGP_INLINE std::vector<int> Delaunay_view::number_edges(const Intrinsic_triangul
   return edges;
 }
 
-// The halves of a cap meet in its height, which joins the apex with itself and has no number. Both
-// other edges of a half are the side of the cap: the foot of the height is the apex, too.
+// The halves of a cap share its height, which joins the apex with itself and has no number. Both
+// other edges of a half are the side of the cap, because the foot of the height is also the apex.
 CGP_INLINE void Delaunay_view::add_face(const Intrinsic_triangulation& triangles, int t, int cap,
                                         const std::vector<int>& edges,
                                         const std::vector<Common_subdivision::Piece>& pieces)
@@ -75,7 +75,7 @@ CGP_INLINE void Delaunay_view::add_face(const Intrinsic_triangulation& triangles
   p << triangles.apex_in_plane(3 * t), Eigen::Vector2d::Zero(),
       Eigen::Vector2d(triangles.length(3 * t), 0);
   Sheet whole{};
-  whole.vectors.setZero();  // those of a sheet come with its face
+  whole.vectors.setZero();  // the vectors of a sheet depend on its face
   for (int c = 0; c < 3; ++c) {
     whole.corners[index(c)] = triangles.apex(3 * t + c);
     whole.edges[index(c)] = edges[index(3 * t + c)];

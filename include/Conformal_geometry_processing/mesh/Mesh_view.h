@@ -20,15 +20,15 @@ namespace Conformal_geometry_processing {
 using Points = Eigen::Matrix3Xd;
 
 /// \ingroup PkgMesh
-/// \brief a triangle mesh as flat arrays: what every kernel of the library reads.
+/// \brief a triangle mesh as flat arrays: the input of all kernels of the library.
 ///
 /// Vertices, edges and faces are numbered from 0 without gaps. Corner c of face f is the vertex
 /// `corners(f)[c]`; the halfedge h = 3 f + c runs along the edge *opposite* that corner, from
 /// corner c + 1 to corner c + 2, as the edges e_j of [CGP (5.1)] do. Faces are oriented counter-
-/// clockwise seen from outside. Coordinates are `double` whatever the kernel of the mesh was.
+/// clockwise seen from outside. Coordinates are `double` for every kernel of the mesh.
 ///
-/// Made by `Graph_view` from any CGAL mesh, or directly from arrays. The constructor does not
-/// check; `mesh/requirements.h` does, and names the offending element. O(|V| + |F|).
+/// `Graph_view` makes it from any CGAL mesh; it can also be made from arrays. The constructor does
+/// not check its input; `mesh/requirements.h` does, and names the offending element. O(|V| + |F|).
 /// A model of `ConformalSurface`.
 class Mesh_view {
  public:
@@ -36,7 +36,8 @@ class Mesh_view {
 
   Mesh_view() = default;
 
-  /// \param positions 3 x |V| \param corners the vertices of each face, counter-clockwise
+  /// \param positions 3 x |V|
+  /// \param corners the vertices of each face, counter-clockwise
   /// \pre every index is in [0, |V|)
   Mesh_view(Points positions, Corners corners);
 
@@ -48,7 +49,7 @@ class Mesh_view {
   const Points& positions() const { return m_positions; }
   Eigen::Vector3d position(int v) const { return m_positions.col(v); }
 
-  /// the same connectivity with other positions, 3 x |V|
+  /// sets other positions, 3 x |V|, with the same connectivity
   void set_positions(Points positions) { m_positions = std::move(positions); }
 
   const Corners& corners() const { return m_corners; }
@@ -66,7 +67,7 @@ class Mesh_view {
   /// the vector along halfedge h
   Eigen::Vector3d vector(int h) const { return position(to(h)) - position(from(h)); }
 
-  /// the halfedge of the neighbouring face along the same edge, -1 at the boundary
+  /// the opposite halfedge in the neighbouring face, -1 at the boundary
   int twin(int h) const { return m_twins[index(h)]; }
 
   /// the number of the edge of halfedge h
@@ -75,21 +76,21 @@ class Mesh_view {
   /// the ends i < j of edge k, which is oriented i -> j; edges are sorted by (i, j)
   const std::array<int, 2>& ends(int k) const { return m_ends[index(k)]; }
 
-  /// those of all edges
+  /// the ends of all edges
   const std::vector<std::array<int, 2>>& ends() const { return m_ends; }
 
-  /// the halfedges along edge k: two opposite ones inside, one at the boundary, more where the
-  /// mesh is not a manifold
+  /// the halfedges along edge k: two opposite ones in the interior, one at the boundary, more where
+  /// the mesh is not a manifold
   const int* halfedges_begin(int k) const { return m_halfedges.data() + m_first[index(k)]; }
   const int* halfedges_end(int k) const { return m_halfedges.data() + m_first[index(k) + 1]; }
 
-  /// e_0 x e_1 of face f: the outward normal, as long as twice the area
+  /// e_0 x e_1 of face f: the outward normal with twice the area as length
   Eigen::Vector3d double_area_vector(int f) const { return double_area_vector(f, m_positions); }
 
-  /// the same for other positions of the vertices, 3 x |V|
+  /// e_0 x e_1 of face f for other positions of the vertices, 3 x |V|
   Eigen::Vector3d double_area_vector(int f, const Points& positions) const;
 
-  /// as a `ConformalSurface`: each face is a triangle, with one sheet
+  /// for `ConformalSurface`: each face is a triangle with one sheet
   int size_of_sheets() const { return size_of_faces(); }
   Sheet sheet(int f) const;
 

@@ -43,8 +43,8 @@ CGP_INLINE Sheet Mesh_view::sheet(int f) const
   return sheet;
 }
 
-// Buckets the halfedges by their lower end, sorts each bucket by the higher one: no hash map,
-// and a numbering that depends on nothing but the faces.
+// Buckets the halfedges by their lower end and sorts each bucket by the higher end. This needs no
+// hash map, and the numbering depends only on the faces.
 CGP_INLINE void Mesh_view::find_edges()
 {
   std::vector<int> bucket(index(size_of_vertices()) + 1, 0);

@@ -14,15 +14,16 @@ namespace Conformal_geometry_processing {
 /// every operator, see `ConformalSurface`.
 ///
 /// Functions on the vertices are linear on the triangle; the tangent plane is that of the face. A
-/// triangle that passes through several faces has a sheet for each, with the share of its area
-/// that lies in the face.
+/// triangle that passes through several faces has one sheet in each, with the share of its area
+/// that lies in the face. that lies in the face.
 struct Sheet {
   std::array<int, 3> corners;  ///< vertices, counter-clockwise; one may occur twice
   std::array<int, 3> edges;    ///< the edge opposite each corner, -1 if it has no number
   int triangle;                ///< of the surface; sheets are ordered by it
   int face;                    ///< of the mesh
   double area;                 ///< of the triangle
-  double share;                ///< of the area that lies in the face; they add up to 1
+  double share;                ///< of the area that lies in the face; the shares of a triangle add
+                               ///< up to 1
   Eigen::Matrix3d vectors;     ///< column c: from corner c + 1 to corner c + 2, in the face's plane
 };
 

@@ -20,8 +20,9 @@ namespace Conformal_geometry_processing {
 /// \brief a reference to any model of `ConformalSurface`: the parameter type of the operators,
 /// which are compiled once for all models.
 ///
-/// Converts from `Mesh_view`, `Delaunay_view` or a model of your own. As cheap to copy as three
-/// pointers; a sheet costs one indirect call. The surface must outlive the reference.
+/// Converts from `Mesh_view`, `Delaunay_view` or a user-defined model. Copying costs as much as
+/// copying three pointers; accessing a sheet costs one indirect call. The surface must outlive the
+/// reference.
 class Surface_ref {
  public:
   template <class Surface, class = decltype(std::declval<const Surface&>().sheet(0).share),
@@ -37,7 +38,7 @@ class Surface_ref {
   Eigen::Vector3d position(int v) const { return m_positions->col(v); }
   int size_of_vertices() const { return static_cast<int>(m_positions->cols()); }
 
-  /// faces of the mesh
+  /// number of faces of the mesh
   int size_of_faces() const { return m_functions->size_of_faces(m_surface); }
 
   int size_of_edges() const { return static_cast<int>(m_ends->size()); }
@@ -48,7 +49,7 @@ class Surface_ref {
   int size_of_sheets() const { return m_functions->size_of_sheets(m_surface); }
   Sheet sheet(int i) const { return m_functions->sheet(m_surface, i); }
 
-  /// as `boundary_loops()` returns them
+  /// see `boundary_loops()`
   std::vector<std::vector<int>> loops() const { return m_functions->loops(m_surface); }
 
  private:
@@ -79,7 +80,7 @@ class Surface_ref {
 };
 
 /// \ingroup PkgMesh
-/// those of the surface that is referred to
+/// the boundary loops of the referenced surface
 inline std::vector<std::vector<int>> boundary_loops(const Surface_ref& surface)
 {
   return surface.loops();

@@ -9,10 +9,10 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgMesh
-/// how much each incident face contributes to the normal of a vertex
+/// the weight of each incident face in the normal of a vertex
 enum class Normal_weight {
   area,    ///< its area: the sum is the gradient of the enclosed volume
-  angle,   ///< its angle at the vertex: does not depend on how a flat region is triangulated
+  angle,   ///< its angle at the vertex: independent of the triangulation of flat regions
   uniform  ///< 1
 };
 

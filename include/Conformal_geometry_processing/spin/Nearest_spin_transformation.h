@@ -80,7 +80,7 @@ class Nearest_spin_transformation {
   /// the change of curvature by the target spins, in 1/length, on faces
   const Curvature_potential& potential() const { return m_rho; }
 
-  /// see `make_consistent()`
+  /// number of sign conflicts, see `make_consistent()`
   int sign_conflicts() const { return m_conflicts; }
 
   /// \brief the conformal deformation.
