@@ -62,7 +62,9 @@ TEST(Nearest_spin_transform_of_a_Surface_mesh, gives_a_boundary_the_binormals_if
   Surface mesh = to_cgal_mesh<Surface>(disk(6));
   const Mesh_view before = view_of(mesh);
   const auto target = point_map(mesh, stretched(before));
-  CGP::Nearest_spin_transformation<> near(before, stretched(before), "test", {0, 0, 1});
+  CGP::Nearest_spin_options options;
+  options.direction = {0, 0, 1};
+  CGP::Nearest_spin_transformation<> near(before, stretched(before), "test", options);
   const auto expected = near.transform();
   ASSERT_TRUE(CGP::nearest_spin_transform(
       mesh, target, CGP::parameters::boundary_direction(CGP::Boundary_direction{0, 0, 1})));

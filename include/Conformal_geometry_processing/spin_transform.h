@@ -166,7 +166,7 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDescription{admits faces of any thinness, also of area zero: solves the equation
 ///                           on the intrinsic Delaunay triangulation, and adds to all edges the
 ///                           length that thin faces lack to form triangles, at most this share of
-///                           the mean length; to be used with `Exactness::adjoint`. Certificate and
+///                           the mean length. Certificate and
 ///                           preserved area refer to the `well_shaped_faces()`}
 ///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good value}
 ///     \cgalParamDefault{none: faces of area zero are rejected}
