@@ -181,8 +181,10 @@ TEST(Spin_transform_with_mollification, takes_the_faces_of_area_zero_that_are_re
   const auto rho = map_of([&](Vertex v) { return values[static_cast<int>(v)]; });
   const CGP::Spin_report report = CGP::spin_transform(mesh, rho, params::mollification(1e-6));
   EXPECT_TRUE(report);
+  CGP::Spin_transformation_options options;
+  options.mollification = 1e-6;
   const CGP::Spin_result expected =
-      CGP::Robust_spin_transformation<>(view).transform(Curvature_potential::on_vertices(values));
+      CGP::Spin_transformation<>(view, options).transform(Curvature_potential::on_vertices(values));
   EXPECT_NEAR(report.eigenvalue, expected.report.eigenvalue, 1e-9);
   EXPECT_LT(greatest_distance(view_of(mesh).positions(), expected.positions), 1e-9);
 }
@@ -196,9 +198,10 @@ TEST(Spin_transform_with_mollification, takes_handles_and_boundaries)
     const CGP::Spin_report report = CGP::spin_transform(mesh, rho, params::mollification(1e-6));
     EXPECT_TRUE(report);
     EXPECT_GT(report.mollification.thin_faces, 0);
-    const CGP::Spin_result expected =
-        CGP::Robust_closing_spin_transformation<>(view, {}, {}, 1e-6, "test")
-            .transform(Curvature_potential::on_vertices(values / 4));
+    CGP::Spin_transformation_options options;
+    options.mollification = 1e-6;
+    const CGP::Spin_result expected = CGP::Spin_transformation<>(view, options)
+                                          .transform(Curvature_potential::on_vertices(values / 4));
     EXPECT_NEAR(report.missing_share, expected.report.missing_share, 1e-9);
     EXPECT_LT(greatest_distance(view_of(mesh).positions(), expected.positions), 1e-9);
   }

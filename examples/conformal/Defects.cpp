@@ -115,7 +115,7 @@ void find_geometrical(const Surface_input& input, Defects& found)
       defects, mesh.size_of_faces(), [&](int f) { return is_flat(mesh, f); },
       [&](int f) { return name_of_face(input, f); }, "face", " of area zero",
       std::string(input.repair ? "" : "--repair, which mends most of them, or ") +
-          "conformal spin --mollify, which takes them as they are");
+          "--mollify of spin, flow and fit, which takes them as they are");
 }
 
 }  // namespace

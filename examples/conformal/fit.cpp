@@ -100,7 +100,8 @@ void fit(const Fit_options& options, Session& session)
   require_writable(session.options().output);
   const Surface_input input =
       read_suitable_surface(options.spin.input, session, flat_faces(options.spin.mollification));
-  const CGP::Mesh_view target = read_surface_like(input, options.target).mesh;
+  const CGP::Mesh_view target =
+      read_surface_like(input, options.target, flat_faces(options.spin.mollification)).mesh;
   note_repaired_alike(input, {options.target}, session);
   const CGP::Boundary_condition boundary = boundary_of(input, target, options.boundary);
   const Fit_problem problem{target.positions(), scale_factors(input, options.scale),

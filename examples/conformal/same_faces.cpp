@@ -82,13 +82,16 @@ void note_repaired_alike(const Surface_input& first, const std::vector<std::stri
                    ", each vertex and face as the one of the same number there");
 }
 
-Surface_input read_surface_like(const Surface_input& first, const std::string& path)
+Surface_input read_surface_like(const Surface_input& first, const std::string& path,
+                                Flat_faces flat_faces)
 {
   Surface_input second = first;
   second.file = read_file_like(first, path);
   second.mesh.set_positions(positions_in(first, second.file));
   const Defects defects = find_defects(second);
-  if (!defects.of_geometry.empty()) throw unsuitable(path, defects.of_geometry.front());
+  const bool is_flat_only = defects.has_area && flat_faces == Flat_faces::allowed;
+  if (!defects.of_geometry.empty() && !is_flat_only)
+    throw unsuitable(path, defects.of_geometry.front());
   return second;
 }
 

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_SAME_FACES_H
 #define CONFORMAL_SAME_FACES_H
 
+#include "Defects.h"
 #include "Session.h"
 #include "Surface_input.h"
 
@@ -30,8 +31,9 @@ void note_repaired_alike(const Surface_input& first, const std::vector<std::stri
 
 /// \brief Reads a surface with the faces of another one, like `read_file_like()`: the second input
 /// of commands for which angles and areas matter.
-/// \throws Failure also if a face has area zero
-Surface_input read_surface_like(const Surface_input& first, const std::string& path);
+/// \throws Failure also if a face has area zero and that is not allowed
+Surface_input read_surface_like(const Surface_input& first, const std::string& path,
+                                Flat_faces flat_faces = Flat_faces::refused);
 
 }  // namespace conformal
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "flow_tools.h"
 #include "support/bounded_meshes.h"
 #include "support/thin_faces.h"
@@ -99,4 +101,38 @@ TEST(Conformal_willmore_flow_mollified, can_be_filtered_and_balanced)
   const CGP::Flow_report report = flow.run();
   EXPECT_TRUE(report);
   EXPECT_LT(report.energy, report.initial_energy);
+}
+
+TEST(Conformal_willmore_flow_mollified, flattens_a_sheet_with_a_cap_at_its_boundary)
+{
+  const Mesh_view clean = mapped(disk(6), [](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(p.x(), p.y(), .1 * std::sin(3 * p.x()));
+  });
+  int h = 0;  // a halfedge at the boundary
+  while (clean.twin(h) >= 0) ++h;
+  Points p(3, clean.size_of_vertices() + 1);
+  Corners corners = clean.corners();
+  const int cap = Mesh_view::face(h);
+  const std::array<int, 3> v = {clean.from(h), clean.to(h), corners[at(cap)][at(h % 3)]};
+  const int apex = clean.size_of_vertices();
+  p << clean.positions(), (clean.position(v[0]) + clean.position(v[1])) / 2;
+  corners[at(cap)] = {v[0], v[1], apex};
+  corners.push_back({v[1], v[2], apex});
+  corners.push_back({v[2], v[0], apex});
+  CGP::Conformal_willmore_flow<> flow(Mesh_view(p, corners), mollified(3));
+  const CGP::Flow_report report = flow.run();
+  EXPECT_TRUE(report);
+  EXPECT_LT(report.energy, .05 * report.initial_energy);
+}
+
+TEST(Conformal_willmore_flow_mollified, does_not_depend_on_scale)
+{
+  const Mesh_view mesh = with_thin_faces(bumpy_sphere(1), 0);
+  for (const double scale : {1e-100, 1e90}) {
+    CGP::Conformal_willmore_flow<> flow(scaled(mesh, scale), mollified(2)),
+        expected(mesh, mollified(2));
+    EXPECT_TRUE(flow.run());
+    EXPECT_TRUE(expected.run());
+    EXPECT_NEAR(flow.energy(), expected.energy(), 1e-6 * expected.energy());
+  }
 }

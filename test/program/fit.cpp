@@ -59,6 +59,8 @@ TEST_F(Fit, keeps_handles_closed_and_takes_faces_of_area_zero_with_mollify)
     EXPECT_LT(mean_error(report), 1.03);
   }
   EXPECT_TRUE(fails(run("fit a.off t.off -o b.ply"), 4, "area zero"));
+  ASSERT_EQ(run("fit a.off a.off --mollify -o b.ply --json b.json").code, 0);
+  EXPECT_LT(mean_error(json("b.json")), 1.001);
 }
 
 TEST_F(Fit, of_a_conformal_target_is_the_target)

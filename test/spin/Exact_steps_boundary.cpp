@@ -85,6 +85,24 @@ TEST(Exact_steps_with_boundary, does_not_shear_an_annulus)
   }
 }
 
+TEST(Spin_transformation_with_boundary, is_as_before_if_new_positions_fold_the_boundary)
+{
+  const Mesh_view mesh = bumpy_annulus(4);
+  CGP::Spin_transformation<> transformation(mesh, {Boundary_condition::binormals()});
+  const CGP::Spin_result expected = transformation.transform(wave(mesh, .5));
+  const CGP::Boundary_frames b = CGP::boundary_frames(mesh);
+  Points folded = mesh.positions();
+  folded.col(b.loops[0][1]) = folded.col(b.loops[0][3]) * .999 + folded.col(b.loops[0][2]) * .001;
+  folded.col(b.loops[0][3]) = mesh.position(b.loops[0][1]);
+  try {
+    transformation.set_positions(folded);
+  } catch (const CGP::Precondition_error&) {
+    EXPECT_EQ(transformation.positions(), mesh.positions());
+  }
+  transformation.set_positions(mesh.positions());
+  EXPECT_EQ(transformation.transform(wave(mesh, .5)).positions, expected.positions);
+}
+
 TEST(Exact_steps_with_boundary, tell_the_error_of_directions_from_end_to_end)
 {
   const Mesh_view mesh = bumpy_annulus(6);

@@ -16,6 +16,7 @@
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -137,6 +138,7 @@ class Conformal_willmore_flow {
   enum class Verdict { good, rises_slightly, bad, cancelled };
 
   double energy_of(const Mesh_view& mesh) const;
+  static Mesh_view in_frame(const Mesh_view& mesh);  ///< of unit size
   static Spin_transformation_options transformation_options(const Flow_options& options);
 
   /// the part of the initial mesh on which distortion is measured

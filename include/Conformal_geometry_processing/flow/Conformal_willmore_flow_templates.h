@@ -31,7 +31,9 @@ Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::Conformal_w
       m_energy(energy_of(mesh)),
       m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step))
 {
-  if (options.mollification) m_well_shaped = well_shaped_faces(m_initial);
+  if (!options.mollification) return;
+  m_well_shaped = well_shaped_faces(in_frame(m_initial));
+  m_well_shaped->mesh.set_positions(m_initial.positions());
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
@@ -52,7 +54,16 @@ double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::ener
 {
   const Direction& direction = m_direction.unconstrained();
   if (!m_options.mollification) return internal::energy_of(direction, mesh, mesh);
-  return internal::energy_of(direction, mesh, Delaunay_view(mesh, *m_options.mollification));
+  return internal::energy_of(direction, mesh,
+                             Delaunay_view(in_frame(mesh), *m_options.mollification));
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+Mesh_view Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::in_frame(
+    const Mesh_view& mesh)
+{
+  const Points& positions = mesh.positions();
+  return {Normalized_frame(positions).to_frame(positions), mesh.corners()};
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>

@@ -32,12 +32,14 @@ struct Willmore_direction {
 
 namespace internal {
 
-template <class Direction, class = void>
+template <class Direction, class Surface = Mesh_view, class = void>
 struct Has_energy : std::false_type {};
 
-template <class Direction>
-struct Has_energy<Direction, std::void_t<decltype(std::declval<const Direction&>().energy(
-                                 std::declval<const Mesh_view&>()))>> : std::true_type {};
+template <class Direction, class Surface>
+struct Has_energy<
+    Direction, Surface,
+    std::void_t<decltype(std::declval<const Direction&>().energy(std::declval<const Surface&>()))>>
+    : std::true_type {};
 
 /// whether a direction is defined on any surface, not only on meshes
 template <class Direction>
@@ -59,7 +61,7 @@ Eigen::VectorXd direction_of(const Direction& direction, const Mesh_view& mesh,
 template <class Direction>
 double energy_of(const Direction& direction, const Mesh_view& mesh, const Surface_ref& surface)
 {
-  if constexpr (Has_energy<Direction>::value && is_for_surfaces<Direction>)
+  if constexpr (Has_energy<Direction, Surface_ref>::value)
     return direction.energy(surface);
   else if constexpr (Has_energy<Direction>::value)
     return direction.energy(mesh);

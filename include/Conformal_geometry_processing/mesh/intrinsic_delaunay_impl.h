@@ -14,7 +14,8 @@ CGP_INLINE bool is_delaunay(const Intrinsic_triangulation& triangles, int h)
 {
   const double pi = std::acos(-1.), tolerance = 1e-10;
   const int t = triangles.twin(h);
-  return t < 0 || triangles.angle(h) + triangles.angle(t) <= pi + tolerance;
+  // Written so that what is not a number is never flipped.
+  return t < 0 || !(triangles.angle(h) + triangles.angle(t) > pi + tolerance);
 }
 
 CGP_INLINE int flip_to_delaunay(Intrinsic_triangulation& triangles)

@@ -50,6 +50,13 @@ CGP_INLINE std::vector<char> without_curvature(const Surface_ref& surface,
       const int v = surface.ends(k)[end == 0], u = surface.ends(k)[end == 1];
       if (areas[v] < 1e-3 * areas[u]) is_without[static_cast<std::size_t>(v)] = 1;
     }
+  // The apex of a cap at the boundary: its triangle is two, between which the boundary runs now.
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    for (std::size_t c = 0; c < 3; ++c)
+      if (sheet.corners[c] == sheet.corners[(c + 1) % 3])
+        is_without[static_cast<std::size_t>(sheet.corners[c])] = 1;
+  }
   return is_without;
 }
 

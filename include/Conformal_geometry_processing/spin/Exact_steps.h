@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACT_STEPS_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
@@ -34,6 +35,9 @@ class Exact_steps {
  private:
   void go_all_the_way(const Dirac_options& options, const Go_further& go_further, Spin_result& all);
 
+  /// the part of the missing rho that keeps the edges exact; none if the surface has none any more
+  std::optional<Eigen::VectorXd> exact_part(bool has_moved);
+
   /// \brief tries `step` times v and smaller steps until one is accepted.
   /// \returns nothing if no step of at least the minimal size is accepted, or the visitor cancels
   std::optional<Spin_result> largest_step(const Eigen::VectorXd& v, const Dirac_options& options,
@@ -58,6 +62,7 @@ class Exact_steps {
 
   Transformation& m_transformation;
   const Spin_transformation_options& m_options;
+  Normalized_frame m_frame;       // of the first surface
   Mesh_view m_before;             // on which the whole path is measured
   Curvature_potential m_missing;  // remaining rho, on the present surface
   Eigen::VectorXd m_left_out;     // part of rho that cannot be realised

@@ -24,7 +24,8 @@ Exact_steps<Transformation>::Exact_steps(Transformation& transformation,
                                          const Spin_transformation_options& options)
     : m_transformation(transformation),
       m_options(options),
-      m_before(transformation.positions(), transformation.domain().measured().corners()),
+      m_frame(transformation.domain().frame()),
+      m_before(transformation.domain().measured()),
       m_missing(rho),
       m_left_out(Eigen::VectorXd::Zero(rho.values.size())),
       m_areas(areas())
@@ -44,9 +45,10 @@ Spin_result Exact_steps<Transformation>::run(const Dirac_options& options,
   all.report.reached = 0;
   go_all_the_way(options, go_further, all);
   if (all.report.steps > 0) {  // each step keeps the area of its own faces
-    all.positions = m_transformation.positions();
-    restore_area(m_before, all.positions, all.lambda);
-    certify(m_before, all.positions, all.lambda, all.report);
+    Points f = m_frame.to_frame(m_transformation.positions());
+    restore_area(m_before, f, all.lambda);
+    all.positions = m_frame.from_frame(f);
+    certify(m_before, m_frame.to_frame(all.positions), all.lambda, all.report);
     measure_directions(all.report);
   }
   if (wanted > 0) all.report.missing_share = norm(m_left_out + m_missing.values) / wanted;
@@ -58,8 +60,9 @@ void Exact_steps<Transformation>::go_all_the_way(const Dirac_options& options,
                                                  const Go_further& go_further, Spin_result& all)
 {
   for (double step = 1; step > 0;) {
-    const Eigen::VectorXd v =
-        m_transformation.exactness(m_missing.on).basis().project_out(m_missing.values);
+    const std::optional<Eigen::VectorXd> exact = exact_part(all.report.steps > 0);
+    if (!exact) return;
+    const Eigen::VectorXd& v = *exact;
     const double rest = 1 - all.report.reached;
     const std::optional<Spin_result> next =
         largest_step(v / rest, options, go_further, all.report, step);
@@ -72,6 +75,18 @@ void Exact_steps<Transformation>::go_all_the_way(const Dirac_options& options,
     step = next_step(step, next->report.period_defect, 1 - all.report.reached);
   }
   all.report.reached = 1;  // up to rounding
+}
+
+// A surface that has degenerated so far that its forms are dependent ends the way.
+template <class Transformation>
+std::optional<Eigen::VectorXd> Exact_steps<Transformation>::exact_part(bool has_moved)
+{
+  try {
+    return m_transformation.exactness(m_missing.on).basis().project_out(m_missing.values);
+  } catch (const Precondition_error&) {
+    if (!has_moved) throw;
+    return std::nullopt;
+  }
 }
 
 template <class Transformation>

@@ -10,6 +10,7 @@
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/boundary_fault.h>
 #include <Conformal_geometry_processing/spin/certify.h>
+#include <Conformal_geometry_processing/spin/require_condition.h>
 #include <Conformal_geometry_processing/spin/require_potential.h>
 #include <Conformal_geometry_processing/spin/restore_area.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
@@ -56,10 +57,20 @@ void Spin_transformation<SolverTraits, EigensolverTraits>::set_positions(const P
     m_stage = std::make_unique<Stage>(moved, *this);
     return;
   }
-  m_stage->domain.set_positions(positions);
-  m_stage->system.update_geometry();
-  m_stage->is_poisson_old = true;
-  m_stage->exactness.reset();
+  const Points before = this->positions();
+  const auto move = [this](const Points& p) {
+    m_stage->domain.set_positions(p);
+    m_stage->is_poisson_old = true;
+    m_stage->exactness.reset();
+    require_condition(domain().surface(), m_options.boundary, m_function);
+    system().update_geometry();
+  };
+  try {
+    move(positions);
+  } catch (...) {
+    move(before);
+    throw;
+  }
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -101,12 +112,15 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
   require_potential(rho);
   if (!m_options.exactness || !has_loops()) return step(rho, options, go_further);
   const Points home = positions();
+  const auto go_home = [&] {
+    if (positions() != home) set_positions(home);
+  };
   try {
     Spin_result result = internal::Exact_steps(*this, rho, m_options).run(options, go_further);
-    set_positions(home);
+    go_home();
     return result;
   } catch (...) {
-    set_positions(home);
+    go_home();
     throw;
   }
 }

@@ -11,7 +11,8 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
 /// \brief the rho on faces that minimises (D - rho) mu in each face: Re(conjugate(B mu) D mu) / |B
-/// mu|^2 [CGP 6.3]; in 1/length. Zero where the mean B mu of a face vanishes.
+/// mu|^2 [CGP 6.3]; in 1/length. Zero where the mean B mu of a face vanishes,
+/// or its area is below a millionth of the mean one.
 ///
 /// If mu solves a Dirac equation, the result is rho + gamma of that equation.
 /// \param mu |V|

@@ -15,7 +15,8 @@ namespace Conformal_geometry_processing {
 CGP_INLINE Curvature_potential curvature_of_spins(const Surface_ref& surface,
                                                   const Quaternion_vector<double>& mu)
 {
-  Eigen::VectorXd products = Eigen::VectorXd::Zero(surface.size_of_faces()), squares = products;
+  Eigen::VectorXd products = Eigen::VectorXd::Zero(surface.size_of_faces()), squares = products,
+                  areas = products;
   for (int s = 0; s < surface.size_of_sheets(); ++s) {
     const Sheet sheet = surface.sheet(s);
     Quaternion<double> average, image;  // B mu, and M D mu
@@ -26,10 +27,11 @@ CGP_INLINE Curvature_potential curvature_of_spins(const Surface_ref& surface,
       image -= imaginary(e) * l;
     }
     products[sheet.face] += sheet.share * dot(average, image);
+    areas[sheet.face] += sheet.share * sheet.area;
     squares[sheet.face] += sheet.share * sheet.area * squared_norm(average);
   }
-  return Curvature_potential::on_faces(
-      (squares.array() > 0).select(products.cwiseQuotient(squares), 0));
+  return Curvature_potential::on_faces((squares.array() > 0 && areas.array() > 1e-6 * areas.mean())
+                                           .select(products.cwiseQuotient(squares), 0));
 }
 
 }  // namespace Conformal_geometry_processing
