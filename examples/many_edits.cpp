@@ -63,7 +63,8 @@ int main(int argc, char* argv[])
           transformation.transform({CGP::Curvature_potential::On::vertices, bands});
       if (!result.report) return EXIT_FAILURE;
       std::cout << strength << ": mean quasi-conformal error "
-                << result.report.conformality.quasi_conformal.mean << ", " << factorizations
+                << result.report.conformality.quasi_conformal.mean << ", closure "
+                << result.report.closure_residual << ", " << factorizations
                 << " factorizations so far\n";
       positions = result.positions;
     }
