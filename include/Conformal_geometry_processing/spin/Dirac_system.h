@@ -96,7 +96,7 @@ class Dirac_system {
   void set_potential(const Curvature_potential& rho, const Eigen::VectorXd& shift,
                      Dirac_evidence::Seconds& seconds);
 
-  /// the shift of the last factorization by `set_potential()`, as a multiple of M_V
+  /// the shift of the last `set_potential()` with a share, as a multiple of M_V
   double shift() const { return m_shift; }
 
   /// \brief solves (X + shift) x = b in the space.
