@@ -16,7 +16,7 @@ namespace {
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_benchmark;
 
-CGP::Curve_flow_options options_with(CGP::Curve_closing closing)
+CGP::Curve_flow_options options_with(CGP::Curve_flow_options::Closing closing)
 {
   CGP::Curve_flow_options options;
   options.time_step = 0.1;
@@ -49,7 +49,7 @@ double seconds_of_sines(const Eigen::VectorXd& angles)
 
 // A step of the first ten of a figure eight, the mean of the fastest run: where the flow moves most
 // and closing takes its iterations.
-void steps_of_a_curve(benchmark::State& state, CGP::Curve_closing closing)
+void steps_of_a_curve(benchmark::State& state, CGP::Curve_flow_options::Closing closing)
 {
   const auto m = static_cast<int>(state.range(0));
   const Eigen::Matrix2Xd points = cgp_test::figure_eight(m);
@@ -75,11 +75,11 @@ void steps_of_a_curve(benchmark::State& state, CGP::Curve_closing closing)
 
 static void curve_flow(benchmark::State& state)
 {
-  steps_of_a_curve(state, CGP::Curve_closing::exact);
+  steps_of_a_curve(state, CGP::Curve_flow_options::Closing::exact);
 }
 static void curve_flow_least_squares(benchmark::State& state)
 {
-  steps_of_a_curve(state, CGP::Curve_closing::least_squares);
+  steps_of_a_curve(state, CGP::Curve_flow_options::Closing::least_squares);
 }
 
 #define CURVE_BENCHMARK(name)                                                                    \

@@ -13,8 +13,8 @@ static void eigenpair(benchmark::State& state)
 {
   using namespace cgp_benchmark;
   const Mesh_view mesh = mesh_of(state);
-  CGP::Dirac_system<> system(mesh);
-  CGP::Dirac_evidence::Seconds seconds;
+  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_evidence::Seconds seconds;
   system.set_potential(potential_of(mesh), seconds);
   const auto one =
       CGP::Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0}).eval();
@@ -27,7 +27,8 @@ static void eigenpair(benchmark::State& state)
     CGP::Block<CGP::Quaternion<double>> start(one.size(), 2);
     start << one, system.noise(1, 0);
     result = CGP::Lobpcg_eigensolver_traits()(system.matrix(), system.areas(), system.solver(),
-                                              std::move(start), options, CGP::Always_go_further());
+                                              std::move(start), options,
+                                              CGP::internal::Always_go_further());
   });
   if (!result.converged) state.SkipWithError("no convergence");
   state.counters["eigen_iterations"] = result.iterations;

@@ -82,8 +82,8 @@ void judge(const Surface& mesh, const UV_map& uv, Record& record)
   for (int f = 0; f < view.size_of_faces(); ++f) area += view.double_area_vector(f, positions).z();
   upward.row(2).setConstant(area < 0 ? -1 : 1);
   const CGP::Conformality map = CGP::conformality(view, positions, upward);
-  const CGP::Distribution uniform = CGP::distribution(CGP::quasi_conformal_errors(view, positions),
-                                                      Eigen::VectorXd::Ones(view.size_of_faces()));
+  const CGP::internal::Distribution uniform = CGP::distribution(
+      CGP::quasi_conformal_errors(view, positions), Eigen::VectorXd::Ones(view.size_of_faces()));
   record.add("q_mean", map.quasi_conformal.mean).add("q_uniform", uniform.mean);
   record.add("q_p99", map.quasi_conformal.p99).add("q_max", map.quasi_conformal.max);
   record.add("cross_ratio", map.length_cross_ratio.rms).add("flips", map.flipped_faces);

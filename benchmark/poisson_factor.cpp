@@ -12,7 +12,7 @@ static void poisson_factor(benchmark::State& state)
 {
   using namespace cgp_benchmark;
   const Mesh_view mesh = mesh_of(state);
-  const CGP::Dirac_system<> system(mesh);
+  const CGP::internal::Dirac_system<> system(mesh);
   std::optional<CGP::Poisson_reconstruction<>> reconstruction;
   run_stage(state, mesh, [&] {
     reconstruction.emplace(mesh, system.matrix().shared_pattern(), system.solver());

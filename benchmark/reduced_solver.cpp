@@ -65,7 +65,7 @@ void factorization(benchmark::State& state)
 {
   const CGP::Mesh_view mesh = mesh_of(state);
   const cgp_test::Reduced_problem p = cgp_test::reduced_problem(mesh, 1);
-  const CGP::Reduced_basis<double> basis = p.basis();
+  const CGP::internal::Reduced_basis<double> basis = p.basis();
   CGP::Supernodal_cholesky<Quaternion> closed;
   Solver solver;
   if (closed.analyze_with_positions(p.X.pattern(), mesh.positions()) !=
@@ -98,11 +98,12 @@ void sizes(benchmark::internal::Benchmark* benchmark)
   benchmark->ArgNames({"n", "mesh"})->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 }
 
-BENCHMARK_TEMPLATE(factorization, CGP::Real_reduced_solver<>)->Apply(sizes);
-BENCHMARK_TEMPLATE(factorization, CGP::Schur_reduced_solver)->Apply(sizes);
+BENCHMARK_TEMPLATE(factorization, CGP::internal::Real_reduced_solver<>)->Apply(sizes);
+BENCHMARK_TEMPLATE(factorization, CGP::internal::Schur_reduced_solver)->Apply(sizes);
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
-BENCHMARK_TEMPLATE(factorization,
-                   CGP::Real_reduced_solver<CGP::Cholmod_hermitian_solver_traits::Solver<double>>)
+BENCHMARK_TEMPLATE(
+    factorization,
+    CGP::internal::Real_reduced_solver<CGP::Cholmod_hermitian_solver_traits::Solver<double>>)
     ->Apply(sizes);
 #endif
 

@@ -33,7 +33,7 @@ int main(int argc, char* argv[])
   }
   try {
     //! [spectrum]
-    const CGP::Dirac_spectrum spectrum = CGP::dirac_spectrum(mesh, count);
+    const auto spectrum = CGP::dirac_spectrum(mesh, count);
     for (const auto& [value, multiplicity] : CGP::with_multiplicities(spectrum.eigenvalues, 0.3))
       std::cout << value << "  " << multiplicity << '\n';
     //! [spectrum]

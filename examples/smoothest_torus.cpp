@@ -51,7 +51,7 @@ int main(int argc, char* argv[])
     const CGP::Mesh_view torus = CGP::torus_of_class(knobbly_torus, b, 1.3, 4);
     CGP::Flow_options options;
     options.time_step = .15;  // the class changes in proportion to it
-    options.balance = CGP::Balance::canonical;
+    options.balance = CGP::Flow_options::Balance::canonical;
     CGP::Conformal_willmore_flow<> flow(torus, options);
     const CGP::Flow_report report = flow.run();
 

@@ -34,7 +34,7 @@ int main(int argc, char* argv[])
     //! [film]
     auto binormals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:binormal").first;
     const CGP::Graph_view<Mesh> graph(mesh, CGP::parameters::default_values(), "soap_film_cmc");
-    const CGP::Boundary_frames frames = CGP::boundary_frames(graph.view());
+    const auto frames = CGP::boundary_frames(graph.view());
     const double turn = 2 * 3.14159265 / static_cast<double>(frames.vertices.size());
     for (std::size_t k = 0; k < frames.vertices.size(); ++k) {
       const double tilt = 0.8 * std::cos(4 * turn * static_cast<double>(k));  // from B to N

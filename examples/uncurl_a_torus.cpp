@@ -34,7 +34,8 @@ int main(int argc, char* argv[])
   try {
     //! [flow]
     const CGP::Flow_report report = CGP::conformal_willmore_flow(
-        mesh, CGP::parameters::number_of_iterations(20).balance(CGP::Balance::canonical));
+        mesh,
+        CGP::parameters::number_of_iterations(20).balance(CGP::Flow_options::Balance::canonical));
 
     for (const CGP::Flow_step_report& step : report.steps)
       std::cout << "step " << step.step << ": energy " << step.energy << ", loops open by "

@@ -21,15 +21,15 @@ using Point = CGAL::Simple_cartesian<double>::Point_2;
 
 /// draws the curve of every tenth step beside the one before
 struct Artist : CGP::Curve_flow_visitor {
-  void draw(const CGP::Plane_points& points)
+  void draw(const Eigen::Matrix2Xd& points)
   {
     picture << "<polygon transform=\"translate(" << offset << ")\" points=\"";
     for (const auto& p : points.colwise()) picture << p.x() << ',' << -p.y() << ' ';
     picture << "\"/>\n";
     offset += 4.4;
   }
-  void on_flow_begin(const CGP::Plane_points& points, double) { draw(points); }
-  void on_step_end(const CGP::Curve_step_report& report, const CGP::Plane_points& points)
+  void on_flow_begin(const Eigen::Matrix2Xd& points, double) { draw(points); }
+  void on_step_end(const CGP::Curve_step_report& report, const Eigen::Matrix2Xd& points)
   {
     if (report.step % 10 == 0) draw(points);
   }

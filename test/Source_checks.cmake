@@ -14,7 +14,8 @@ else()
   endforeach()
   set(headers_alone_arguments ${licences_arguments})
   set(hostile_macros_arguments ${licences_arguments})
-  foreach(what headers_alone hostile_macros layers licences mirrored_tests format lengths heads performance thesis_map manual)
+  foreach(what headers_alone hostile_macros layers licences mirrored_tests format lengths heads performance thesis_map manual
+               public_types)
     add_test(NAME sources.${what} COMMAND ${Python3_EXECUTABLE}
              ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_${what}.py ${${what}_arguments})
   endforeach()

@@ -64,7 +64,7 @@ TEST(Components_that_are_cancelled, stop_where_they_are_in_a_flow)
   EXPECT_FALSE(reports);
   ASSERT_EQ(reports.components.size(), 3u);
   for (std::size_t p = 0; p < 3; ++p) {
-    EXPECT_EQ(reports.components[p].report.stop, CGP::Flow_stop::cancelled);
+    EXPECT_EQ(reports.components[p].report.stop, CGP::Flow_step_report::Stop::cancelled);
     EXPECT_EQ(reports.components[p].report.steps.size(), p == 0 ? 1u : 0u);
   }
   EXPECT_EQ(visitor.begun, 1);

@@ -32,8 +32,8 @@ template <class Mesh>
 void expect_parameterization_of_the_view(const Mesh& mesh, double tolerance)
 {
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
-  for (const auto normals :
-       {CGP::Conformal_normals::of_faces, CGP::Conformal_normals::of_vertices}) {
+  for (const auto normals : {CGP::Parameterization_options::Normals::of_faces,
+                             CGP::Parameterization_options::Normals::of_vertices}) {
     CGP::Parameterization_options options;
     options.normals = normals;
     const auto expected = CGP::spectral_parameterization(view_of(mesh), options);

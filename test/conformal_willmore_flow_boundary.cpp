@@ -54,7 +54,8 @@ TEST(Conformal_willmore_flow_of_a_disk, turns_its_boundary)
 
 TEST(Conformal_willmore_flow_of_a_disk, refuses_balance)
 {
-  for (const CGP::Balance balance : {CGP::Balance::initial, CGP::Balance::canonical})
+  for (const CGP::Flow_options::Balance balance :
+       {CGP::Flow_options::Balance::initial, CGP::Flow_options::Balance::canonical})
     EXPECT_TRUE(refuses(cap(), params::balance(balance), "a closed surface is needed"));
 }
 

@@ -42,7 +42,7 @@ auto binormals_at_vertices(const Mesh& mesh, const Mesh_view& view)
 
 inline Boundary_condition condition_of_binormals(const Mesh_view& view)
 {
-  const CGP::Boundary_frames b = CGP::boundary_frames(view);
+  const CGP::internal::Boundary_frames b = CGP::boundary_frames(view);
   Points targets(3, static_cast<Eigen::Index>(b.vertices.size()));
   for (std::size_t k = 0; k < b.vertices.size(); ++k)
     targets.col(static_cast<Eigen::Index>(k)) = new_binormal(view.position(b.vertices[k]));

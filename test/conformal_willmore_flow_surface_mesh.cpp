@@ -103,10 +103,10 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, balances)
 {
   CGP::Flow_options options;
   options.max_steps = 2;
-  options.balance = CGP::Balance::initial;
-  options.balancing = CGP::Balancing::potential;
-  EXPECT_EQ(flown(params::balance(CGP::Balance::initial)
-                      .balancing(CGP::Balancing::potential)
+  options.balance = CGP::Flow_options::Balance::initial;
+  options.balancing = CGP::Flow_options::Balancing::potential;
+  EXPECT_EQ(flown(params::balance(CGP::Flow_options::Balance::initial)
+                      .balancing(CGP::Flow_options::Balancing::potential)
                       .number_of_iterations(2)),
             expected(options));
 }
@@ -115,7 +115,7 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, balances_towards_areas_in_a_ma
 {
   CGP::Flow_options options;
   options.max_steps = 1;
-  options.balance = CGP::Balance::prescribed;
+  options.balance = CGP::Flow_options::Balance::prescribed;
   options.target_areas = CGP::vertex_areas(before).array() + 0.01;
   auto areas = mesh.add_property_map<Vertex, double>("v:target").first;
   for (const Vertex v : vertices(mesh)) areas[v] = options.target_areas[static_cast<int>(v)];
@@ -171,7 +171,7 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh,
   visitor.stop_after = 1;
   const CGP::Flow_report report =
       CGP::conformal_willmore_flow(mesh, params::visitor(std::ref(visitor)));
-  EXPECT_EQ(report.stop, CGP::Flow_stop::cancelled);
+  EXPECT_EQ(report.stop, CGP::Flow_step_report::Stop::cancelled);
   CGP::Flow_options options;
   options.max_steps = 1;
   EXPECT_EQ(view_of(mesh).positions(), expected(options));

@@ -46,7 +46,7 @@ TEST(Dirac_spectrum_of_a_Surface_mesh, knows_rho_and_a_shift)
 {
   Surface mesh = to_cgal_mesh<Surface>(icosphere(2));
   const auto rho = mesh.add_property_map<Surface::Vertex_index, double>("v:rho", 0.5).first;
-  const CGP::Dirac_spectrum s = CGP::dirac_spectrum(
+  const CGP::internal::Dirac_spectrum s = CGP::dirac_spectrum(
       mesh, 3, params::curvature_potential_map(rho).spectral_shift(1.6).tolerance(1e-10));
   ASSERT_TRUE(s.converged);
   EXPECT_LT(s.residuals.maxCoeff(), 1e-9);
@@ -56,11 +56,12 @@ TEST(Dirac_spectrum_of_a_Surface_mesh, knows_rho_and_a_shift)
 TEST(Dirac_spectrum_of_a_Surface_mesh, keeps_the_binormals_of_a_boundary)
 {
   const Surface mesh = to_cgal_mesh<Surface>(disk(8));
-  const CGP::Dirac_spectrum by_default = CGP::dirac_spectrum(mesh, 3, params::spectral_shift(2.1)),
-                            asked =
-                                CGP::dirac_spectrum(mesh, 3,
-                                                    params::spectral_shift(2.1).boundary_direction(
-                                                        CGP::Boundary_direction{0, 0, 1}));
+  const CGP::internal::Dirac_spectrum by_default =
+                                          CGP::dirac_spectrum(mesh, 3, params::spectral_shift(2.1)),
+                                      asked = CGP::dirac_spectrum(
+                                          mesh, 3,
+                                          params::spectral_shift(2.1).boundary_direction(
+                                              CGP::Boundary_direction{0, 0, 1}));
   EXPECT_EQ(by_default.eigenvalues, asked.eigenvalues);
   EXPECT_NEAR(by_default.pencil_eigenvalues[0], 1.83705, 1e-5);
 }

@@ -28,11 +28,11 @@ template <class Mesh>
 void expect_spectrum_of_the_view(const Mesh& mesh)
 {
   const Mesh_view view = current_view(mesh);
-  const CGP::Dirac_spectrum s = CGP::dirac_spectrum(mesh, 5);
+  const CGP::internal::Dirac_spectrum s = CGP::dirac_spectrum(mesh, 5);
   ASSERT_TRUE(s.converged);
   ASSERT_EQ(s.size(), 5);
-  const CGP::Dirac_spectrum expected =
-      CGP::Dirac_spectral_problem<>(view).find(CGP::no_potential(view), 5);
+  const CGP::internal::Dirac_spectrum expected =
+      CGP::internal::Dirac_spectral_problem<>(view).find(CGP::no_potential(view), 5);
   EXPECT_LT((s.eigenvalues - expected.eigenvalues).cwiseAbs().maxCoeff(), 1e-9);
 }
 

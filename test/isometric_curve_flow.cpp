@@ -125,10 +125,10 @@ TEST(Isometric_curve_flow_of_ranges, flows_open_curves)
 TEST(Isometric_curve_flow_of_ranges, closes_by_least_squares_if_asked_to)
 {
   auto points = points_of<Kernel>(flower(200));
-  const CGP::Curve_flow_report report =
-      CGP::isometric_curve_flow(points, CGP::parameters::closing(CGP::Curve_closing::least_squares)
-                                            .time_step(.4)
-                                            .number_of_iterations(1));
+  const CGP::Curve_flow_report report = CGP::isometric_curve_flow(
+      points, CGP::parameters::closing(CGP::Curve_flow_options::Closing::least_squares)
+                  .time_step(.4)
+                  .number_of_iterations(1));
   EXPECT_NEAR(report.length_distortion, 3.316e-3, 1e-5);
 }
 
@@ -144,7 +144,7 @@ TEST(Isometric_curve_flow_of_ranges, writes_the_last_complete_step_when_stopped)
   Stops_after_two visitor;
   const CGP::Curve_flow_report report =
       CGP::isometric_curve_flow(points, CGP::parameters::time_step(.3).visitor(std::ref(visitor)));
-  EXPECT_EQ(report.stop, CGP::Curve_flow_stop::cancelled);
+  EXPECT_EQ(report.stop, CGP::Curve_step_report::Stop::cancelled);
   EXPECT_EQ(curve_of(points), expected(flower(60), .3, 2));
 }
 

@@ -41,7 +41,7 @@ void expect_moebius_transforms(const Mesh& original, double tolerance)
     auto spins = get(CGAL::dynamic_vertex_property_t<Quaternion<double>>(), mesh);
     const auto map = CGP::Moebius_map::rotation({1, 2, 0, 1}) *
                      CGP::Moebius_map::sphere_inversion({.2, .1, -.3});
-    const CGP::Moebius_report report =
+    const CGP::internal::Moebius_report report =
         CGP::moebius_transform(mesh, map, CGP::parameters::vertex_spin_map(spins));
     const Points after = points_of(mesh);
     std::vector<Quaternion<double>> lambda;

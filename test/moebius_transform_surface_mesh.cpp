@@ -79,7 +79,8 @@ TEST(Invert_in_sphere, twice_is_the_identity_also_far_from_the_origin)
     return Eigen::Vector3d(p + Eigen::Vector3d(1e6, -2e6, 3e6));
   });
   Surface moved = to_cgal_mesh<Surface>(mesh);
-  const CGP::Moebius_report report = CGP::invert_in_sphere(moved, Point(1e6, -2e6 + 3, 3e6), 2);
+  const CGP::internal::Moebius_report report =
+      CGP::invert_in_sphere(moved, Point(1e6, -2e6 + 3, 3e6), 2);
   EXPECT_LT(CGP::length_cross_ratio_change(mesh, points_of(moved)).max, 1e-7);
   EXPECT_GT(report.min_length_scale, 4. / (4.5 * 4.5));
   EXPECT_LT(report.max_length_scale, 4. / (1.5 * 1.5));

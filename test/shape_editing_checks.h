@@ -39,8 +39,8 @@ template <class Mesh, class Value>
 auto vertex_map(const Mesh& mesh, const std::vector<Value>& values)
 {
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
-  auto numbering = std::make_shared<const CGP::Element_numbering<Vertex>>(vertices(mesh));
-  CGP::Associated_property_map<Vertex, Value> map(numbering, values.front());
+  auto numbering = std::make_shared<const CGP::internal::Element_numbering<Vertex>>(vertices(mesh));
+  CGP::internal::Associated_property_map<Vertex, Value> map(numbering, values.front());
   std::size_t i = 0;
   for (const Vertex v : vertices(mesh)) map[v] = values[i++];
   return map;

@@ -122,9 +122,9 @@ TEST_F(Spin_transform, passes_its_parameters_on)
       CGP::spin_transform(rough, rho, params::tolerance(1e-2).random_seed(3));
   EXPECT_TRUE(report);
   EXPECT_LT(report.iterations, expected.report.iterations);
-  EXPECT_THROW(
-      (void)CGP::spin_transform(mesh, rho, params::eigenproblem(CGP::Eigenproblem::generalized)),
-      CGP::Precondition_error);  // rho is not on faces
+  EXPECT_THROW((void)CGP::spin_transform(
+                   mesh, rho, params::eigenproblem(CGP::Dirac_options::Eigenproblem::generalized)),
+               CGP::Precondition_error);  // rho is not on faces
   expect_untouched();
   ASSERT_TRUE(CGP::spin_transform(
       mesh, rho,

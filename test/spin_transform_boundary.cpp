@@ -20,7 +20,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Surface::Vertex_index;
 using CGP::Boundary_direction;
-using CGP::Boundary_fault;
+using Boundary_fault = CGP::Spin_report::Boundary_fault;
 
 template <class T>
 auto constant(const T& value)
@@ -85,8 +85,8 @@ TEST_F(Spin_transform_with_boundary, takes_the_branch_and_the_kernel_that_it_is_
   const auto near_a_zero = constant(2.4);
   Surface other = mesh;
   const auto directions = params::boundary_direction(binormal);
-  const CGP::Spin_report smallest =
-      CGP::spin_transform(mesh, near_a_zero, directions.branch(CGP::Branch::smallest));
+  const CGP::Spin_report smallest = CGP::spin_transform(
+      mesh, near_a_zero, directions.branch(CGP::Dirac_options::Branch::smallest));
   EXPECT_NEAR(smallest.eigenvalue + 2.4, 2.4048, .05);
   const CGP::Spin_report nearest = CGP::spin_transform(other, near_a_zero, directions);
   EXPECT_NEAR(nearest.eigenvalue, -2.4, 1e-6);

@@ -88,7 +88,7 @@ void expect_transformation_with_boundary(Mesh mesh, double tolerance)
                         Boundary_condition::binormals(at_boundary(before, turned)), tolerance);
 
   const Mesh_view moved = mapped(before, new_point);
-  const Points normals = CGP::vertex_normals(moved, CGP::Normal_weight::angle);
+  const Points normals = CGP::vertex_normals(moved, CGP::internal::Normal_weight::angle);
   expect_transformation(
       mesh, params::vertex_target_point_map(map_of_columns<Point>(mesh, moved.positions())),
       Boundary_condition::positions(at_boundary(before, moved.positions()),

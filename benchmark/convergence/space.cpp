@@ -69,8 +69,8 @@ void add_curvature(Record& record, const Space_case& c, const Mesh_view& mesh,
   record.add("source_curvature", relative_error(mesh, CGP::mean_curvature(mesh), H));
 }
 
-void add(Record& record, const std::string& prefix, const CGP::Distribution& q,
-         const CGP::Length_cross_ratio_change& cross_ratio)
+void add(Record& record, const std::string& prefix, const CGP::internal::Distribution& q,
+         const CGP::internal::Length_cross_ratio_change& cross_ratio)
 {
   record.add(prefix + "q_mean", q.mean - 1).add(prefix + "q_p99", q.p99 - 1);
   record.add(prefix + "q_max", q.max - 1);

@@ -20,14 +20,14 @@ class Conformal_willmore : public Fairing_flow {
   bool step() override
   {
     const CGP::Flow_step_report report = m_flow.step();
-    if (report.stop == CGP::Flow_stop::step_failed)
+    if (report.stop == CGP::Flow_step_report::Stop::step_failed)
       throw CGP::Solver_error("Conformal_willmore_flow", report.message);
     m_stop = report.stop;
     return report.accepted;
   }
 
   /// why no step should follow the last one, if so
-  CGP::Flow_stop stop() const { return m_stop; }
+  CGP::Flow_step_report::Stop stop() const { return m_stop; }
 
   const CGP::Mesh_view& mesh() const override { return m_flow.mesh(); }
 
@@ -44,7 +44,7 @@ class Conformal_willmore : public Fairing_flow {
   }
 
   CGP::Conformal_willmore_flow<> m_flow;
-  CGP::Flow_stop m_stop = CGP::Flow_stop::none;
+  CGP::Flow_step_report::Stop m_stop = CGP::Flow_step_report::Stop::none;
 };
 
 }  // namespace cgp_benchmark

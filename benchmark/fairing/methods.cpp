@@ -16,7 +16,7 @@ namespace {
 void run_flow(const CGP::Mesh_view& mesh, double time_step, bool backtracking, Race& race)
 {
   Conformal_willmore flow(mesh, time_step, backtracking);
-  const auto has_stopped = [&] { return flow.stop() != CGP::Flow_stop::none; };
+  const auto has_stopped = [&] { return flow.stop() != CGP::Flow_step_report::Stop::none; };
   bool goes_on = true;
   while (goes_on && flow.step()) goes_on = race(flow.mesh().positions()) && !has_stopped();
   if (has_stopped()) race.finish(to_string(flow.stop()));

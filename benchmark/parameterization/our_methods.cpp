@@ -10,7 +10,7 @@ namespace {
 
 namespace CGP = Conformal_geometry_processing;
 
-Method ours(const std::string& name, CGP::Conformal_normals normals)
+Method ours(const std::string& name, CGP::Parameterization_options::Normals normals)
 {
   return {name, [normals](Surface& mesh, Border, UV_map uv) -> std::string {
             const CGP::Parameterization_report report = CGP::conformal_parameterization(
@@ -23,10 +23,11 @@ Method ours(const std::string& name, CGP::Conformal_normals normals)
 
 std::vector<Method> our_methods()
 {
-  return {ours("spectral", CGP::Conformal_normals::of_faces),
-          cgal_method("spectral, as a Parameterizer_3",
-                      CGP::Spectral_conformal_parameterizer_3<Surface>()),
-          ours("spectral, normals of vertices", CGP::Conformal_normals::of_vertices)};
+  return {
+      ours("spectral", CGP::Parameterization_options::Normals::of_faces),
+      cgal_method("spectral, as a Parameterizer_3",
+                  CGP::Spectral_conformal_parameterizer_3<Surface>()),
+      ours("spectral, normals of vertices", CGP::Parameterization_options::Normals::of_vertices)};
 }
 
 }  // namespace cgp_benchmark

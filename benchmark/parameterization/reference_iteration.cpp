@@ -30,8 +30,8 @@ const int vectors = 8, steps = 60;
 Eigen::VectorXd reference_iteration(const CGP::Mesh_view& mesh)
 {
   const auto graph = CGP::vertex_graph(mesh);
-  const auto L =
-      CGP::vertex_normal_energy(mesh, CGP::vertex_normals(mesh, CGP::Normal_weight::angle), *graph);
+  const auto L = CGP::vertex_normal_energy(
+      mesh, CGP::vertex_normals(mesh, CGP::internal::Normal_weight::angle), *graph);
   const int n = L.size();
   double trace = 0;
   for (int i = 0; i < n; ++i) trace += L.diagonal(i);

@@ -43,7 +43,7 @@ CGP::Block<Scalar> right_hand_sides(int rows)
   CGP::Block<Scalar> b(rows, std::is_floating_point_v<Scalar> ? 3 : 1);
   for (Eigen::Index c = 0; c < b.cols(); ++c)
     for (int i = 0; i < rows; ++i)
-      b(i, c) = CGP::Scalar_traits<Scalar>::from_real(std::sin(1. + i * double(c + 1)));
+      b(i, c) = CGP::internal::Scalar_traits<Scalar>::from_real(std::sin(1. + i * double(c + 1)));
   return b;
 }
 
@@ -54,7 +54,7 @@ double relative_residual(const CGP::Hermitian_sparse_matrix<Scalar>& A,
                          const CGP::Block<Scalar>& b)
 {
   const auto square = [](const Scalar& s) {
-    return CGP::Scalar_traits<Scalar>::real(CGP::conjugate(s) * s);
+    return CGP::internal::Scalar_traits<Scalar>::real(CGP::conjugate(s) * s);
   };
   double error = 0, size = 0;
   for (Eigen::Index c = 0; c < b.cols(); ++c) {
@@ -84,7 +84,7 @@ void measure_factor(const Job& job, const CGP::Mesh_view& mesh, Record& record)
     Solver solver;
     keep_least(analysis,
                [&] { require(solver.analyze_with_positions(A.pattern(), mesh.positions())); });
-    const CGP::Ordering order = solver.ordering();
+    const CGP::internal::Ordering order = solver.ordering();
     keep_least(symbolic, [&] { require(solver.analyze(A.pattern(), order)); });
     keep_least(numeric, [&] { require(solver.factorize(A, shift)); });
     keep_least(again, [&] { require(solver.factorize(A, shift)); });

@@ -19,12 +19,13 @@ void add_other_factors(std::vector<Row>& rows)
       measure_factor<CGP::Cholmod_hermitian_solver_traits::Solver<Quaternion>>, 300'000,
       "takes a minute and 6 GB");
   add("CHOLMOD, real 4n",
-      measure_factor<CGP::Cholmod_real_hermitian_solver_traits::Solver<Quaternion>>, 300'000,
-      "takes minutes and 12 GB");
+      measure_factor<CGP::internal::Cholmod_real_hermitian_solver_traits::Solver<Quaternion>>,
+      300'000, "takes minutes and 12 GB");
   add("Eigen, complex 2n", measure_factor<CGP::Eigen_hermitian_solver_traits::Solver<Quaternion>>,
       20'000, "time grows like the square of the size");
-  add("Eigen, real 4n", measure_factor<CGP::Eigen_real_hermitian_solver_traits::Solver<Quaternion>>,
-      20'000, "time grows like the square of the size");
+  add("Eigen, real 4n",
+      measure_factor<CGP::internal::Eigen_real_hermitian_solver_traits::Solver<Quaternion>>, 20'000,
+      "time grows like the square of the size");
 }
 
 }  // namespace cgp_benchmark

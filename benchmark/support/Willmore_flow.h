@@ -19,7 +19,7 @@ const Solver& factor_of(const Solver& solver)
   return solver;
 }
 template <class Solver>
-const Solver& factor_of(const CGP::Lagged_solver<Solver>& solver)
+const Solver& factor_of(const CGP::internal::Lagged_solver<Solver>& solver)
 {
   return solver.factor();
 }
@@ -31,7 +31,7 @@ int iterations_of(const Solver&)
   return 0;
 }
 template <class Solver>
-int iterations_of(const CGP::Lagged_solver<Solver>& solver)
+int iterations_of(const CGP::internal::Lagged_solver<Solver>& solver)
 {
   return solver.iterations();
 }
@@ -43,7 +43,7 @@ int factorizations_of(const Solver&, int steps)
   return steps;
 }
 template <class Solver>
-int factorizations_of(const CGP::Lagged_solver<Solver>& solver, int)
+int factorizations_of(const CGP::internal::Lagged_solver<Solver>& solver, int)
 {
   return solver.factorizations();
 }

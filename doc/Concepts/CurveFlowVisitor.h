@@ -17,12 +17,12 @@
 class CurveFlowVisitor {
  public:
   /// called once, with the points the flow starts from, one per column, and their energy
-  void on_flow_begin(const Conformal_geometry_processing::Plane_points& points, double energy);
+  void on_flow_begin(const Eigen::Matrix2Xd& points, double energy);
 
   /// asked before every step: `false` stops the flow
   bool go_further();
 
   /// called after every accepted step, with the new points
   void on_step_end(const Conformal_geometry_processing::Curve_step_report& report,
-                   const Conformal_geometry_processing::Plane_points& points);
+                   const Eigen::Matrix2Xd& points);
 };

@@ -30,7 +30,7 @@ class SparseHermitianEigensolverTraits {
   /// \param x0 the initial vectors, one or more
   /// \param options when to stop, and how many eigenpairs are wanted: at most the columns of x0
   /// \param go_further is asked before every iteration; false cancels
-  template <class Masses, class Solver, class GoFurther = Always_go_further>
+  template <class Masses, class Solver, class GoFurther = unspecified_type>
   Eigensolver_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A,
                                 const Masses& N, const Solver& solver, Block<Quaternion<double>> x0,
                                 const Eigensolver_options& options = {},

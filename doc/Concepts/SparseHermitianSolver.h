@@ -17,9 +17,9 @@
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Supernodal_cholesky`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Embedded_hermitian_solver`,}
-/// \cgalHasModels{`Conformal_geometry_processing::Multigrid_solver`,}
-/// \cgalHasModels{`Conformal_geometry_processing::Petsc_hermitian_solver`,}
-/// \cgalHasModels{`Conformal_geometry_processing::Lagged_solver`.}
+/// \cgalHasModels{`Conformal_geometry_processing::internal::Multigrid_solver` (by `Multigrid_solver_traits`),}
+/// \cgalHasModels{`Conformal_geometry_processing::internal::Petsc_hermitian_solver` (by `Petsc_hermitian_solver_traits`),}
+/// \cgalHasModels{`Conformal_geometry_processing::internal::Lagged_solver` (by `Lagged_solver_traits`).}
 /// \cgalHasModelsEnd
 class SparseHermitianSolver {
  public:
@@ -45,7 +45,7 @@ class SparseHermitianSolver {
   /// \brief the same with a given ordering.
   ///
   /// \param order a permutation of the rows, as another solver's `ordering()` gives it
-  Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order);
+  Solver_status analyze(const Sparse_pattern& pattern, const std::vector<int>& order);
 
   /// the same, with a hint: column i of `positions`, 3 x n, is where vertex i is in space. A model
   /// that can make nothing of it ignores it.
@@ -58,7 +58,7 @@ class SparseHermitianSolver {
   Solver_status analyze_like(const Sparse_pattern& pattern, const OtherSolver& other);
 
   /// the ordering in use
-  const Ordering& ordering() const;
+  const std::vector<int>& ordering() const;
 
   /// \brief factorizes A + diag(shift).
   ///

@@ -32,7 +32,7 @@ class Component_failures {
   std::string m_path;
   std::size_t m_size;
   bool m_is_of_data = false;
-  Conformal_geometry_processing::Failure_reasons m_reasons;
+  Conformal_geometry_processing::internal::Failure_reasons m_reasons;
 };
 
 }  // namespace conformal

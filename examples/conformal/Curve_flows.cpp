@@ -15,8 +15,9 @@ CGP::Curve_flow_options options_of(const Plane_curve& curve, const Curve_options
   CGP::Curve_flow_options flow;
   flow.is_closed = curve.is_closed;
   flow.time_step = options.time_step;
-  flow.closing = options.closing == Closing_choice::exact ? CGP::Curve_closing::exact
-                                                          : CGP::Curve_closing::least_squares;
+  flow.closing = options.closing == Closing_choice::exact
+                     ? CGP::Curve_flow_options::Closing::exact
+                     : CGP::Curve_flow_options::Closing::least_squares;
   return flow;
 }
 
@@ -36,7 +37,7 @@ Curve_flows::Curve_flows(const std::vector<Plane_curve>& curves, const Curve_opt
   for (const Plane_curve& curve : curves) {
     CGP::Isometric_curve_flow flow = flow_of(curve, options);
     const double energy = flow.energy();
-    m_all.push_back({curve.name, std::move(flow), energy, CGP::Curve_flow_stop::none, {}});
+    m_all.push_back({curve.name, std::move(flow), energy, CGP::Curve_step_report::Stop::none, {}});
   }
 }
 
@@ -44,7 +45,7 @@ bool Curve_flows::step()
 {
   bool has_moved = false;
   for (One& one : m_all) {
-    if (one.stop != CGP::Curve_flow_stop::none) continue;
+    if (one.stop != CGP::Curve_step_report::Stop::none) continue;
     const CGP::Curve_step_report report = one.flow.step();
     one.stop = report.stop;
     if (report.accepted) one.steps.push_back(report);

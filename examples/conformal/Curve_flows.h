@@ -23,7 +23,7 @@ class Curve_flows {
     std::string name;
     CGP::Isometric_curve_flow flow;
     double initial_energy = 0;
-    CGP::Curve_flow_stop stop = CGP::Curve_flow_stop::none;
+    CGP::Curve_step_report::Stop stop = CGP::Curve_step_report::Stop::none;
     std::vector<CGP::Curve_step_report> steps;
   };
 

@@ -149,7 +149,7 @@ Defects find_defects(const Surface_input& input)
 
 std::string description(const CGP::Mesh_view& mesh)
 {
-  const CGP::Topology t = CGP::topology(mesh);
+  const auto t = CGP::topology(mesh);
   return "V " + std::to_string(t.vertices) + ", E " + std::to_string(t.edges) + ", F " +
          std::to_string(t.faces) + ", " +
          count_of(static_cast<std::size_t>(t.boundary_loops), "boundary loop") + ", genus " +

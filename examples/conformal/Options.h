@@ -27,7 +27,7 @@ struct Filter_request {
   Filter_choice choice = Filter_choice::none;
   std::optional<bool> on_image;  ///< else on the surface; undecided: where there is one
   std::optional<double> radius;  ///< in pixels, on the image
-  std::optional<double> weight;  ///< on the surface, as for `CGP::Curvature_filter`
+  std::optional<double> weight;  ///< on the surface, as for `CGP::internal::Curvature_filter`
   std::optional<int> order;      ///< likewise
   std::optional<double> amount;  ///< of the unsharp mask
 };

@@ -60,7 +60,7 @@ class Session {
   std::string m_input;
   bool m_keeps_report = false;
   std::optional<Exhibit> m_exhibit;
-  Conformal_geometry_processing::Stopwatch m_watch, m_total;
+  Conformal_geometry_processing::internal::Stopwatch m_watch, m_total;
 };
 
 }  // namespace conformal

@@ -76,7 +76,7 @@ bool is_closed_manifold(const CGP::Mesh_view& mesh)
 // with the right sign however large or small the surface is
 double volume_in_frame(CGP::Mesh_view mesh)
 {
-  mesh.set_positions(CGP::Normalized_frame(mesh.positions()).to_frame(mesh.positions()));
+  mesh.set_positions(CGP::internal::Normalized_frame(mesh.positions()).to_frame(mesh.positions()));
   return CGP::signed_volume(mesh);
 }
 

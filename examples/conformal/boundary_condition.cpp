@@ -21,13 +21,13 @@ namespace {
 
 using CGP::Boundary_condition;
 
-Eigen::Index count(const CGP::Boundary_frames& frames)
+Eigen::Index count(const CGP::internal::Boundary_frames& frames)
 {
   return static_cast<Eigen::Index>(frames.vertices.size());
 }
 
 /// one axis of each of the frames
-CGP::Points axes(const CGP::Boundary_frames& frames, Eigen::Index axis)
+CGP::Points axes(const CGP::internal::Boundary_frames& frames, Eigen::Index axis)
 {
   CGP::Points all(3, count(frames));
   for (Eigen::Index k = 0; k < all.cols(); ++k)
@@ -43,7 +43,7 @@ CGP::Mesh_view target_surface(const Surface_input& input, const std::string& pat
 
 Boundary_condition positions_of(const CGP::Mesh_view& target)
 {
-  const CGP::Boundary_frames frames = CGP::boundary_frames(target);
+  const auto frames = CGP::boundary_frames(target);
   CGP::Points points(3, count(frames));
   for (Eigen::Index k = 0; k < points.cols(); ++k)
     points.col(k) = target.position(frames.vertices[static_cast<std::size_t>(k)]);
@@ -56,7 +56,7 @@ Eigen::VectorXd angles(const Surface_input& input, const std::string& text,
 {
   Expression degrees(text, option, {"s", "loop"});
   const User_frame frame(input.mesh);
-  const CGP::Boundary_frames frames = CGP::boundary_frames(input.mesh);
+  const auto frames = CGP::boundary_frames(input.mesh);
   Eigen::VectorXd all(count(frames));
   Eigen::Index k = 0;
   for (std::size_t loop = 0; loop < frames.loops.size(); ++loop) {
@@ -109,7 +109,7 @@ Boundary_condition condition_of(const Surface_input& input, const Prescription_o
     return positions_of(target_surface(input, options.positions_from));
   if (!options.curve.empty())
     return Boundary_condition::tangents(tangents_of_curves(input, options.curve));
-  const CGP::Boundary_frames frames = CGP::boundary_frames(input.mesh);
+  const auto frames = CGP::boundary_frames(input.mesh);
   const CGP::Points T = axes(frames, 0), N = axes(frames, 1), B = axes(frames, 2);
   if (!options.tangent_rotation.empty())  // N x T = -B points into the surface
     return Boundary_condition::tangents(
@@ -143,7 +143,7 @@ void require_boundary_to_keep(const Surface_input& input, Boundary_choice choice
 Boundary_condition directions_of(const Surface_input& input, const CGP::Mesh_view& target,
                                  Boundary_choice choice)
 {
-  const CGP::Boundary_frames frames = CGP::boundary_frames(target);
+  const auto frames = CGP::boundary_frames(target);
   const Boundary_condition condition = choice == Boundary_choice::tangents
                                            ? Boundary_condition::tangents(axes(frames, 0))
                                            : Boundary_condition::binormals(axes(frames, 2));

@@ -24,7 +24,7 @@ bool is_closed(const CGP::Mesh_view& mesh)
 /// of the disk of the same area; finite for whatever size the mesh is of
 double radius(CGP::Mesh_view mesh)
 {
-  const CGP::Normalized_frame frame(mesh.positions());
+  const CGP::internal::Normalized_frame frame(mesh.positions());
   mesh.set_positions(frame.to_frame(mesh.positions()));
   return frame.unit() * std::sqrt(CGP::total_area(mesh) / std::acos(-1.));
 }
@@ -49,7 +49,7 @@ void report_boundary(const CGP::Mesh_view& mesh, const CGP::Boundary_condition& 
     report.set("result/boundary/direction_error/mean", spin.direction_error.mean * degrees);
     report.set("result/boundary/direction_error/max", spin.direction_error.max * degrees);
   }
-  if (spin.boundary_fault == CGP::Boundary_fault::none)
+  if (spin.boundary_fault == CGP::Spin_report::Boundary_fault::none)
     report.set("result/boundary/fault", Report::Value(nullptr));
   else
     report.set("result/boundary/fault", CGP::to_string(spin.boundary_fault));

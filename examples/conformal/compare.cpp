@@ -35,7 +35,7 @@ void require_measurable(const Surface_input& input)
 CGP::Mesh_view in_frame(const CGP::Mesh_view& mesh, const CGP::Points& positions)
 {
   CGP::Mesh_view result = mesh;
-  result.set_positions(CGP::Normalized_frame(positions).to_frame(positions));
+  result.set_positions(CGP::internal::Normalized_frame(positions).to_frame(positions));
   return result;
 }
 
@@ -59,7 +59,7 @@ void tell_histogram(const CGP::Mesh_view& a, const CGP::Points& b, Report& repor
 
 void tell_energies(const CGP::Mesh_view& a, const CGP::Mesh_view& b, Report& report, Table& table)
 {
-  const CGP::Alignment alignment = CGP::align(a.positions(), b.positions());
+  const auto alignment = CGP::align(a.positions(), b.positions());
   const auto tell = [&](const std::string& place, const std::string& label, double value) {
     report.set("result/" + place, value);
     table.add(label, value);
@@ -76,8 +76,8 @@ void tell(const CGP::Mesh_view& mesh, const CGP::Points& after, Session& session
   const CGP::Mesh_view a = in_frame(mesh, mesh.positions()), b = in_frame(mesh, after);
   CGP::Conformality map =
       CGP::conformality(a, b.positions(), CGP::neighbourhood_normals(a, b.positions()));
-  const double unit =
-      CGP::Normalized_frame(after).unit() / CGP::Normalized_frame(mesh.positions()).unit();
+  const double unit = CGP::internal::Normalized_frame(after).unit() /
+                      CGP::internal::Normalized_frame(mesh.positions()).unit();
   map.scale.min_scale *= unit;
   map.scale.max_scale *= unit;
   report_conformality(map, session.report());

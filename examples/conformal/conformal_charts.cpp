@@ -58,7 +58,7 @@ Eigen::Rotation2Dd upright(const CGP::Mesh_view& mesh, const CGP::Points& flat)
 
 bool lies_in_plane_as_a_whole(const CGP::Mesh_view& mesh)
 {
-  const CGP::Topology t = CGP::topology(mesh);
+  const auto t = CGP::topology(mesh);
   return t.components == 1 && t.genus == 0 && !t.is_closed();
 }
 

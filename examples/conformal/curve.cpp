@@ -122,7 +122,7 @@ void verify(const Curve_flows& flows, const Curve_options& options, Session& ses
 {
   std::size_t stuck = 0;
   for (const Curve_flows::One& one : flows.all())
-    if (one.stop == CGP::Curve_flow_stop::step_failed) {
+    if (one.stop == CGP::Curve_step_report::Stop::step_failed) {
       stuck += one.steps.empty();
       session.note(one.name + " stopped after " + count_of(one.steps.size(), "step") +
                    ": it would not close up, or not become less bent");

@@ -58,8 +58,9 @@ double distortion(const One& one)
 
 std::string reason(const One& one)
 {
-  if (one.stop != CGP::Curve_flow_stop::none) return CGP::to_string(one.stop);
-  return signal_received() != 0 ? "interrupted" : CGP::to_string(CGP::Curve_flow_stop::steps_done);
+  if (one.stop != CGP::Curve_step_report::Stop::none) return CGP::to_string(one.stop);
+  return signal_received() != 0 ? "interrupted"
+                                : CGP::to_string(CGP::Curve_step_report::Stop::steps_done);
 }
 
 void report_curves(const Curve_flows& flows, Report& report)

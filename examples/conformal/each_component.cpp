@@ -34,7 +34,7 @@ std::vector<int> numbers_in_file(const Surface_input& input, const std::vector<i
 std::vector<Component> components_of(const Surface_input& input)
 {
   std::vector<Component> components;
-  for (CGP::Mesh_component& part : CGP::mesh_components(input.mesh)) {
+  for (CGP::internal::Mesh_component& part : CGP::mesh_components(input.mesh)) {
     Component c;
     c.name = "component " + std::to_string(components.size()) + " (from " +
              name_of_vertex(input, part.vertices.front()) + ")";
@@ -55,7 +55,7 @@ std::vector<Component> components_of(const Surface_input& input)
 /// Reports the counts of a component, independently of its result
 void report_counts(const Component& component, Report& report)
 {
-  const CGP::Topology t = CGP::topology(component.input.mesh);
+  const auto t = CGP::topology(component.input.mesh);
   report.set("first_vertex", component.input.vertex_in_file.front());
   report.set("vertices", t.vertices);
   report.set("faces", t.faces);
@@ -122,7 +122,7 @@ bool is_inside_out(CGP::Mesh_view mesh)
 {
   for (int k = 0; k < mesh.size_of_edges(); ++k)
     if (mesh.halfedges_end(k) - mesh.halfedges_begin(k) != 2) return false;
-  mesh.set_positions(CGP::Normalized_frame(mesh.positions()).to_frame(mesh.positions()));
+  mesh.set_positions(CGP::internal::Normalized_frame(mesh.positions()).to_frame(mesh.positions()));
   return CGP::signed_volume(mesh) < 0;
 }
 
@@ -164,7 +164,7 @@ void turn_components_outward(Surface_input& input)
 {
   auto corners = input.mesh.corners();
   std::size_t count = 0;
-  for (const CGP::Mesh_component& part : CGP::mesh_components(input.mesh)) {
+  for (const CGP::internal::Mesh_component& part : CGP::mesh_components(input.mesh)) {
     if (!is_inside_out(part.mesh)) continue;
     ++count;
     for (const int f : part.faces)

@@ -69,7 +69,7 @@ void tell_target(const Surface_input& input, const CGP::Mesh_view& target,
   table.add("quasi-conformal error of the target, mean", map.quasi_conformal.mean);
   table.add("quasi-conformal error of the target, max", map.quasi_conformal.max);
   if (solution.spin.report.converged) {
-    const CGP::Alignment a = CGP::align(solution.spin.positions, target.positions());
+    const auto a = CGP::align(solution.spin.positions, target.positions());
     report.set("result/distance/rms", a.rms);
     report.set("result/distance/max", a.max);
     table.add("distance from the target, rms / diagonal", a.rms);

@@ -56,8 +56,9 @@ Flat_image spectral_image(const Surface_input& input, const Flatten_options& opt
                           Session& session)
 {
   CGP::Parameterization_options how;
-  if (options.method == Flatten_method::dirac) how.normals = CGP::Conformal_normals::of_vertices;
-  if (options.all_loops) how.boundary = CGP::Normalized_boundary::all_loops;
+  if (options.method == Flatten_method::dirac)
+    how.normals = CGP::Parameterization_options::Normals::of_vertices;
+  if (options.all_loops) how.boundary = CGP::Parameterization_options::Boundary::all_loops;
   how.tolerance = options.tolerance;
   const auto [z, report] = solve_flat(input.mesh, how, "flatten");
   const int faces = input.mesh.size_of_faces();

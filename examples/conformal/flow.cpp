@@ -24,7 +24,7 @@ void require_options_that_fit(const Surface_input& input, const Flow_options& op
 {
   require_boundary_to_keep(input, options.boundary);
   if (options.balance == Balance_choice::none) return;
-  const CGP::Topology topology = CGP::topology(input.mesh);
+  const auto topology = CGP::topology(input.mesh);
   if (!topology.is_closed())
     throw unsuitable(options.input, "--balance wants a closed surface; try: without it");
   if (options.balance == Balance_choice::canonical && topology.genus == 0)

@@ -33,7 +33,8 @@ CGP::Mesh_view final_surface(const Flow_solution& solution, const CGP::Mesh_view
   return {solution.positions, initial.corners()};
 }
 
-void report_distribution(const CGP::Distribution& d, const std::string& place, Report& report)
+void report_distribution(const CGP::internal::Distribution& d, const std::string& place,
+                         Report& report)
 {
   report.set(place + "/mean", d.mean);
   report.set(place + "/p99", d.p99);
@@ -61,7 +62,7 @@ void report_step(const CGP::Flow_step_report& step, const std::string& place, Re
 
 std::string reason(const CGP::Flow_report& report)
 {
-  if (report.stop == CGP::Flow_stop::cancelled) return "interrupted";
+  if (report.stop == CGP::Flow_step_report::Stop::cancelled) return "interrupted";
   const std::string words = CGP::to_string(report.stop);
   return report.message.empty() ? words : words + " (" + report.message + ")";
 }

@@ -39,7 +39,8 @@ Surface_input read_surface_with_handles(const Harmonic_options& options, Session
 
 CGP::Mesh_view in_frame(const CGP::Mesh_view& mesh)
 {
-  return {CGP::Normalized_frame(mesh.positions()).to_frame(mesh.positions()), mesh.corners()};
+  return {CGP::internal::Normalized_frame(mesh.positions()).to_frame(mesh.positions()),
+          mesh.corners()};
 }
 
 // The certificate: forms are harmonic if they are closed, coclosed and orthonormal, independently
@@ -125,7 +126,7 @@ Surface_file file_with_fields(const Surface_input& input, const CGP::Mesh_view& 
                               const CGP::Harmonic_basis& basis, const std::optional<int>& form)
 {
   Surface_file file = input.file;
-  const double unit = CGP::Normalized_frame(input.mesh.positions()).unit();
+  const double unit = CGP::internal::Normalized_frame(input.mesh.positions()).unit();
   for (int i = 0; i < basis.size(); ++i)
     if (form.value_or(i) == i)
       set_field(input, mesh, basis.fields[static_cast<std::size_t>(i)] / unit,

@@ -30,7 +30,7 @@ void tell_counts(const Surface_input& input, const Defects& defects, Table& tabl
   for (const int c : CGP::connected_components(mesh)) components = std::max(components, c + 1);
   table.add("components", components);
   if (!defects.of_topology.empty()) return;
-  const CGP::Topology t = CGP::topology(mesh);
+  const auto t = CGP::topology(mesh);
   table.add("boundary loops", t.boundary_loops);
   table.add("genus", t.genus);
 }
@@ -99,7 +99,7 @@ class Teller {
     m_table.add(label, value);
   }
 
-  CGP::Normalized_frame m_frame;
+  CGP::internal::Normalized_frame m_frame;
   CGP::Mesh_view m_mesh;
   Report& m_report;
   Table& m_table;
@@ -143,7 +143,7 @@ void report_input(const Surface_input& input, Report& report, const std::string&
   report.set(place + "/faces", static_cast<int>(input.file.polygons.size()));
   if (input.repair) report_repair(*input.repair, report, place + "/repair");
   const bool is_manifold = find_defects(input).of_topology.empty();
-  const CGP::Topology t = is_manifold ? CGP::topology(input.mesh) : CGP::Topology();
+  const auto t = is_manifold ? CGP::topology(input.mesh) : CGP::internal::Topology();
   using Value = Report::Value;
   report.set(place + "/boundary_loops",
              is_manifold ? Value(std::int64_t{t.boundary_loops}) : Value(nullptr));

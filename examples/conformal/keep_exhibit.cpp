@@ -50,7 +50,9 @@ Corner_places places_in_plane(const CGP::Mesh_view& mesh, const CGP::Points& pos
 /// both shapes in frames of their own, in which a float has room for them; no squares yet
 Exhibit shapes(const CGP::Mesh_view& before, const CGP::Points& after)
 {
-  const auto framed = [](const CGP::Points& p) { return CGP::Normalized_frame(p).to_frame(p); };
+  const auto framed = [](const CGP::Points& p) {
+    return CGP::internal::Normalized_frame(p).to_frame(p);
+  };
   Exhibit exhibit{before, framed(after), {}, {}};
   exhibit.before.set_positions(framed(before.positions()));
   return exhibit;

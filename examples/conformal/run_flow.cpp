@@ -11,17 +11,17 @@
 namespace conformal {
 namespace {
 
-CGP::Balance balance_of(Balance_choice choice)
+CGP::Flow_options::Balance balance_of(Balance_choice choice)
 {
   switch (choice) {
     case Balance_choice::initial:
-      return CGP::Balance::initial;
+      return CGP::Flow_options::Balance::initial;
     case Balance_choice::canonical:
-      return CGP::Balance::canonical;
+      return CGP::Flow_options::Balance::canonical;
     case Balance_choice::none:
       break;
   }
-  return CGP::Balance::none;
+  return CGP::Flow_options::Balance::none;
 }
 
 CGP::Flow_options options_of(const Flow_options& options, const Common_options& common)

@@ -4,9 +4,9 @@
 
 namespace conformal {
 
-CGP::Parameterization_result solve_flat(const CGP::Mesh_view& mesh,
-                                        const CGP::Parameterization_options& options,
-                                        const std::string& function)
+CGP::internal::Parameterization_result solve_flat(const CGP::Mesh_view& mesh,
+                                                  const CGP::Parameterization_options& options,
+                                                  const std::string& function)
 {
   return CGP::spectral_parameterization(mesh, options, function);
 }

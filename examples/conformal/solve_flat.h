@@ -13,9 +13,9 @@ namespace conformal {
 namespace CGP = Conformal_geometry_processing;
 
 /// Calls the library's `spectral_parameterization`. This is the one place that compiles it.
-CGP::Parameterization_result solve_flat(const CGP::Mesh_view& mesh,
-                                        const CGP::Parameterization_options& options,
-                                        const std::string& function);
+CGP::internal::Parameterization_result solve_flat(const CGP::Mesh_view& mesh,
+                                                  const CGP::Parameterization_options& options,
+                                                  const std::string& function);
 
 }  // namespace conformal
 

@@ -34,8 +34,8 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem
                          const Go_further& go_further)
 {
   CGP::Dirac_options dirac;
-  dirac.problem =
-      options.generalized ? CGP::Eigenproblem::generalized : CGP::Eigenproblem::standard;
+  dirac.problem = options.generalized ? CGP::Dirac_options::Eigenproblem::generalized
+                                      : CGP::Dirac_options::Eigenproblem::standard;
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
   dirac.kernel_tolerance = problem.kernel_tolerance;

@@ -23,24 +23,24 @@
 namespace conformal {
 namespace {
 
-CGP::Dirac_spectrum find(const Surface_input& input, const Spectrum_options& options,
-                         const Common_options& common)
+CGP::internal::Dirac_spectrum find(const Surface_input& input, const Spectrum_options& options,
+                                   const Common_options& common)
 {
   const CGP::Mesh_view& mesh = input.mesh;
   if (options.count > mesh.size_of_vertices())
     throw Failure(Exit_code::usage, "--count " + std::to_string(options.count) + ": " +
                                         options.input + " has only " +
                                         std::to_string(mesh.size_of_vertices()) + " vertices");
-  CGP::Dirac_spectrum_options o;
+  CGP::internal::Dirac_spectrum_options o;
   o.shift = options.shift;
   o.tolerance = common.tolerance;
   o.random_seed = common.seed;
   const auto condition = CGP::boundary_loops(mesh).empty() ? CGP::Boundary_condition::free()
                                                            : CGP::Boundary_condition::binormals();
-  CGP::Dirac_spectrum s =
-      CGP::Dirac_spectral_problem<>(mesh, condition, "spectrum")
+  CGP::internal::Dirac_spectrum s =
+      CGP::internal::Dirac_spectral_problem<>(mesh, condition, "spectrum")
           .find(CGP::no_potential(mesh), options.count, o,
-                [](const CGP::Krylov_progress&) { return signal_received() == 0; });
+                [](const CGP::internal::Krylov_progress&) { return signal_received() == 0; });
   throw_if_interrupted();
   if (!s.converged)
     throw Failure(Exit_code::failed, options.input +
@@ -54,7 +54,7 @@ std::vector<double> numbers(const Eigen::VectorXd& v)
   return {v.begin(), v.end()};
 }
 
-void tell(const CGP::Dirac_spectrum& s, const Spectrum_options& options, Session& session)
+void tell(const CGP::internal::Dirac_spectrum& s, const Spectrum_options& options, Session& session)
 {
   session.report().set("result/eigenvalues", numbers(s.eigenvalues));
   session.report().set("result/pencil_eigenvalues", numbers(s.pencil_eigenvalues));
@@ -68,7 +68,7 @@ void tell(const CGP::Dirac_spectrum& s, const Spectrum_options& options, Session
   session.print(table.text());
 }
 
-std::string csv_of(const CGP::Dirac_spectrum& s)
+std::string csv_of(const CGP::internal::Dirac_spectrum& s)
 {
   std::string text = "number,eigenvalue,pencil_eigenvalue,residual\n";
   for (Eigen::Index k = 0; k < s.size(); ++k) {
@@ -82,8 +82,8 @@ std::string csv_of(const CGP::Dirac_spectrum& s)
   return text;
 }
 
-void write_surface_of(const Surface_input& input, const CGP::Dirac_spectrum& s, int number,
-                      Session& session)
+void write_surface_of(const Surface_input& input, const CGP::internal::Dirac_spectrum& s,
+                      int number, Session& session)
 {
   const CGP::Spin_result result =
       CGP::surface_of_spin(input.mesh, s.vectors.col(number), "spectrum");
@@ -114,7 +114,7 @@ void spectrum(const Spectrum_options& options, Session& session)
   std::optional<Temporary_file> csv;
   if (!options.csv.empty()) csv.emplace(options.csv);
   const Surface_input input = read_suitable_surface(options.input, session);
-  const CGP::Dirac_spectrum s = find(input, options, session.options());
+  const auto s = find(input, options, session.options());
   session.end_stage("solve");
   if (options.surface) write_surface_of(input, s, *options.surface, session);
   if (csv) {

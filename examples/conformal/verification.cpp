@@ -15,10 +15,10 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
                               const std::string& easier)
 {
   const std::string what = CGP::to_string(report.boundary_fault);
-  if (report.boundary_fault == CGP::Boundary_fault::not_realizable)
+  if (report.boundary_fault == CGP::Spin_report::Boundary_fault::not_realizable)
     return what + "; try: binormals instead of tangents, the tangents of a plane curve, or " +
            easier;
-  if (report.boundary_fault == CGP::Boundary_fault::degenerate)
+  if (report.boundary_fault == CGP::Spin_report::Boundary_fault::degenerate)
     return what + "; try: " + easier + ", or a finer mesh";
   const double missed = report.direction_error.mean * 180 / std::acos(-1.);
   if (!(missed <= limits.direction_error))

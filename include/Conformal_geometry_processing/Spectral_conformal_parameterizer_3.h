@@ -74,7 +74,7 @@ class Spectral_conformal_parameterizer_3 {
     try {
       const Mesh_view view(component.positions(mesh), std::move(component.corners));
       require_surface(view, "Spectral_conformal_parameterizer_3");
-      const Parameterization_result result = spectral_parameterization_of<SolverTraits>(
+      const internal::Parameterization_result result = spectral_parameterization_of<SolverTraits>(
           view, {loop(mesh, border, number)}, m_options, "Spectral_conformal_parameterizer_3");
       if (!result.report) return SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
       for (std::size_t i = 0; i < component.vertices.size(); ++i) {
@@ -145,10 +145,10 @@ class Spectral_conformal_parameterizer_3 {
 
   /// Returns the vertices along a border, which runs with the surface on its right
   template <class VertexIndexMap>
-  static Vertex_loop loop(const TriangleMesh& mesh, halfedge_descriptor border,
-                          VertexIndexMap number)
+  static internal::Vertex_loop loop(const TriangleMesh& mesh, halfedge_descriptor border,
+                                    VertexIndexMap number)
   {
-    Vertex_loop loop;
+    internal::Vertex_loop loop;
     for (halfedge_descriptor h = border;;) {
       loop.push_back(static_cast<int>(get(number, target(h, mesh))));
       h = prev(h, mesh);

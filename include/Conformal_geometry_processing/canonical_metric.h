@@ -83,7 +83,7 @@ Canonical_metric_report canonical_metric(const TriangleMesh& mesh, DensityMap de
   const Graph graph(mesh, np, "canonical_metric");
   require_not_empty(graph.view(), "canonical_metric");
   require_finite_positions(graph.view(), "canonical_metric");
-  const Normalized_frame frame(graph.view().positions());
+  const internal::Normalized_frame frame(graph.view().positions());
   Mesh_view view = graph.view();
   view.set_positions(frame.to_frame(view.positions()));
   require_closed(view, "canonical_metric");

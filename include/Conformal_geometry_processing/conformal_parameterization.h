@@ -30,7 +30,8 @@ template <class NamedParameters>
 Parameterization_options parameterization_options(const NamedParameters& np)
 {
   Parameterization_options options;
-  options.normals = parameter_or(np, internal_np::conformal_normals, Conformal_normals::of_faces);
+  options.normals =
+      parameter_or(np, internal_np::conformal_normals, Parameterization_options::Normals::of_faces);
   options.boundary =
       parameter_or(np, internal_np::normalized_boundary, Normalized_boundary::longest_loop);
   options.tolerance = parameter_or(np, internal_np::tolerance, options.tolerance);
@@ -107,8 +108,8 @@ void write_plane_points(const Graph_view<TriangleMesh>& graph, const Eigen::Vect
 ///     \cgalParamDescription{the normals N in the energy. Vertex normals, as in the thesis, give
 ///                           much worse maps of scans, which depend on the rotation of the image;
 ///                           on smooth meshes there is no difference.}
-///     \cgalParamType{`Conformal_normals`}
-///     \cgalParamDefault{`Conformal_normals::of_faces`}
+///     \cgalParamType{`Parameterization_options::Normals`}
+///     \cgalParamDefault{`Parameterization_options::Normals::of_faces`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{normalized_boundary}
 ///     \cgalParamDescription{the part of the boundary whose variance is fixed}
@@ -147,7 +148,8 @@ Parameterization_report conformal_parameterization(
 {
   const std::string function = "conformal_parameterization";
   const Graph_view<TriangleMesh> graph(mesh, np, function);
-  const Parameterization_result result = internal::parameterization_result(graph, np, function);
+  const internal::Parameterization_result result =
+      internal::parameterization_result(graph, np, function);
   if (result.report) internal::write_plane_points(graph, result.z, uv_map);
   return result.report;
 }

@@ -36,7 +36,7 @@ namespace Conformal_geometry_processing {
 /// message contains the number of failed components, and names the first ones for each reason.
 template <class TriangleMesh, class VertexUVMap,
           class NamedParameters = parameters::Default_named_parameters>
-Component_reports<Parameterization_report> conformal_parameterization_components(
+internal::Component_reports<Parameterization_report> conformal_parameterization_components(
     const TriangleMesh& mesh, VertexUVMap uv_map,
     const NamedParameters& np = parameters::default_values())
 {
@@ -50,7 +50,7 @@ Component_reports<Parameterization_report> conformal_parameterization_components
       [&](const Graph_view<TriangleMesh>& component) {
         return internal::parameterization_result(component, np, function);
       },
-      [&](const std::vector<int>& vertices, const Parameterization_result& result) {
+      [&](const std::vector<int>& vertices, const internal::Parameterization_result& result) {
         z(vertices) = result.z;
       });
   if (!reports) return reports;

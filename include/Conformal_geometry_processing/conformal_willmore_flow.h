@@ -50,7 +50,7 @@ void read_target_areas(const Graph_view<TriangleMesh>& graph, const NamedParamet
 {
   if constexpr (has_parameter<NamedParameters, internal_np::vertex_target_area_map_t>) {
     auto areas = CGAL::parameters::get_parameter(np, internal_np::vertex_target_area_map);
-    options.balance = Balance::prescribed;
+    options.balance = Flow_options::Balance::prescribed;
     options.target_areas.resize(graph.view().size_of_vertices());
     for (int v = 0; v < options.target_areas.size(); ++v)
       options.target_areas[v] = CGAL::to_double(get(areas, graph.vertex(v)));
@@ -155,13 +155,13 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///   \cgalParamNBegin{balance}
 ///     \cgalParamDescription{the vertex areas towards which the surface is balanced among its
 ///                           Moebius transforms, which do not differ in curvature}
-///     \cgalParamType{`Balance`}
-///     \cgalParamDefault{`Balance::none`}
+///     \cgalParamType{`Flow_options::Balance`}
+///     \cgalParamDefault{`Flow_options::Balance::none`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{balancing}
 ///     \cgalParamDescription{how balance is kept}
-///     \cgalParamType{`Balancing`}
-///     \cgalParamDefault{`Balancing::inversion`}
+///     \cgalParamType{`Flow_options::Balancing`}
+///     \cgalParamDefault{`Flow_options::Balancing::inversion`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_target_area_map}
 ///     \cgalParamDescription{target areas of the balance; only their ratios matter}

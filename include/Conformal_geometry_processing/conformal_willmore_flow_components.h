@@ -26,7 +26,7 @@ namespace Conformal_geometry_processing {
 /// \returns the reports in the order of the first vertices of the components, with the reason why
 /// each has stopped. They convert to `true` if all of them do. In any case, the points are those
 /// of the last complete step of each: after cancellation by a visitor, the remaining components are
-/// unchanged, and also report `Flow_stop::cancelled`.
+/// unchanged, and also report `Flow_step_report::Stop::cancelled`.
 /// \throw Precondition_error if the mesh is not an oriented manifold triangle mesh with finite
 /// coordinates and positive areas, or a component or a parameter is rejected
 /// \throw Solver_error if an analysis fails
@@ -35,7 +35,7 @@ namespace Conformal_geometry_processing {
 /// message contains the number of failed components, and names the first ones for each reason. If
 /// an exception is thrown, also by the visitor, the mesh is unchanged.
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
-Component_reports<Flow_report> conformal_willmore_flow_components(
+internal::Component_reports<Flow_report> conformal_willmore_flow_components(
     TriangleMesh& mesh, const NamedParameters& np = parameters::default_values())
 {
   const std::string function = "conformal_willmore_flow_components";
@@ -48,9 +48,9 @@ Component_reports<Flow_report> conformal_willmore_flow_components(
       graph, function,
       [&](const Graph_view<TriangleMesh>& component) {
         internal::Flow_result result{component.view().positions(), {}};
-        result.report.stop = Flow_stop::cancelled;  // unless the flow is started
+        result.report.stop = Flow_step_report::Stop::cancelled;  // unless the flow is started
         if (!is_cancelled) result = internal::flow_result(component, np, function);
-        is_cancelled = result.report.stop == Flow_stop::cancelled;
+        is_cancelled = result.report.stop == Flow_step_report::Stop::cancelled;
         return result;
       },
       [&](const std::vector<int>& vertices, const internal::Flow_result& result) {

@@ -114,8 +114,8 @@ Dirac_spectrum_options dirac_spectrum_options(const NamedParameters& np)
 /// the number of eigenvalues
 /// \throw Solver_error if a matrix cannot be factored
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
-Dirac_spectrum dirac_spectrum(const TriangleMesh& mesh, int count,
-                              const NamedParameters& np = parameters::default_values())
+internal::Dirac_spectrum dirac_spectrum(const TriangleMesh& mesh, int count,
+                                        const NamedParameters& np = parameters::default_values())
 {
   static_assert(
       internal::only_known_parameters<
@@ -137,7 +137,7 @@ Dirac_spectrum dirac_spectrum(const TriangleMesh& mesh, int count,
   if constexpr (internal::has_parameter<NamedParameters, internal_np::curvature_potential_map_t>)
     rho = internal::read_curvature_potential(
         graph, CGAL::parameters::get_parameter(np, internal_np::curvature_potential_map));
-  Dirac_spectral_problem<Solver_traits> problem(graph.view(), condition, function);
+  internal::Dirac_spectral_problem<Solver_traits> problem(graph.view(), condition, function);
   return problem.find(rho, count, internal::dirac_spectrum_options(np));
 }
 

@@ -94,7 +94,7 @@ void filter_curvature(const TriangleMesh& mesh, VertexMap values, Curvature_band
       static_cast<int>(v.size()), [&](int i) { return !std::isfinite(v[i]); },
       internal::name_of_vertex, function, "#value not finite", "finite values are needed");
 
-  Filter_options options;
+  internal::Filter_options options;
   options.weight = choose_parameter(get_parameter(np, internal_np::filter_weight), options.weight);
   options.order = choose_parameter(get_parameter(np, internal_np::filter_order), options.order);
   options.amount = choose_parameter(get_parameter(np, internal_np::filter_amount), options.amount);

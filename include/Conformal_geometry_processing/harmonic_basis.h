@@ -112,7 +112,7 @@ auto harmonic_basis(const TriangleMesh& mesh,
   const Graph_view<TriangleMesh> graph(mesh, np, function);
   require_not_empty(graph.view(), function);
   require_finite_positions(graph.view(), function);
-  const Normalized_frame frame(graph.view().positions());
+  const internal::Normalized_frame frame(graph.view().positions());
   Mesh_view view = graph.view();
   view.set_positions(frame.to_frame(view.positions()));
   Harmonic_basis basis = internal::harmonic_basis_from<Solver_traits>(
@@ -121,7 +121,8 @@ auto harmonic_basis(const TriangleMesh& mesh,
                              One_form_generators::tree_cotree),
       static_cast<unsigned>(internal::parameter_or(np, CGAL::internal_np::random_seed, 0u)),
       function);
-  return Harmonic_forms<TriangleMesh, Vector>(mesh, graph, std::move(basis), 1 / frame.unit());
+  return internal::Harmonic_forms<TriangleMesh, Vector>(mesh, graph, std::move(basis),
+                                                        1 / frame.unit());
 }
 
 }  // namespace Conformal_geometry_processing

@@ -73,8 +73,8 @@ Curve_flow_options curve_flow_options(const NamedParameters& np)
 ///   \cgalParamNBegin{closing}
 ///     \cgalParamDescription{how the ends of a closed curve are joined: without stretching any
 ///                           edge, or by stretching edges slightly, as in the thesis}
-///     \cgalParamType{`Curve_closing`}
-///     \cgalParamDefault{`Curve_closing::exact`}
+///     \cgalParamType{`Curve_flow_options::Closing`}
+///     \cgalParamDefault{`Curve_flow_options::Closing::exact`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is called for every step and may stop the flow}

@@ -20,14 +20,14 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgEntryPoints
 /// \brief Scaling of the surface by a Moebius map: lengths at a vertex change by |lambda|^2.
 struct Moebius_report {
   double min_length_scale = 0;
   double max_length_scale = 0;
 };
-
-namespace internal {
 
 /// Applies p -> map(p - center) + center. The center is not included in the map, because a distant
 /// one would cost digits.
@@ -99,8 +99,8 @@ Moebius_report apply_around(const Eigen::Vector3d& center, const Moebius_map& ma
 /// \throw Precondition_error if a face is not a triangle, or a vertex is not finite or is mapped to
 /// infinity; the message contains its index, and nothing is written
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
-Moebius_report moebius_transform(TriangleMesh& mesh, const Moebius_map& map,
-                                 const NamedParameters& np = parameters::default_values())
+internal::Moebius_report moebius_transform(TriangleMesh& mesh, const Moebius_map& map,
+                                           const NamedParameters& np = parameters::default_values())
 {
   return internal::apply_around(Eigen::Vector3d::Zero(), map, mesh, np, "moebius_transform");
 }
@@ -120,8 +120,8 @@ Moebius_report moebius_transform(TriangleMesh& mesh, const Moebius_map& map,
 /// \throw Precondition_error likewise, or if the center is not finite or the radius not positive
 template <class TriangleMesh, class Point,
           class NamedParameters = parameters::Default_named_parameters>
-Moebius_report invert_in_sphere(TriangleMesh& mesh, const Point& center, double radius,
-                                const NamedParameters& np = parameters::default_values())
+internal::Moebius_report invert_in_sphere(TriangleMesh& mesh, const Point& center, double radius,
+                                          const NamedParameters& np = parameters::default_values())
 {
   const auto traits = internal::geometry_traits<TriangleMesh>(np);
   const Eigen::Vector3d c(CGAL::to_double(traits.compute_x_3_object()(center)),

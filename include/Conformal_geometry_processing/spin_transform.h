@@ -115,10 +115,11 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDefault{`Lobpcg_eigensolver_traits`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{eigenproblem}
-///     \cgalParamDescription{the discretisation: `Eigenproblem::generalized` requires rho on faces
+///     \cgalParamDescription{the discretisation: `Dirac_options::Eigenproblem::generalized`
+///     requires rho on faces
 ///                           and falls back to the standard problem if it is not reliable}
-///     \cgalParamType{`Eigenproblem`}
-///     \cgalParamDefault{`Eigenproblem::standard`}
+///     \cgalParamType{`Dirac_options::Eigenproblem`}
+///     \cgalParamDefault{`Dirac_options::Eigenproblem::standard`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exactness}
 ///     \cgalParamDescription{how handles are kept closed; `std::nullopt`: not at all, in one step}
@@ -173,8 +174,8 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{branch}
 ///     \cgalParamDescription{with directions: the singular vector of D - rho that is taken}
-///     \cgalParamType{`Branch`}
-///     \cgalParamDefault{`Branch::nearest`}
+///     \cgalParamType{`Dirac_options::Branch`}
+///     \cgalParamDefault{`Dirac_options::Branch::nearest`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
 ///     \cgalParamDescription{upper bound of the error estimate of lambda}

@@ -44,7 +44,7 @@ namespace Conformal_geometry_processing {
 /// an exception is thrown, the mesh is unchanged.
 template <class TriangleMesh, class CurvaturePotentialMap,
           class NamedParameters = parameters::Default_named_parameters>
-Component_reports<Spin_report> spin_transform_components(
+internal::Component_reports<Spin_report> spin_transform_components(
     TriangleMesh& mesh, CurvaturePotentialMap rho,
     const NamedParameters& np = parameters::default_values())
 {

@@ -34,7 +34,8 @@ TYPED_TEST(Hermitian_sparse_matrix, is_its_own_adjoint)
   const auto A = random_hermitian<TypeParam>(random_pattern(12, 4), 5);
   EXPECT_EQ(dense(A), dense(A).transpose());
   for (int j = 0; j < 12; ++j)
-    EXPECT_EQ(A.coefficient(j, j), CGP::Scalar_traits<TypeParam>::from_real(A.diagonal(j)));
+    EXPECT_EQ(A.coefficient(j, j),
+              CGP::internal::Scalar_traits<TypeParam>::from_real(A.diagonal(j)));
 }
 
 TYPED_TEST(Hermitian_sparse_matrix, is_zero_outside_of_its_pattern)
@@ -55,7 +56,7 @@ TYPED_TEST(Hermitian_sparse_matrix, starts_at_zero_and_shares_its_pattern)
   EXPECT_EQ(&A.pattern(), pattern.get());
   EXPECT_EQ(A.shared_pattern(), pattern);
   EXPECT_TRUE(dense(A).isZero(0));
-  A.value(2) = CGP::Scalar_traits<TypeParam>::from_real(1);
+  A.value(2) = CGP::internal::Scalar_traits<TypeParam>::from_real(1);
   A.set_zero();
   EXPECT_TRUE(dense(A).isZero(0));
 }

@@ -9,7 +9,7 @@
 
 namespace CGP = Conformal_geometry_processing;
 using Q = CGP::Quaternion<double>;
-using Matrix = CGP::Quaternionic_sparse_matrix<double>;
+using Matrix = CGP::internal::Quaternionic_sparse_matrix<double>;
 
 namespace {
 

@@ -14,7 +14,7 @@
 namespace cgp_test {
 namespace {
 
-using Basis = CGP::Reduced_basis<double>;
+using Basis = CGP::internal::Reduced_basis<double>;
 using Q = Quaternion<double>;
 
 Reduced_problem on_a_ring()

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace CGP = Conformal_geometry_processing;
-using CGP::Reduced_rows;
+using CGP::internal::Reduced_rows;
 
 TEST(Reduced_rows, number_their_coordinates_row_by_row)
 {

@@ -16,7 +16,7 @@ namespace cgp_test {
 /// A minimal model of the concept SparseHermitianEigensolverTraits: dense, without support of mass
 /// matrices, ignores the solver and the initial vectors.
 struct Sparse_hermitian_eigensolver_archetype {
-  template <class Solver, class GoFurther = CGP::Always_go_further>
+  template <class Solver, class GoFurther = CGP::internal::Always_go_further>
   CGP::Eigensolver_result operator()(const CGP::Hermitian_sparse_matrix<Quaternion<double>>& A,
                                      const CGP::Vector<double>& masses, const Solver&,
                                      const CGP::Block<Quaternion<double>>& x0,

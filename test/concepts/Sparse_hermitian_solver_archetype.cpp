@@ -22,12 +22,12 @@ using Solvers = testing::Types<Traits::Solver<double>, Traits::Solver<Q>>;
 TEST(Sparse_hermitian_solver_archetype, is_all_that_the_grounded_solver_needs)
 {
   const auto L = random_laplacian(random_pattern(20, 1), 2);
-  CGP::Grounded_solver<Traits> solver(L.shared_pattern());
+  CGP::internal::Grounded_solver<Traits> solver(L.shared_pattern());
   solver.factorize(L);
   Eigen::MatrixXd b = random_block<double>(20, 2, 3);
   b.rowwise() -= b.colwise().mean().eval();
   EXPECT_LE((dense(L) * solver.solve(b) - b).norm(), 1e-12);
-  const CGP::Grounded_solver<Traits> sharing(L.shared_pattern(), solver.ordering());
+  const CGP::internal::Grounded_solver<Traits> sharing(L.shared_pattern(), solver.ordering());
   EXPECT_EQ(sharing.ordering(), solver.ordering());
 }
 

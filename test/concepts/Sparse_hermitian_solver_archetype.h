@@ -30,7 +30,7 @@ class Sparse_hermitian_solver_archetype {
 
   CGP::Solver_status analyze(const CGP::Sparse_pattern& pattern)
   {
-    CGP::Ordering order(at(pattern.size()));
+    CGP::internal::Ordering order(at(pattern.size()));
     std::iota(order.begin(), order.end(), 0);
     return analyze(pattern, order);
   }
@@ -47,14 +47,15 @@ class Sparse_hermitian_solver_archetype {
     return analyze(pattern, other.ordering());
   }
 
-  CGP::Solver_status analyze(const CGP::Sparse_pattern& pattern, const CGP::Ordering& order)
+  CGP::Solver_status analyze(const CGP::Sparse_pattern& pattern,
+                             const CGP::internal::Ordering& order)
   {
     m_analyzed = pattern.size() > 0 && at(pattern.size()) == order.size();
     m_ordering = order;
     return m_analyzed ? CGP::Solver_status::success : CGP::Solver_status::wrong_state;
   }
 
-  const CGP::Ordering& ordering() const { return m_ordering; }
+  const CGP::internal::Ordering& ordering() const { return m_ordering; }
 
   CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>& A,
                                const CGP::Vector<FT>& shift)
@@ -89,7 +90,7 @@ class Sparse_hermitian_solver_archetype {
   }
 
  private:
-  CGP::Ordering m_ordering;
+  CGP::internal::Ordering m_ordering;
   Eigen::LLT<Eigen::MatrixXd> m_llt;
   bool m_analyzed = false, m_factorized = false;
 };

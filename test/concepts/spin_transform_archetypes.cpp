@@ -96,14 +96,15 @@ TEST_F(Spin_transform_with_archetypes, of_the_solvers_too)
 TEST_F(Spin_transform_with_archetypes, as_the_spectrum_of_the_surface)
 {
   namespace CGP = Conformal_geometry_processing;
-  const CGP::Dirac_spectrum s =
+  const CGP::internal::Dirac_spectrum s =
       CGP::dirac_spectrum(mesh, 3,
                           params::vertex_point_map(cgp_test::Point_map_archetype(view))
                               .curvature_potential_map(Rho_map(view))
                               .geom_traits(Geometry_traits_archetype(cgp_test::archetype_unit))
                               .sparse_solver(cgp_test::Sparse_hermitian_solver_traits_archetype()));
-  const CGP::Dirac_spectrum by_default = CGP::Dirac_spectral_problem<>(view).find(
-      CGP::Curvature_potential::on_vertices(cgp_test::rho_of_section_3_on_vertices(view)), 3);
+  const CGP::internal::Dirac_spectrum by_default =
+      CGP::internal::Dirac_spectral_problem<>(view).find(
+          CGP::Curvature_potential::on_vertices(cgp_test::rho_of_section_3_on_vertices(view)), 3);
   ASSERT_TRUE(s.converged);
   EXPECT_LT((s.eigenvalues - by_default.eigenvalues).norm(), 1e-7);
 }

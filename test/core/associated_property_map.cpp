@@ -12,18 +12,18 @@
 namespace {
 
 using namespace Conformal_geometry_processing;
-using Map = Associated_property_map<std::string, int>;
+using Map = internal::Associated_property_map<std::string, int>;
 
 auto numbering(const std::vector<std::string>& keys)
 {
-  return std::make_shared<const Element_numbering<std::string>>(keys);
+  return std::make_shared<const internal::Element_numbering<std::string>>(keys);
 }
 
 }  // namespace
 
 TEST(Element_numbering, counts_from_0_in_the_order_of_the_range)
 {
-  const Element_numbering<std::string> number(std::vector<std::string>{"c", "a", "b"});
+  const internal::Element_numbering<std::string> number(std::vector<std::string>{"c", "a", "b"});
   EXPECT_EQ(number.size(), 3U);
   EXPECT_EQ(number("c"), 0U);
   EXPECT_EQ(number("a"), 1U);

@@ -15,7 +15,7 @@ using namespace cgp_test;
 
 TEST(Curve_flow_stop, has_words_for_every_reason)
 {
-  using CGP::Curve_flow_stop;
+  using Curve_flow_stop = CGP::Curve_step_report::Stop;
   for (const auto stop :
        {Curve_flow_stop::none, Curve_flow_stop::energy_settled, Curve_flow_stop::steps_done,
         Curve_flow_stop::cancelled, Curve_flow_stop::step_failed})
@@ -27,7 +27,7 @@ TEST(Curve_flow_report, does_not_take_in_steps_that_failed)
 {
   CGP::Curve_flow_report report;
   CGP::Curve_step_report step;
-  step.stop = CGP::Curve_flow_stop::step_failed;
+  step.stop = CGP::Curve_step_report::Stop::step_failed;
   EXPECT_FALSE(append(report, step));
   EXPECT_TRUE(report.steps.empty());
   EXPECT_FALSE(report);
@@ -36,7 +36,7 @@ TEST(Curve_flow_report, does_not_take_in_steps_that_failed)
 TEST(Curve_frame, has_the_curve_around_its_origin)
 {
   const Curve curve = (1e5 * flower(50)).colwise() + Eigen::Vector2d(3e8, 1);
-  const CGP::Curve_frame frame(curve);
+  const CGP::internal::Curve_frame frame(curve);
   const Curve inside = frame.to_frame(curve);
   EXPECT_LT(inside.cwiseAbs().maxCoeff(), 2);
   EXPECT_GT(inside.cwiseAbs().maxCoeff(), .5);

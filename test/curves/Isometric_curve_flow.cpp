@@ -38,7 +38,7 @@ double difference(const Curve& a, const Curve& b)
 
 Eigen::Vector2d centroid(const Curve& curve)
 {
-  return curve * CGP::Polygon_lengths(curve, true).duals() / length_of(curve);
+  return curve * CGP::internal::Polygon_lengths(curve, true).duals() / length_of(curve);
 }
 
 TEST(Isometric_curve_flow, keeps_every_length_to_a_trillionth)
@@ -152,7 +152,7 @@ TEST(Isometric_curve_flow, energies_of_open_curves_fall_by_the_square_of_one_min
       EXPECT_NEAR(step.energy / step.energy_before, (1 - 2 * tau) * (1 - 2 * tau), 1e-12);
       EXPECT_EQ(step.gap, 0);
     }
-    const CGP::Polygon_lengths lengths(curve, false);
+    const CGP::internal::Polygon_lengths lengths(curve, false);
     EXPECT_LT(CGP::length_distortion(flow.points(), lengths), 1e-13);
     EXPECT_EQ(flow.turning_number_of_curve(), 0);
   }
@@ -163,7 +163,7 @@ TEST(Isometric_curve_flow, open_curves_become_straight_in_one_step_of_a_half)
   CGP::Curve_flow_options options = with(.5, 1);
   options.is_closed = false;
   const Curve line = flown(flower(200).leftCols(150), options);
-  const double length = CGP::Polygon_lengths(line, false).total();
+  const double length = CGP::internal::Polygon_lengths(line, false).total();
   EXPECT_NEAR((line.col(149) - line.col(0)).norm(), length, 1e-12 * length);
 }
 
@@ -173,10 +173,10 @@ TEST(Isometric_curve_flow, stops_where_the_energy_has_settled)
     CGP::Isometric_curve_flow flow(curve);
     CGP::Curve_flow_visitor silent;
     const CGP::Curve_flow_report report = flow.run(silent);
-    EXPECT_EQ(report.stop, CGP::Curve_flow_stop::energy_settled);
+    EXPECT_EQ(report.stop, CGP::Curve_step_report::Stop::energy_settled);
     EXPECT_TRUE(report.converged() && report);
     EXPECT_LT(report.steps.size(), 20u);
-    EXPECT_EQ(report.steps.back().stop, CGP::Curve_flow_stop::energy_settled);
+    EXPECT_EQ(report.steps.back().stop, CGP::Curve_step_report::Stop::energy_settled);
     EXPECT_EQ(report.energy, report.steps.back().energy);
     EXPECT_EQ(report.energy, flow.energy());
     EXPECT_GT(report.initial_energy, report.energy);
@@ -208,7 +208,7 @@ TEST(Isometric_curve_flow, makes_the_steps_it_is_asked_for)
   Counting_visitor visitor;
   CGP::Isometric_curve_flow flow(flower(100), with(.1, 4));
   const CGP::Curve_flow_report report = flow.run(visitor);
-  EXPECT_EQ(report.stop, CGP::Curve_flow_stop::steps_done);
+  EXPECT_EQ(report.stop, CGP::Curve_step_report::Stop::steps_done);
   EXPECT_TRUE(report && !report.converged());
   EXPECT_EQ(report.steps.size(), 4u);
   EXPECT_EQ(visitor.begins, 1);
@@ -222,7 +222,7 @@ TEST(Isometric_curve_flow, stops_at_the_last_complete_step_when_told_to)
   visitor.limit = 2;
   CGP::Isometric_curve_flow flow(flower(100), with(.1, 4));
   const CGP::Curve_flow_report report = flow.run(visitor);
-  EXPECT_EQ(report.stop, CGP::Curve_flow_stop::cancelled);
+  EXPECT_EQ(report.stop, CGP::Curve_step_report::Stop::cancelled);
   EXPECT_FALSE(report);
   EXPECT_EQ(report.steps.size(), 2u);
   EXPECT_EQ(flow.points(), flown(flower(100), with(.1, 2)));
@@ -245,7 +245,7 @@ TEST(Isometric_curve_flow, leaves_triangles_as_they_are)
   CGP::Isometric_curve_flow flow(triangle);
   CGP::Curve_flow_visitor silent;
   const CGP::Curve_flow_report report = flow.run(silent);
-  EXPECT_EQ(report.stop, CGP::Curve_flow_stop::energy_settled);
+  EXPECT_EQ(report.stop, CGP::Curve_step_report::Stop::energy_settled);
   EXPECT_LT(difference(flow.points(), triangle), 1e-12);
 }
 

@@ -14,7 +14,7 @@ namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
 
 Curve flown(const Curve& curve, double tau, int steps,
-            CGP::Curve_closing closing = CGP::Curve_closing::exact)
+            CGP::Curve_flow_options::Closing closing = CGP::Curve_flow_options::Closing::exact)
 {
   CGP::Curve_flow_options options;
   options.time_step = tau;
@@ -24,7 +24,8 @@ Curve flown(const Curve& curve, double tau, int steps,
   return flow.points();
 }
 
-constexpr CGP::Curve_closing least_squares = CGP::Curve_closing::least_squares;
+constexpr CGP::Curve_flow_options::Closing least_squares =
+    CGP::Curve_flow_options::Closing::least_squares;
 
 /// the complete elliptic integrals of the parameter m, by the arithmetic-geometric mean
 struct Elliptic {

@@ -18,8 +18,8 @@ using namespace cgp_test;
 TEST(Closing_functions, are_orthogonal_and_span_the_coordinates)
 {
   const Curve curve = figure_eight(50);
-  const Eigen::VectorXd d = CGP::Polygon_lengths(curve, true).duals();
-  const CGP::Closing_functions functions(curve, d);
+  const Eigen::VectorXd d = CGP::internal::Polygon_lengths(curve, true).duals();
+  const CGP::internal::Closing_functions functions(curve, d);
   Eigen::MatrixXd g(3, 50);
   for (Eigen::Index i = 0; i < 50; ++i) g.col(i) = functions.values(curve.col(i));
   Eigen::Matrix3d gram = g * d.asDiagonal() * g.transpose();
@@ -36,14 +36,14 @@ TEST(Closing_functions, do_without_a_function_that_is_zero)
 {
   Curve line(2, 3);
   line << 0, 1, 2, 0, 0, 0;
-  const CGP::Closing_functions functions(line, Eigen::Vector3d::Ones());
+  const CGP::internal::Closing_functions functions(line, Eigen::Vector3d::Ones());
   EXPECT_EQ(functions.combination(Eigen::Vector3d(3, 2, 1)), Eigen::Vector3d(1, 1, 0));
 }
 
 TEST(Constrained_direction, is_orthogonal_to_one_and_the_coordinates)
 {
   for (const Curve& curve : {flower(200), figure_eight(200), limacon(200)}) {
-    const CGP::Polygon_lengths lengths(curve, true);
+    const CGP::internal::Polygon_lengths lengths(curve, true);
     Eigen::VectorXd v;
     CGP::bending_descent(curvatures_of(curve), curve, lengths, v);
     const Eigen::VectorXd dv = v.cwiseProduct(lengths.duals());
@@ -55,7 +55,7 @@ TEST(Constrained_direction, is_orthogonal_to_one_and_the_coordinates)
 TEST(Constrained_direction, differs_from_minus_two_kappa_by_the_constraints_alone)
 {
   const Curve curve = figure_eight(80);
-  const CGP::Polygon_lengths lengths(curve, true);
+  const CGP::internal::Polygon_lengths lengths(curve, true);
   const Eigen::VectorXd kappa = curvatures_of(curve);
   Eigen::VectorXd v;
   CGP::bending_descent(kappa, curve, lengths, v);
@@ -72,7 +72,7 @@ TEST(Constrained_direction, of_an_open_curve_is_minus_two_kappa)
   const Curve curve = flower(30);
   Eigen::VectorXd v;
   const Eigen::VectorXd kappa = Eigen::VectorXd::LinSpaced(30, -1, 2);
-  CGP::bending_descent(kappa, curve, CGP::Polygon_lengths(curve, false), v);
+  CGP::bending_descent(kappa, curve, CGP::internal::Polygon_lengths(curve, false), v);
   EXPECT_EQ(v, Eigen::VectorXd(-2 * kappa));
 }
 
@@ -81,7 +81,7 @@ TEST(Constrained_direction, on_a_circle_leaves_all_frequencies_above_one)
 {
   const int m = 60;
   const Curve circle = sampled(m, [](double t) { return std::polar(1., t); });
-  const CGP::Polygon_lengths lengths(circle, true);
+  const CGP::internal::Polygon_lengths lengths(circle, true);
   for (const int n : {0, 1, 2, 5, 29}) {
     Eigen::VectorXd wave(m), v;
     for (int i = 0; i < m; ++i) wave[i] = std::cos(2 * pi * n * i / m + 0.3);
@@ -96,7 +96,7 @@ TEST(Constrained_direction, on_a_circle_leaves_all_frequencies_above_one)
 
 double gap_after(const Curve& curve, const Eigen::VectorXd& change)
 {
-  const CGP::Polygon_lengths lengths(curve, true);
+  const CGP::internal::Polygon_lengths lengths(curve, true);
   Curve T;
   CGP::integrate_curvature(curvatures_of(curve) + change, lengths, 0, T);
   return T.rowwise().sum().norm() / lengths.total();
@@ -106,7 +106,8 @@ TEST(Constrained_direction, opens_the_curve_to_second_order_only)
 {
   for (const Curve& curve : {flower(200), figure_eight(200)}) {
     Eigen::VectorXd v;
-    CGP::bending_descent(curvatures_of(curve), curve, CGP::Polygon_lengths(curve, true), v);
+    CGP::bending_descent(curvatures_of(curve), curve, CGP::internal::Polygon_lengths(curve, true),
+                         v);
     const double gaps[] = {gap_after(curve, .1 * v), gap_after(curve, .05 * v),
                            gap_after(curve, .025 * v)};
     EXPECT_NEAR(std::log2(gaps[0] / gaps[1]), 2, 0.05);
@@ -118,7 +119,7 @@ TEST(Constrained_direction, with_the_total_turning_alone_the_gap_is_of_first_ord
 {
   const auto gap = [](const Curve& curve, double tau) {
     const Eigen::VectorXd kappa = curvatures_of(curve);
-    const CGP::Polygon_lengths lengths(curve, true);
+    const CGP::internal::Polygon_lengths lengths(curve, true);
     const double mean = kappa.dot(lengths.duals()) / lengths.total();
     return gap_after(curve, -2 * tau * (kappa.array() - mean).matrix());
   };

@@ -48,7 +48,7 @@ Eigen::MatrixXd random_numbers(Eigen::Index rows, Eigen::Index columns)
 
 TEST(Compensated_sum, keeps_what_rounding_would_lose)
 {
-  CGP::Compensated_sum sum;
+  CGP::internal::Compensated_sum sum;
   sum.add({1, -1e16});
   for (int i = 0; i < 1000; ++i) sum.add({1e-17, 1});
   sum.add({-1, 1e16});
@@ -59,7 +59,7 @@ TEST(Compensated_sum, keeps_what_rounding_would_lose)
 TEST(Integrate_curvature, gives_back_the_edges_of_a_polygon)
 {
   for (const Curve& curve : {flower(60), figure_eight(61), rose(72)}) {
-    const CGP::Polygon_lengths lengths(curve, true);
+    const CGP::internal::Polygon_lengths lengths(curve, true);
     Curve T;
     CGP::integrate_curvature(curvatures_of(curve), lengths, angle_of_first_edge(curve), T);
     EXPECT_LT((T - tangents_of(curve)).cwiseAbs().maxCoeff(), 1e-13);
@@ -69,7 +69,7 @@ TEST(Integrate_curvature, gives_back_the_edges_of_a_polygon)
 TEST(Integrate_curvature, edges_have_the_lengths_whatever_the_curvature)
 {
   const Curve curve = flower(60);
-  const CGP::Polygon_lengths lengths(curve, false);
+  const CGP::internal::Polygon_lengths lengths(curve, false);
   Curve T;
   CGP::integrate_curvature(random_numbers(60, 1), lengths, 1.2, T);
   ASSERT_EQ(T.cols(), 59);
@@ -107,7 +107,7 @@ Eigen::VectorXd divergence(const Eigen::RowVectorXd& T, const Eigen::VectorXd& l
 TEST(Integrate_tangents, solves_the_cyclic_poisson_equation)
 {
   const Curve curve = flower(40);
-  const CGP::Polygon_lengths lengths(curve, true);
+  const CGP::internal::Polygon_lengths lengths(curve, true);
   const Eigen::MatrixXd L = cyclic_laplacian(lengths.edges());
   const Curve T = tangents_of(curve) + 0.1 * random_numbers(2, 40);  // does not close
   Curve f;
@@ -120,7 +120,7 @@ TEST(Integrate_tangents, solves_the_cyclic_poisson_equation)
 TEST(Integrate_tangents, sign_of_b_in_the_thesis_reflects_the_curve)
 {
   const Curve curve = from_first_point(flower(40));
-  const CGP::Polygon_lengths lengths(curve, true);
+  const CGP::internal::Polygon_lengths lengths(curve, true);
   const Curve T = tangents_of(curve);
   Curve f;
   (void)CGP::integrate_tangents(T, lengths, f);
@@ -137,7 +137,7 @@ TEST(Integrate_tangents, sign_of_b_in_the_thesis_reflects_the_curve)
 TEST(Integrate_tangents, of_an_open_polygon_keeps_every_edge)
 {
   const Curve curve = flower(40);
-  const CGP::Polygon_lengths lengths(curve, false);
+  const CGP::internal::Polygon_lengths lengths(curve, false);
   const Curve T = random_numbers(2, 39);
   Curve f;
   EXPECT_EQ(CGP::integrate_tangents(T, lengths, f), Eigen::Vector2d::Zero());
@@ -148,7 +148,7 @@ TEST(Integrate_tangents, last_edge_is_no_worse_than_the_others_on_fine_polygons)
 {
   const int m = 200000;
   const Curve circle = sampled(m, [](double t) { return std::polar(1., t); });
-  const CGP::Polygon_lengths lengths(circle, true);
+  const CGP::internal::Polygon_lengths lengths(circle, true);
   Curve f;
   (void)CGP::integrate_tangents(tangents_of(circle), lengths, f);
   // coordinates of up to 2 are rounded to 2^-53, edges are 2 pi / m long
@@ -158,14 +158,14 @@ TEST(Integrate_tangents, last_edge_is_no_worse_than_the_others_on_fine_polygons)
 TEST(Close_polygon, closes_with_the_turning_number_it_is_told)
 {
   for (const Curve& curve : {flower(200), figure_eight(200), limacon(200), rose(200)}) {
-    const CGP::Polygon_lengths lengths(curve, true);
+    const CGP::internal::Polygon_lengths lengths(curve, true);
     Eigen::VectorXd kappa = curvatures_of(curve);
     Eigen::VectorXd v;
     CGP::bending_descent(kappa, curve, lengths, v);
     kappa += .5 * v;
     const int turns = static_cast<int>(std::lround(turns_of(curve)));
     Curve T, points;
-    const CGP::Closing_result result =
+    const CGP::internal::Closing_result result =
         CGP::close_polygon(lengths, turns, angle_of_first_edge(curve), curve, kappa, T, points);
     EXPECT_TRUE(result.is_closed);
     EXPECT_GT(result.first_gap, 1e-4);
@@ -179,7 +179,7 @@ TEST(Close_polygon, closes_with_the_turning_number_it_is_told)
 TEST(Close_polygon, converges_quadratically)
 {
   const Curve curve = figure_eight(100);
-  const CGP::Polygon_lengths lengths(curve, true);
+  const CGP::internal::Polygon_lengths lengths(curve, true);
   const Eigen::VectorXd wave = 1e-2 * random_numbers(100, 1);
   double gaps[2];
   for (int halvings = 0; halvings < 2; ++halvings) {
@@ -187,8 +187,9 @@ TEST(Close_polygon, converges_quadratically)
     Curve T, points(2, 100);
     CGP::integrate_curvature(kappa, lengths, 0, T);
     const Eigen::Vector2d gap = CGP::internal::end_to_end(T, points);
-    CGP::internal::correct_curvatures(
-        gap, 0, points, CGP::Closing_functions(curve, lengths.duals()), curve, lengths, kappa);
+    CGP::internal::correct_curvatures(gap, 0, points,
+                                      CGP::internal::Closing_functions(curve, lengths.duals()),
+                                      curve, lengths, kappa);
     CGP::integrate_curvature(kappa, lengths, 0, T);
     gaps[halvings] = T.rowwise().sum().norm();
     EXPECT_LT(gaps[halvings], 0.05 * gap.norm());
@@ -201,8 +202,8 @@ TEST(Close_polygon, leaves_closed_polygons_alone)
   const Curve curve = flower(100);
   Eigen::VectorXd kappa = curvatures_of(curve);
   Curve T, points;
-  const CGP::Closing_result result =
-      CGP::close_polygon(CGP::Polygon_lengths(curve, true), 1, 0.4, curve, kappa, T, points);
+  const CGP::internal::Closing_result result = CGP::close_polygon(
+      CGP::internal::Polygon_lengths(curve, true), 1, 0.4, curve, kappa, T, points);
   EXPECT_EQ(result.iterations, 0);
   EXPECT_EQ(kappa, curvatures_of(curve));
 }
@@ -212,8 +213,8 @@ TEST(Close_polygon, gives_up_on_what_is_not_finite)
   const Curve curve = flower(20);
   Eigen::VectorXd kappa = Eigen::VectorXd::Constant(20, std::nan(""));
   Curve T, points;
-  const CGP::Closing_result result =
-      CGP::close_polygon(CGP::Polygon_lengths(curve, true), 1, 0, curve, kappa, T, points);
+  const CGP::internal::Closing_result result = CGP::close_polygon(
+      CGP::internal::Polygon_lengths(curve, true), 1, 0, curve, kappa, T, points);
   EXPECT_FALSE(result.is_closed);
   EXPECT_EQ(result.iterations, 0);
 }
@@ -221,7 +222,7 @@ TEST(Close_polygon, gives_up_on_what_is_not_finite)
 TEST(Align, undoes_a_motion)
 {
   const Curve curve = figure_eight(80);
-  const Eigen::VectorXd d = CGP::Polygon_lengths(curve, true).duals();
+  const Eigen::VectorXd d = CGP::internal::Polygon_lengths(curve, true).duals();
   Eigen::Matrix2d turn;
   turn << std::cos(2.5), -std::sin(2.5), std::sin(2.5), std::cos(2.5);
   Curve moved = (turn * curve).colwise() + Eigen::Vector2d(3, -8);
@@ -233,7 +234,7 @@ TEST(Align, takes_the_best_rotation)
 {
   const Curve curve = figure_eight(80);
   Curve other = flower(80);
-  const Eigen::VectorXd d = CGP::Polygon_lengths(curve, true).duals();
+  const Eigen::VectorXd d = CGP::internal::Polygon_lengths(curve, true).duals();
   (void)CGP::align(curve, d, other);
   EXPECT_LT(((other - curve) * d).norm(), 1e-12);
   const auto misfit = [&](double angle) {

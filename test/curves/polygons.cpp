@@ -28,7 +28,7 @@ Curve rectangle()
 
 TEST(Polygon_lengths, of_a_rectangle)
 {
-  const CGP::Polygon_lengths closed(rectangle(), true), open(rectangle(), false);
+  const CGP::internal::Polygon_lengths closed(rectangle(), true), open(rectangle(), false);
   EXPECT_EQ(closed.edges(), Eigen::Vector4d(3, 1, 3, 1));
   EXPECT_EQ(closed.duals(), Eigen::Vector4d(2, 2, 2, 2));
   EXPECT_EQ(closed.total(), 8);
@@ -39,7 +39,7 @@ TEST(Polygon_lengths, of_a_rectangle)
 
 TEST(Polygon_lengths, distortion_is_that_of_the_worst_edge)
 {
-  const CGP::Polygon_lengths closed(rectangle(), true), open(rectangle(), false);
+  const CGP::internal::Polygon_lengths closed(rectangle(), true), open(rectangle(), false);
   Curve stretched = rectangle();
   stretched(0, 0) = -0.6;
   stretched(0, 3) = -0.3;
@@ -90,7 +90,7 @@ TEST(Bending_energy, of_regular_polygons_is_four_pi_squared_by_their_length)
 {
   for (const int m : {3, 4, 17, 100}) {
     const Curve polygon = sampled(m, [](double t) { return std::polar(2.5, t); });
-    const CGP::Polygon_lengths lengths(polygon, true);
+    const CGP::internal::Polygon_lengths lengths(polygon, true);
     const Eigen::VectorXd kappa = CGP::turning_angles(polygon, true).cwiseQuotient(lengths.duals());
     EXPECT_NEAR(CGP::bending_energy(kappa, lengths) * lengths.total(), 4 * pi * pi, 1e-12) << m;
   }

@@ -71,7 +71,7 @@ TEST(Conformal_willmore_flow, knows_that_nothing_is_left_to_do_on_the_round_sphe
 {
   CGP::Conformal_willmore_flow<> flow(icosphere(4));
   const CGP::Flow_report report = flow.run();
-  EXPECT_EQ(report.stop, CGP::Flow_stop::direction_vanished);
+  EXPECT_EQ(report.stop, CGP::Flow_step_report::Stop::direction_vanished);
   EXPECT_TRUE(report.converged());
   EXPECT_TRUE(report.steps.empty());
   EXPECT_EQ(flow.mesh().positions(), icosphere(4).positions());
@@ -105,8 +105,8 @@ TEST(Conformal_willmore_flow, has_the_distortion_of_the_reference_run)
 {
   const CGP::Flow_report report = report_of_steps(1, 6);
   ASSERT_EQ(report.steps.size(), 6U);
-  const CGP::Distribution& first = report.steps.front().quasi_conformal;
-  const CGP::Distribution& last = report.steps.back().quasi_conformal;
+  const CGP::internal::Distribution& first = report.steps.front().quasi_conformal;
+  const CGP::internal::Distribution& last = report.steps.back().quasi_conformal;
   EXPECT_NEAR(first.mean, 1.00731, 1e-5);
   EXPECT_NEAR(first.max, 1.0129, 1e-4);
   EXPECT_NEAR(last.mean, 1.00979, 1e-5);

@@ -107,7 +107,7 @@ TEST(Conformal_willmore_flow_with_boundary, stops_at_a_minimal_surface)
 TEST(Conformal_willmore_flow_with_boundary, stops_at_constant_mean_curvature)
 {
   const CGP::Flow_report report = flown(bumpy_cap(12), Boundary_condition::binormals());
-  EXPECT_EQ(report.stop, CGP::Flow_stop::energy_settled);
+  EXPECT_EQ(report.stop, CGP::Flow_step_report::Stop::energy_settled);
   EXPECT_NEAR(report.energy, 2.99, .03);
   expect_falling(report);
 }
@@ -139,7 +139,7 @@ TEST(Conformal_willmore_flow_with_boundary, has_nothing_to_do_on_a_plane)
        {Boundary_condition::tangents(), Boundary_condition::binormals(),
         Boundary_condition::free()}) {
     const CGP::Flow_report report = flown(flat, condition);
-    EXPECT_EQ(report.stop, CGP::Flow_stop::direction_vanished) << report.message;
+    EXPECT_EQ(report.stop, CGP::Flow_step_report::Stop::direction_vanished) << report.message;
     EXPECT_TRUE(report.steps.empty());
   }
 }

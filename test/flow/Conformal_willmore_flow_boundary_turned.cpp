@@ -22,7 +22,7 @@ using namespace cgp_test;
 template <class Direction>
 Points directions(const Mesh_view& mesh, Direction direction)
 {
-  const CGP::Boundary_frames b = CGP::boundary_frames(mesh);
+  const CGP::internal::Boundary_frames b = CGP::boundary_frames(mesh);
   Points targets(3, static_cast<Eigen::Index>(b.vertices.size()));
   for (std::size_t k = 0; k < b.vertices.size(); ++k) {
     const Eigen::Vector3d p = mesh.position(b.vertices[k]);
@@ -35,7 +35,7 @@ Points directions(const Mesh_view& mesh, Direction direction)
 Boundary_condition tilted(const Mesh_view& hemisphere, double tilt)
 {
   return Boundary_condition::binormals(
-      directions(hemisphere, [=](double t, const CGP::Boundary_frame&) {
+      directions(hemisphere, [=](double t, const CGP::internal::Boundary_frame&) {
         return Eigen::Vector3d(std::cos(tilt) * std::cos(t), std::cos(tilt) * std::sin(t),
                                -std::sin(tilt));
       }));
@@ -45,7 +45,7 @@ Boundary_condition tilted(const Mesh_view& hemisphere, double tilt)
 Boundary_condition oscillating(const Mesh_view& mesh, double amplitude)
 {
   return Boundary_condition::binormals(
-      directions(mesh, [=](double t, const CGP::Boundary_frame& frame) {
+      directions(mesh, [=](double t, const CGP::internal::Boundary_frame& frame) {
         const double a = amplitude * std::cos(3 * t);
         return Eigen::Vector3d(std::cos(a) * frame.col(2) + std::sin(a) * frame.col(1));
       }));
@@ -83,7 +83,7 @@ CGP::Flow_report expect_reference(const Mesh_view& mesh, const Boundary_conditio
 {
   Reference_flow flow(mesh, plain_steps(1, steps, condition));
   CGP::Flow_report report = flow.run();
-  EXPECT_EQ(report.stop, CGP::Flow_stop::steps_done) << report.message;
+  EXPECT_EQ(report.stop, CGP::Flow_step_report::Stop::steps_done) << report.message;
   const Mean_curvature H = mean_curvature_of(flow.mesh(), barycentric_mean_curvature(flow.mesh()));
   EXPECT_NEAR(H.mean, mean, 1e-4 * mean);
   EXPECT_LT(H.deviation, 1.05 * deviation);
@@ -169,11 +169,12 @@ TEST(Conformal_willmore_flow_with_turned_boundary, refuses_a_boundary_that_no_su
     CGP::Flow_options options;
     options.backtracking = backtracking;
     options.boundary = Boundary_condition::tangents(directions(
-        mesh, [](double, const CGP::Boundary_frame&) { return Eigen::Vector3d(1, 0, 0); }));
+        mesh,
+        [](double, const CGP::internal::Boundary_frame&) { return Eigen::Vector3d(1, 0, 0); }));
     CGP::Conformal_willmore_flow<> flow(mesh, options);
     const CGP::Flow_report report = flow.run();
     EXPECT_FALSE(report);
-    EXPECT_EQ(report.message, to_string(CGP::Boundary_fault::not_realizable));
+    EXPECT_EQ(report.message, to_string(CGP::Spin_report::Boundary_fault::not_realizable));
     EXPECT_EQ(flow.mesh().positions(), mesh.positions());
   }
 }

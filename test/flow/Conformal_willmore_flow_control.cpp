@@ -19,7 +19,7 @@
 namespace {
 
 using namespace cgp_test;
-using CGP::Flow_stop;
+using Flow_stop = CGP::Flow_step_report::Stop;
 
 /// a direction without an energy: any step that is conformal enough will do
 struct Sideways {
@@ -122,10 +122,11 @@ TEST(Conformal_willmore_flow_control, balances_at_once_however_small_the_time_st
   const Mesh_view mesh = bumpy_sphere(3), moved = inverted(mesh, {4, .5, .3});
   CGP::Flow_options options;
   options.time_step = .1;
-  options.balance = CGP::Balance::prescribed;
+  options.balance = CGP::Flow_options::Balance::prescribed;
   options.target_areas = CGP::vertex_areas(mesh);
-  const CGP::Moebius_balancing balancing(options.target_areas);
-  for (const auto way : {CGP::Balancing::potential, CGP::Balancing::inversion}) {
+  const CGP::internal::Moebius_balancing balancing(options.target_areas);
+  for (const auto way :
+       {CGP::Flow_options::Balancing::potential, CGP::Flow_options::Balancing::inversion}) {
     options.balancing = way;
     CGP::Conformal_willmore_flow<> flow(moved, options);
     EXPECT_TRUE(flow.step().accepted);

@@ -127,20 +127,21 @@ TEST(Conformal_willmore_flow_with_handles, comes_to_the_same_torus_after_an_inve
 {
   const Mesh_view mesh = storus(32);
   const Mesh_view moved = scaled_to_area(inverted(mesh, {2.2, 0.5, 0.3}), 4 * pi);
-  for (const CGP::Balancing balancing : {CGP::Balancing::inversion, CGP::Balancing::potential}) {
+  for (const CGP::Flow_options::Balancing balancing :
+       {CGP::Flow_options::Balancing::inversion, CGP::Flow_options::Balancing::potential}) {
     CGP::Flow_options options = plain_steps(1, 4);
-    options.balance = CGP::Balance::canonical;
+    options.balance = CGP::Flow_options::Balance::canonical;
     options.balancing = balancing;
     CGP::Conformal_willmore_flow<> one(mesh, options), other(moved, options);
     (void)one.run();
     const CGP::Flow_report report = other.run();
-    options.balance = CGP::Balance::none;
+    options.balance = CGP::Flow_options::Balance::none;
     CGP::Conformal_willmore_flow<> adrift(moved, options);
     (void)adrift.run();
     const double difference = area_difference(one.mesh(), other.mesh());
     EXPECT_LT(difference, 0.15);
     EXPECT_GT(area_difference(one.mesh(), adrift.mesh()), 5 * difference);
-    if (balancing == CGP::Balancing::inversion) expect_descent(report);
+    if (balancing == CGP::Flow_options::Balancing::inversion) expect_descent(report);
   }
 }
 

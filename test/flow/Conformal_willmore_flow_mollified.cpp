@@ -96,7 +96,7 @@ TEST(Conformal_willmore_flow_mollified, can_be_filtered_and_balanced)
   const Mesh_view mesh = with_thin_faces(torus(2, 1, 24, 12), 0);
   CGP::Flow_options options = mollified(2);
   options.filter_weight = .02;
-  options.balance = CGP::Balance::initial;
+  options.balance = CGP::Flow_options::Balance::initial;
   CGP::Conformal_willmore_flow<> flow(mesh, options);
   const CGP::Flow_report report = flow.run();
   EXPECT_TRUE(report);

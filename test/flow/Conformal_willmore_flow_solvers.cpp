@@ -15,7 +15,7 @@
 namespace {
 
 using namespace cgp_test;
-using CGP::Flow_stop;
+using Flow_stop = CGP::Flow_step_report::Stop;
 
 /// The default solvers, which are counted, and refuse to factor matrices of one kind if told so.
 struct Watched_solver_traits {
@@ -82,7 +82,7 @@ TEST_F(Conformal_willmore_flow_solvers, analyze_each_pattern_once_for_all_steps)
 {
   CGP::Flow_options options = plain_steps(.5, 3);
   options.filter_weight = .01;
-  options.balance = CGP::Balance::canonical;
+  options.balance = CGP::Flow_options::Balance::canonical;
   Flow flow(btorus(12), options);
   ASSERT_TRUE(flow.step().accepted);
   const int analyses = Watched_solver_traits::analyses;

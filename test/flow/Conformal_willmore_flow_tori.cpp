@@ -24,7 +24,7 @@ using namespace cgp_test;
 
 /// how far the surface is from the one among its inversions that fits `target` best: the step
 /// towards it in units of its size
-double distance_from_balance(const CGP::Moebius_balancing& target, const Mesh_view& mesh)
+double distance_from_balance(const CGP::internal::Moebius_balancing& target, const Mesh_view& mesh)
 {
   return target.step(mesh).norm() * mesh.positions().colwise().norm().maxCoeff();
 }
@@ -112,11 +112,11 @@ TEST(Conformal_willmore_flow_of_tori, comes_to_the_smoothest_of_the_class_of_a_r
 TEST(Conformal_willmore_flow_of_tori, converges_on_a_Hopf_torus_if_balanced_and_else_drifts)
 {
   const Mesh_view mesh = scaled_to_area(inverted(hopf_torus(24), {.3, .5, 4}), 4 * pi);
-  const CGP::Moebius_balancing canonical(CGP::canonical_vertex_areas(
+  const CGP::internal::Moebius_balancing canonical(CGP::canonical_vertex_areas(
       mesh, CGP::canonical_area_density(CGP::Hodge_decomposition<>(mesh).harmonic_basis())));
   CGP::Flow_options options = plain_steps(1, 20);
   CGP::Conformal_willmore_flow<> adrift(mesh, options);
-  options.balance = CGP::Balance::canonical;
+  options.balance = CGP::Flow_options::Balance::canonical;
   CGP::Conformal_willmore_flow<> balanced(mesh, options);
   EXPECT_TRUE(adrift.run());
   const CGP::Flow_report report = balanced.run();
@@ -131,9 +131,11 @@ TEST(Conformal_willmore_flow_of_tori, converges_on_a_Hopf_torus_if_balanced_and_
 TEST(Conformal_willmore_flow_of_tori, keeps_area_and_centroid_however_balanced)
 {
   const Mesh_view mesh = somewhere(btorus(12));
-  for (const CGP::Balance balance :
-       {CGP::Balance::none, CGP::Balance::initial, CGP::Balance::canonical})
-    for (const CGP::Balancing way : {CGP::Balancing::inversion, CGP::Balancing::potential}) {
+  for (const CGP::Flow_options::Balance balance :
+       {CGP::Flow_options::Balance::none, CGP::Flow_options::Balance::initial,
+        CGP::Flow_options::Balance::canonical})
+    for (const CGP::Flow_options::Balancing way :
+         {CGP::Flow_options::Balancing::inversion, CGP::Flow_options::Balancing::potential}) {
       CGP::Flow_options options = plain_steps(1, 2);
       options.balance = balance;
       options.balancing = way;

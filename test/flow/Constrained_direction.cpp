@@ -38,7 +38,8 @@ struct Directed {
 
   Mesh_view mesh;
   CGP::Spin_transformation<> transformation;
-  CGP::Constrained_direction<CGP::Default_solver_traits, CGP::Lobpcg_eigensolver_traits, Direction>
+  CGP::internal::Constrained_direction<CGP::Default_solver_traits, CGP::Lobpcg_eigensolver_traits,
+                                       Direction>
       constrained;
   Eigen::VectorXd areas;
 };
@@ -70,10 +71,10 @@ TEST(Constrained_direction, has_no_mean_and_no_part_along_the_normals)
   Directed<CGP::Willmore_direction> directed(mesh, {});
   const auto result = directed();
   EXPECT_NEAR(directed.areas.dot(result.v), 0, 1e-12);
-  EXPECT_LT(
-      (CGP::vertex_normals(mesh, CGP::Normal_weight::angle) * directed.areas.cwiseProduct(result.v))
-          .norm(),
-      1e-12);
+  EXPECT_LT((CGP::vertex_normals(mesh, CGP::internal::Normal_weight::angle) *
+             directed.areas.cwiseProduct(result.v))
+                .norm(),
+            1e-12);
   EXPECT_NEAR(result.norm, std::sqrt(directed.areas.dot(result.v.cwiseAbs2())), 1e-12);
   EXPECT_NEAR(result.share,
               result.norm / std::sqrt(directed.areas.dot(CGP::mean_curvature(mesh).cwiseAbs2())),

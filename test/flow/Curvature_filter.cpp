@@ -22,7 +22,7 @@ namespace {
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
-using CGP::Curvature_filter;
+using CGP::internal::Curvature_filter;
 
 /// the Legendre polynomial of z, an eigenfunction of the sphere with eigenvalue n (n + 1)
 Eigen::VectorXd zonal_harmonic(const Mesh_view& sphere, int n)

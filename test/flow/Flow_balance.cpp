@@ -16,8 +16,8 @@
 namespace {
 
 using namespace cgp_test;
-using CGP::Balance;
-using CGP::Balancing;
+using Balance = CGP::Flow_options::Balance;
+using Balancing = CGP::Flow_options::Balancing;
 
 CGP::Flow_options options_for(Balance balance, Balancing balancing = Balancing::inversion)
 {
@@ -37,7 +37,7 @@ double greatest_log_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& 
   return (a.array() / a.sum() / (b.array() / b.sum())).log().abs().maxCoeff();
 }
 
-CGP::Flow_balance balance_of(const Mesh_view& mesh, const CGP::Flow_options& options)
+CGP::internal::Flow_balance balance_of(const Mesh_view& mesh, const CGP::Flow_options& options)
 {
   CGP::Spin_transformation<> transformation(mesh);
   return {mesh, options, transformation, "f"};
@@ -58,7 +58,7 @@ std::string refusal(const Mesh_view& mesh, const CGP::Flow_options& options)
 TEST(Flow_balance, does_nothing_unless_it_is_asked_for)
 {
   const Mesh_view mesh = icosphere(1);
-  const CGP::Flow_balance balance = balance_of(mesh, {});
+  const CGP::internal::Flow_balance balance = balance_of(mesh, {});
   EXPECT_FALSE(balance.is_by_inversion());
   EXPECT_EQ(balance.potential(mesh), Eigen::VectorXd::Zero(42));
 }
@@ -66,7 +66,7 @@ TEST(Flow_balance, does_nothing_unless_it_is_asked_for)
 TEST(Flow_balance, undoes_an_inversion_of_the_surface_it_started_from)
 {
   const Mesh_view mesh = torus(2, 1, 32, 24), moved = inverted_torus();
-  const CGP::Flow_balance balance = balance_of(mesh, options_for(Balance::initial));
+  const CGP::internal::Flow_balance balance = balance_of(mesh, options_for(Balance::initial));
   ASSERT_TRUE(balance.is_by_inversion());
   EXPECT_EQ(balance.potential(moved), Eigen::VectorXd::Zero(mesh.size_of_vertices()));
   const Mesh_view back(balance.inverted(moved), mesh.corners());
@@ -80,7 +80,7 @@ TEST(Flow_balance, leads_to_prescribed_areas_the_same)
   const Mesh_view mesh = torus(2, 1, 32, 24), moved = inverted_torus();
   CGP::Flow_options options = options_for(Balance::prescribed);
   options.target_areas = 7 * CGP::vertex_areas(mesh);  // only their ratios count
-  const CGP::Flow_balance balance = balance_of(moved, options);
+  const CGP::internal::Flow_balance balance = balance_of(moved, options);
   const Mesh_view back(balance.inverted(moved), mesh.corners());
   EXPECT_LT(greatest_log_difference(CGP::vertex_areas(back), CGP::vertex_areas(mesh)), 0.01);
 }
@@ -88,7 +88,7 @@ TEST(Flow_balance, leads_to_prescribed_areas_the_same)
 TEST(Flow_balance, finds_the_torus_of_revolution_by_its_canonical_metric)
 {
   const Mesh_view moved = inverted_torus();
-  const CGP::Flow_balance balance = balance_of(moved, options_for(Balance::canonical));
+  const CGP::internal::Flow_balance balance = balance_of(moved, options_for(Balance::canonical));
   const Mesh_view back(balance.inverted(moved), moved.corners());
   const Mesh_view round = scaled_to_area(torus(2, 1, 32, 24), 4 * pi);
   EXPECT_LT(greatest_log_difference(CGP::vertex_areas(back), CGP::vertex_areas(round)), 0.15);
@@ -97,11 +97,11 @@ TEST(Flow_balance, finds_the_torus_of_revolution_by_its_canonical_metric)
 TEST(Flow_balance, is_a_change_of_curvature_along_one_direction_or_nothing)
 {
   const Mesh_view mesh = torus(2, 1, 32, 24), moved = inverted_torus();
-  const CGP::Flow_balance balance =
+  const CGP::internal::Flow_balance balance =
       balance_of(mesh, options_for(Balance::initial, Balancing::potential));
   EXPECT_FALSE(balance.is_by_inversion());
   EXPECT_LT(balance.potential(mesh).norm(), 1e-12);
-  const Points N = CGP::vertex_normals(moved, CGP::Normal_weight::angle);
+  const Points N = CGP::vertex_normals(moved, CGP::internal::Normal_weight::angle);
   const Eigen::VectorXd rho = balance.potential(moved);
   const Eigen::Vector3d a = -(N * N.transpose()).ldlt().solve(N * rho) / 2;
   EXPECT_GT(a.norm(), 0.05);

@@ -11,7 +11,7 @@
 namespace {
 
 using Conformal_geometry_processing::Flow_report;
-using Conformal_geometry_processing::Flow_stop;
+using Flow_stop = Conformal_geometry_processing::Flow_step_report::Stop;
 
 constexpr Flow_stop all[] = {
     Flow_stop::none,       Flow_stop::energy_settled, Flow_stop::direction_vanished,

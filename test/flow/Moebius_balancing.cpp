@@ -20,7 +20,7 @@ namespace {
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
-using CGP::Moebius_balancing;
+using CGP::internal::Moebius_balancing;
 using Eigen::Vector3d;
 
 /// the unit sphere after (f^-1 - c)^-1 with |c| = .44
@@ -108,7 +108,7 @@ TEST(Moebius_balancing, changes_lengths_and_curvatures_as_the_inversion_does_to_
         CGP::components(map.spins(mesh.positions())).colwise().squaredNorm().transpose();
     const Eigen::VectorXd change = CGP::mean_curvature(image).cwiseProduct(scale) - H;
     const Eigen::VectorXd rho = Moebius_balancing::curvature_change(
-        a, CGP::vertex_normals(mesh, CGP::Normal_weight::angle));
+        a, CGP::vertex_normals(mesh, CGP::internal::Normal_weight::angle));
     size.push_back(e);
     length_error.push_back((Moebius_balancing(areas).log_length_scale(image) - u).norm() /
                            u.norm());

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-using Conformal_geometry_processing::Time_step;
+using Conformal_geometry_processing::internal::Time_step;
 
 TEST(Time_step, starts_with_the_largest)
 {

@@ -52,7 +52,7 @@ TEST(Willmore_direction, has_no_part_along_the_normals_but_for_the_size_of_faces
   for (int level : {2, 3, 4}) {
     const Mesh_view mesh = bumpy_sphere(level);
     const Eigen::VectorXd v = CGP::Willmore_direction()(mesh);
-    const Points normals = CGP::vertex_normals(mesh, CGP::Normal_weight::angle);
+    const Points normals = CGP::vertex_normals(mesh, CGP::internal::Normal_weight::angle);
     const Eigen::VectorXd areas = CGP::voronoi_areas(mesh);
     h.push_back(mean_edge_length(mesh));
     share.push_back((normals * areas.cwiseProduct(v)).norm() / areas.dot(v.cwiseAbs()));

@@ -103,7 +103,7 @@ TEST(Canonical_metric, as_a_target_undoes_the_inversion_of_a_symmetric_torus)
   // Reflections in three planes leave balanced surfaces of this class no inversion but the
   // identity.
   const Mesh_view mesh = torus(std::sqrt(2.), 1, 40, 40);
-  const CGP::Moebius_balancing balancing(canonical_areas(mesh));
+  const CGP::internal::Moebius_balancing balancing(canonical_areas(mesh));
   EXPECT_LT(balancing.step(mesh).norm(), 1e-3);
   Mesh_view moved = inverted(mesh, {.1, .05, .08});
   for (int i = 0; i < 12; ++i) moved.set_positions(balancing.balanced(moved));

@@ -9,7 +9,7 @@
 #include <string>
 
 namespace CGP = Conformal_geometry_processing;
-using CGP::Boundary_fault;
+using Boundary_fault = CGP::Spin_report::Boundary_fault;
 
 namespace {
 

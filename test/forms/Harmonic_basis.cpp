@@ -166,7 +166,7 @@ TEST(Harmonic_basis, refuses_generators_that_are_not_independent)
   const Mesh_view mesh = btorus(12);
   Eigen::MatrixXd generators = CGP::closed_generators(mesh);
   generators.col(1) = -2 * generators.col(0);
-  CGP::Grounded_solver<> laplacian(CGP::vertex_graph(mesh));
+  CGP::internal::Grounded_solver<> laplacian(CGP::vertex_graph(mesh));
   laplacian.factorize(CGP::cotan_laplacian(mesh));
   try {
     const CGP::Hodge_decomposition<> hodge(mesh, generators, laplacian);

@@ -51,7 +51,7 @@ TEST(Hodge_decomposition, splits_any_form_into_orthogonal_parts)
        {icosphere(2), perturbed(btorus(16), 0.05), smooth_handlebody(2, 1), holed_block(3)}) {
     const Eigen::MatrixXd forms = random_forms(mesh, 3);
     const CGP::Hodge_decomposition<> hodge(mesh);
-    const CGP::Hodge_parts parts = hodge.decompose(forms);
+    const CGP::internal::Hodge_parts parts = hodge.decompose(forms);
     EXPECT_LT(greatest(parts.exact + parts.coexact + parts.harmonic - forms), 1e-14);
     const auto product = [&](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
       return greatest(a.transpose() * CGP::cotan_weights(mesh).asDiagonal() * b);
@@ -67,7 +67,8 @@ TEST(Hodge_decomposition, gives_parts_of_their_kinds)
 {
   const Mesh_view mesh = smooth_handlebody(2, 1);
   const Eigen::VectorXd w = CGP::cotan_weights(mesh);
-  const CGP::Hodge_parts parts = CGP::Hodge_decomposition<>(mesh).decompose(random_forms(mesh, 2));
+  const CGP::internal::Hodge_parts parts =
+      CGP::Hodge_decomposition<>(mesh).decompose(random_forms(mesh, 2));
   const auto d0 = CGP::exterior_derivative_0(mesh);
   const auto d1 = CGP::exterior_derivative_1(mesh);
   EXPECT_LT(greatest(parts.exact - d0 * parts.potential), 1e-14);
@@ -84,7 +85,7 @@ TEST(Hodge_decomposition, finds_the_function_of_its_differential)
     Eigen::VectorXd u = random_numbers(mesh.size_of_vertices(), 1);
     u.array() -= u.mean();
     const CGP::Hodge_decomposition<> hodge(mesh);
-    const CGP::Hodge_parts parts = hodge.decompose(CGP::exterior_derivative_0(mesh) * u);
+    const CGP::internal::Hodge_parts parts = hodge.decompose(CGP::exterior_derivative_0(mesh) * u);
     EXPECT_LT(greatest(parts.potential - u), 1e-12);
     EXPECT_LT(greatest(parts.coexact), 1e-12);
     EXPECT_LT(greatest(parts.harmonic), 1e-12);
@@ -101,7 +102,7 @@ TEST(Hodge_decomposition, leaves_harmonic_and_coexact_forms_alone)
   const Eigen::VectorXd b = random_numbers(mesh.size_of_faces(), 1);
   const Eigen::VectorXd coexact =
       (CGP::exterior_derivative_1(mesh).transpose() * b).cwiseQuotient(CGP::cotan_weights(mesh));
-  const CGP::Hodge_parts parts = hodge.decompose(coexact);
+  const CGP::internal::Hodge_parts parts = hodge.decompose(coexact);
   EXPECT_LT(greatest(parts.coexact - coexact), 1e-12 * greatest(coexact));
 }
 

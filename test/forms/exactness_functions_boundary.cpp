@@ -24,7 +24,7 @@ struct Holed {
   Mesh_view mesh;
   Boundary_condition condition;
   CGP::Hodge_decomposition<> hodge{mesh};
-  CGP::Dirac_system<> system{mesh, condition, "test"};
+  CGP::internal::Dirac_system<> system{mesh, condition, "test"};
 
   Holed(Mesh_view mesh_, Boundary_condition condition_)
       : mesh(std::move(mesh_)), condition(std::move(condition_))
@@ -43,7 +43,7 @@ struct Holed {
   {
     CGP::Dirac_options options;
     options.tolerance = 1e-11;
-    const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, {on, rho}, options);
+    const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, {on, rho}, options);
     EXPECT_TRUE(s.converged);
     return hodge.harmonic_basis().coefficients(hodge.weights(),
                                                CGP::transformed_edges(mesh, s.lambda));

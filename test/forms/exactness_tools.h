@@ -27,7 +27,7 @@ using On = CGP::Curvature_potential::On;
 struct Exactness_case {
   Mesh_view mesh;
   CGP::Hodge_decomposition<> hodge{mesh};
-  CGP::Dirac_system<> system{mesh};
+  CGP::internal::Dirac_system<> system{mesh};
 
   explicit Exactness_case(Mesh_view mesh_) : mesh(std::move(mesh_)) { system.prepare_response(); }
   Exactness_case(const Exactness_case&) = delete;
@@ -36,7 +36,7 @@ struct Exactness_case {
   {
     return CGP::exactness_functions(
         mesh, hodge.harmonic_basis(), [this](const auto& c) { return system.response(c); }, on,
-        CGP::Coefficients::quaternions, version);
+        CGP::internal::Coefficients::quaternions, version);
   }
 
   Eigen::VectorXd areas(On on) const
@@ -70,7 +70,7 @@ struct Exactness_case {
   {
     CGP::Dirac_options options;
     options.tolerance = 1e-11;
-    CGP::Dirac_system<> own(mesh);
+    CGP::internal::Dirac_system<> own(mesh);
     const auto solution = CGP::solve_dirac_equation(own, {on, rho}, options);
     return CGP::transformed_edges(mesh, solution.lambda);
   }

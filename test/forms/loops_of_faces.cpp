@@ -32,9 +32,9 @@ std::vector<std::pair<Mesh_view, std::size_t>> surfaces()
 TEST(Loops_of_faces, are_twice_as_many_as_handles_and_meet_no_face_twice)
 {
   for (const auto& [mesh, genus] : surfaces()) {
-    const std::vector<CGP::Face_loop> loops = CGP::loops_of_faces(mesh);
+    const std::vector<CGP::internal::Face_loop> loops = CGP::loops_of_faces(mesh);
     EXPECT_EQ(loops.size(), 2 * genus);
-    for (const CGP::Face_loop& loop : loops) {
+    for (const CGP::internal::Face_loop& loop : loops) {
       std::set<int> faces;
       for (std::size_t k = 0; k < loop.size(); ++k) {
         EXPECT_EQ(Mesh_view::face(mesh.twin(loop[k])),
@@ -49,7 +49,7 @@ TEST(Loops_of_faces, cross_what_the_closed_forms_count)
 {
   for (const auto& [mesh, genus] : surfaces()) {
     const Eigen::MatrixXd forms = CGP::closed_generators(mesh);
-    const std::vector<CGP::Face_loop> loops = CGP::loops_of_faces(mesh);
+    const std::vector<CGP::internal::Face_loop> loops = CGP::loops_of_faces(mesh);
     for (std::size_t i = 0; i < loops.size(); ++i) {
       Eigen::VectorXd form = Eigen::VectorXd::Zero(mesh.size_of_edges());
       for (const int h : loops[i]) form[mesh.edge(h)] += mesh.from(h) < mesh.to(h) ? 1 : -1;

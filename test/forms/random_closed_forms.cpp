@@ -28,7 +28,7 @@ double greatest(const Eigen::MatrixXd& A)
 
 Eigen::MatrixXd harmonic_forms(const Mesh_view& mesh, const Eigen::MatrixXd& generators)
 {
-  CGP::Grounded_solver<> laplacian(CGP::vertex_graph(mesh));
+  CGP::internal::Grounded_solver<> laplacian(CGP::vertex_graph(mesh));
   laplacian.factorize(CGP::cotan_laplacian(mesh));
   return CGP::Hodge_decomposition<>(mesh, generators, laplacian).harmonic_basis().one_forms;
 }

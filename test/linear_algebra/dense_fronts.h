@@ -23,12 +23,12 @@ template <class Scalar_, class Real_>
 struct Kind {
   using Scalar = Scalar_;
   using Real = Real_;
-  static constexpr int planes = CGP::Scalar_planes<Scalar>::size;
+  static constexpr int planes = CGP::internal::Scalar_planes<Scalar>::size;
   static constexpr double precision = sizeof(Real) == 4 ? 2e-5 : 1e-12;
 
   /// of the vector unit in use
-  static CGP::Front_kernels<Real> kernels() { return CGP::kernels_for<Real>(planes); }
-  static CGP::Panel_layout layout() { return kernels().layout; }
+  static CGP::internal::Front_kernels<Real> kernels() { return CGP::kernels_for<Real>(planes); }
+  static CGP::internal::Panel_layout layout() { return kernels().layout; }
 };
 using Kinds = testing::Types<Kind<double, double>, Kind<double, float>,
                              Kind<std::complex<double>, double>, Kind<std::complex<double>, float>,
@@ -41,7 +41,7 @@ CGP::Block<typename Kind::Scalar> random_definite_block(int n, std::uint64_t see
   auto A = random_block<Scalar>(n, n, seed);
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < j; ++i) A(i, j) = CGP::conjugate(A(j, i));
-    A(j, j) = CGP::Scalar_traits<Scalar>::from_real(2.5 * n + j % 7);
+    A(j, j) = CGP::internal::Scalar_traits<Scalar>::from_real(2.5 * n + j % 7);
   }
   return A;
 }
@@ -72,7 +72,7 @@ template <class Kind>
 void put(const typename Kind::Scalar& value, typename Kind::Real* to)
 {
   double parts[Kind::planes];
-  CGP::Scalar_planes<typename Kind::Scalar>::get(value, parts);
+  CGP::internal::Scalar_planes<typename Kind::Scalar>::get(value, parts);
   for (int q = 0; q < Kind::planes; ++q)
     to[q * Kind::layout().lanes()] = static_cast<typename Kind::Real>(parts[q]);
 }
@@ -82,7 +82,7 @@ typename Kind::Scalar get(const typename Kind::Real* from)
 {
   double parts[Kind::planes];
   for (int q = 0; q < Kind::planes; ++q) parts[q] = from[q * Kind::layout().lanes()];
-  return CGP::Scalar_planes<typename Kind::Scalar>::put(parts);
+  return CGP::internal::Scalar_planes<typename Kind::Scalar>::put(parts);
 }
 
 }  // namespace cgp_test

@@ -14,7 +14,7 @@ namespace cgp_test {
 /// Sets a vector unit during its lifetime, and restores the previous one
 class On_unit {
  public:
-  using Unit = Conformal_geometry_processing::Vector_unit;
+  using Unit = Conformal_geometry_processing::internal::Vector_unit;
 
   explicit On_unit(Unit unit) : m_before(Conformal_geometry_processing::vector_unit())
   {

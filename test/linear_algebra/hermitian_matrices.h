@@ -92,7 +92,7 @@ CGP::Hermitian_sparse_matrix<Scalar> random_hermitian(const Pattern& pattern, st
   for (int j = 0; j < A.size(); ++j)
     for (int k = pattern->offsets[at(j)]; k < pattern->offsets[at(j) + 1]; ++k)
       A.value(k) = k == pattern->offsets[at(j)]
-                       ? CGP::Scalar_traits<Scalar>::from_real(random.number())
+                       ? CGP::internal::Scalar_traits<Scalar>::from_real(random.number())
                        : random_scalar<Scalar>(random);
   return A;
 }
@@ -103,7 +103,7 @@ CGP::Hermitian_sparse_matrix<Scalar> plus_diagonal(CGP::Hermitian_sparse_matrix<
                                                    const Eigen::VectorXd& s)
 {
   for (int j = 0; j < A.size(); ++j)
-    A.value(A.pattern().offsets[at(j)]) += CGP::Scalar_traits<Scalar>::from_real(s[j]);
+    A.value(A.pattern().offsets[at(j)]) += CGP::internal::Scalar_traits<Scalar>::from_real(s[j]);
   return A;
 }
 

@@ -18,7 +18,7 @@ inline CGP::Eigensolver_options until(double tolerance, int wanted = 1, int max_
   return options;
 }
 
-template <class GoFurther = CGP::Always_go_further>
+template <class GoFurther = CGP::internal::Always_go_further>
 CGP::Eigensolver_result solve(const Spectral_problem& problem,
                               const CGP::Block<Quaternion<double>>& x0,
                               const CGP::Eigensolver_options& options, double shift = 1e-3,

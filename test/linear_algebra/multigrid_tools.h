@@ -14,7 +14,7 @@
 namespace cgp_test {
 
 template <class Scalar>
-using Entry_of = typename CGP::Rounding_remainder<Scalar>::Entry;
+using Entry_of = typename CGP::internal::Rounding_remainder<Scalar>::Entry;
 
 template <class Scalar>
 CGP::Hermitian_sparse_matrix<Entry_of<Scalar>> single(const CGP::Hermitian_sparse_matrix<Scalar>& A)
@@ -36,7 +36,7 @@ Eigen::MatrixXd dense_of_single(const CGP::Hermitian_sparse_matrix<Entry>& A)
 }
 
 /// P, with every entry times the identity of `planes` rows
-inline Eigen::MatrixXd dense(const CGP::Prolongation& P, int planes = 1)
+inline Eigen::MatrixXd dense(const CGP::internal::Prolongation& P, int planes = 1)
 {
   Eigen::MatrixXd D = Eigen::MatrixXd::Zero(planes * P.fine_size(), planes * P.coarse_size);
   for (int i = 0; i < P.fine_size(); ++i)

@@ -61,8 +61,8 @@ TEST(Linear_algebra, solves_a_quaternionic_system_in_three_ways)
 {
   const Matrix A = turned_path();
   EXPECT_LT(residual<CGP::Supernodal_cholesky<Quaternion>>(A), 1e-11);
-  EXPECT_LT(residual<CGP::Lagged_solver<CGP::Supernodal_cholesky<Quaternion>>>(A), 1e-8);
-  EXPECT_LT(residual<CGP::Multigrid_solver<Quaternion>>(A), 1e-8);
+  EXPECT_LT(residual<CGP::internal::Lagged_solver<CGP::Supernodal_cholesky<Quaternion>>>(A), 1e-8);
+  EXPECT_LT(residual<CGP::internal::Multigrid_solver<Quaternion>>(A), 1e-8);
 }
 
 TEST(Linear_algebra, finds_the_eigenvalues_of_a_turned_path)

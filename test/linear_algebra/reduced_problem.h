@@ -19,7 +19,7 @@
 /// Systems with unknowns in planes of H at some rows, and their dense counterparts.
 namespace cgp_test {
 
-using Plane = CGP::Reduced_basis<double>::Plane;
+using Plane = CGP::internal::Reduced_basis<double>::Plane;
 
 /// two orthonormal quaternions for each of so many rows
 inline std::vector<Plane> random_planes(std::size_t count, std::uint64_t seed)
@@ -45,8 +45,8 @@ struct Reduced_problem {
   std::vector<int> reduced;
   std::vector<Plane> planes;
 
-  CGP::Reduced_rows rows() const { return {X.size(), reduced}; }
-  CGP::Reduced_basis<double> basis() const { return {X.size(), reduced, planes}; }
+  CGP::internal::Reduced_rows rows() const { return {X.size(), reduced}; }
+  CGP::internal::Reduced_basis<double> basis() const { return {X.size(), reduced, planes}; }
 
   /// B, its columns in the order of the rows
   Eigen::MatrixXd dense_basis() const

@@ -229,15 +229,16 @@ TYPED_TEST_P(Reduced_solver, refuses_what_has_another_size)
 {
   const Reduced_problem& p = this->problem;
   EXPECT_EQ(this->solver.analyze(p.X.pattern(), p.rows(), {0, 1, 2}), Solver_status::wrong_state);
-  EXPECT_EQ(this->solver.analyze(p.X.pattern(), CGP::Reduced_rows(3, {1}),
+  EXPECT_EQ(this->solver.analyze(p.X.pattern(), CGP::internal::Reduced_rows(3, {1}),
                                  random_permutation(p.X.size(), 1)),
             Solver_status::wrong_state);
-  EXPECT_EQ(this->solver.analyze(CGP::Sparse_pattern{}, CGP::Reduced_rows(), CGP::Ordering{}),
+  EXPECT_EQ(this->solver.analyze(CGP::Sparse_pattern{}, CGP::internal::Reduced_rows(),
+                                 CGP::internal::Ordering{}),
             Solver_status::wrong_state);
   ASSERT_EQ(this->analyze(p), Solver_status::success);
   EXPECT_EQ(this->factorize(reduced_problem(disk(3), 1)), Solver_status::wrong_state);
   EXPECT_EQ(this->solver.factorize(p.X, Eigen::VectorXd(3), p.basis()), Solver_status::wrong_state);
-  const CGP::Reduced_basis<double> fewer(p.X.size(), {p.reduced[0]}, {p.planes[0]});
+  const CGP::internal::Reduced_basis<double> fewer(p.X.size(), {p.reduced[0]}, {p.planes[0]});
   EXPECT_EQ(this->solver.factorize(p.X, p.shift, fewer), Solver_status::wrong_state);
   ASSERT_EQ(this->factorize(p), Solver_status::success);
   CGP::Block<Quaternion<double>> x;

@@ -77,7 +77,7 @@ TYPED_TEST_P(Hermitian_solver, adds_a_diagonal_shift)
 
 TYPED_TEST_P(Hermitian_solver, accepts_any_ordering)
 {
-  const CGP::Ordering order = random_permutation(this->n, 7);
+  const CGP::internal::Ordering order = random_permutation(this->n, 7);
   ASSERT_EQ(this->solver.analyze(*this->pattern, order), Solver_status::success);
   EXPECT_EQ(this->solver.ordering(), order);
   ASSERT_EQ(this->solver.factorize(this->A, this->no_shift), Solver_status::success);
@@ -87,7 +87,7 @@ TYPED_TEST_P(Hermitian_solver, accepts_any_ordering)
 TYPED_TEST_P(Hermitian_solver, chooses_an_ordering_that_another_solver_can_share)
 {
   ASSERT_EQ(this->solver.analyze(*this->pattern), Solver_status::success);
-  const CGP::Ordering order = this->solver.ordering();
+  const CGP::internal::Ordering order = this->solver.ordering();
   EXPECT_EQ(CGP::inverse_permutation(order).size(), static_cast<std::size_t>(this->n));
   TypeParam second;
   ASSERT_EQ(second.analyze(*this->pattern, order), Solver_status::success);
@@ -123,7 +123,7 @@ TYPED_TEST_P(Hermitian_solver, reports_values_that_are_not_finite)
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (const int k : {0, 1, this->pattern->size_of_entries() - 1}) {
       auto B = this->A;
-      B.value(k) = CGP::Scalar_traits<typename TypeParam::Scalar>::from_real(bad);
+      B.value(k) = CGP::internal::Scalar_traits<typename TypeParam::Scalar>::from_real(bad);
       EXPECT_EQ(this->solver.factorize(B, this->no_shift), Solver_status::numerical_issue);
     }
 }

@@ -18,7 +18,8 @@ namespace cgp_test {
 /// for every column j the rows i > j of the factor
 using Factor_rows = std::vector<std::set<int>>;
 
-inline Factor_rows eliminated(const CGP::Sparse_pattern& pattern, const CGP::Ordering& order)
+inline Factor_rows eliminated(const CGP::Sparse_pattern& pattern,
+                              const CGP::internal::Ordering& order)
 {
   const std::vector<int> place = CGP::inverse_permutation(order);
   Factor_rows rows(order.size());
@@ -52,7 +53,7 @@ inline std::vector<int> counts(const Factor_rows& rows)
 struct Ordered_graph {
   std::string name;
   Pattern pattern;
-  CGP::Ordering order;
+  CGP::internal::Ordering order;
 };
 
 inline std::vector<Ordered_graph> ordered_graphs()

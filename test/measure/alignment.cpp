@@ -25,7 +25,7 @@ TEST(Align, recovers_a_similarity)
   for (unsigned seed : {1u, 2u, 3u}) {
     const Eigen::Matrix3d R = Random(seed).rotation();
     const Eigen::Vector3d t(5, -6, 7);
-    const CGP::Alignment a = CGP::align(source, similar(source, R, 2.5, t));
+    const CGP::internal::Alignment a = CGP::align(source, similar(source, R, 2.5, t));
     EXPECT_LT((a.rotation - R).norm(), 1e-13);
     EXPECT_NEAR(a.scale, 2.5, 1e-13);
     EXPECT_LT((a.translation - t).norm(), 1e-12);
@@ -38,7 +38,7 @@ TEST(Align, recovers_a_similarity_of_plane_points)
 {
   const Points source = disk(3).positions();
   const Eigen::Matrix3d R = Random(4).rotation();
-  const CGP::Alignment a = CGP::align(source, similar(source, R, .3, {1, 2, 3}));
+  const CGP::internal::Alignment a = CGP::align(source, similar(source, R, .3, {1, 2, 3}));
   EXPECT_LT((a.rotation - R).norm(), 1e-13);
   EXPECT_LT(a.max, 1e-14);
 }
@@ -46,7 +46,7 @@ TEST(Align, recovers_a_similarity_of_plane_points)
 TEST(Align, never_reflects)
 {
   const Points source = bumpy_sphere(2).positions();
-  const CGP::Alignment a = CGP::align(source, -source);
+  const CGP::internal::Alignment a = CGP::align(source, -source);
   EXPECT_NEAR(a.rotation.determinant(), 1, 1e-14);
   EXPECT_LT((a.rotation * a.rotation.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
   EXPECT_GT(a.rms, 1e-3);
@@ -59,10 +59,10 @@ TEST(Align, measures_what_is_left_relative_to_the_diagonal_of_the_target)
   const double d = .01;
   const Points source = points({{-3, -4, 0}, {3, -4, 0}, {3, 4, 0}, {-3, 4, 0}});
   const Points target = points({{-3, -4, d}, {3, -4, -d}, {3, 4, d}, {-3, 4, -d}});
-  const CGP::Alignment a = CGP::align(source, target);
+  const CGP::internal::Alignment a = CGP::align(source, target);
   EXPECT_NEAR(a.rms, d / 10, 1e-8);
   EXPECT_NEAR(a.max, d / 10, 1e-8);
-  const CGP::Alignment b = CGP::align(7 * source, 7 * target);
+  const CGP::internal::Alignment b = CGP::align(7 * source, 7 * target);
   EXPECT_NEAR(b.rms, a.rms, 1e-14);
 }
 
@@ -70,11 +70,11 @@ TEST(Align, is_the_best_among_its_neighbours)
 {
   const Points source = bumpy_sphere(1).positions();
   const Points target = perturbed(bumpy_sphere(1), .1).positions();
-  const CGP::Alignment best = CGP::align(source, target);
+  const CGP::internal::Alignment best = CGP::align(source, target);
   const double least = (best.apply(source) - target).norm();
   Random random(3);
   for (int i = 0; i < 20; ++i) {
-    CGP::Alignment other = best;
+    CGP::internal::Alignment other = best;
     other.rotation = Eigen::AngleAxisd(.01, random.vector().normalized()) * best.rotation;
     other.scale *= 1 + .01 * random.number();
     other.translation += .01 * random.vector();

@@ -30,7 +30,7 @@ TEST(Length_scales, are_roots_of_the_quotient_of_areas)
 TEST(Area_distortion, of_a_similarity_has_no_deviation)
 {
   const Mesh_view mesh = bumpy_sphere(1);
-  const CGP::Area_distortion d = CGP::area_distortion(mesh, 3 * mesh.positions());
+  const CGP::internal::Area_distortion d = CGP::area_distortion(mesh, 3 * mesh.positions());
   EXPECT_NEAR(d.min_scale, 3, 1e-14);
   EXPECT_NEAR(d.max_scale, 3, 1e-14);
   EXPECT_NEAR(d.log_deviation, 0, 1e-7);
@@ -44,7 +44,7 @@ TEST(Area_distortion, weighs_the_deviation_by_area)
                        {{0, 1, 2}, {0, 3, 1}});
   Points p = mesh.positions();
   p(1, 3) *= std::exp(2.);
-  const CGP::Area_distortion d = CGP::area_distortion(mesh, p);
+  const CGP::internal::Area_distortion d = CGP::area_distortion(mesh, p);
   EXPECT_NEAR(d.min_scale, 1, 1e-15);
   EXPECT_NEAR(d.max_scale, std::exp(1.), 1e-14);
   EXPECT_NEAR(d.log_deviation, std::sqrt(3. / 16), 1e-14);
@@ -52,7 +52,7 @@ TEST(Area_distortion, weighs_the_deviation_by_area)
 
 TEST(Area_distortion, of_the_identity_is_none)
 {
-  const CGP::Area_distortion d = CGP::area_distortion(disk(3), disk(3).positions());
+  const CGP::internal::Area_distortion d = CGP::area_distortion(disk(3), disk(3).positions());
   EXPECT_EQ(d.min_scale, 1);
   EXPECT_EQ(d.max_scale, 1);
   EXPECT_EQ(d.log_deviation, 0);

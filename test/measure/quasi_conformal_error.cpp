@@ -106,7 +106,7 @@ TEST(Quasi_conformal_error, weighs_by_the_old_areas)
                        {{0, 1, 2}, {0, 3, 1}});
   Points p = mesh.positions();
   p(1, 3) *= 2;
-  const CGP::Distribution Q = CGP::quasi_conformal_error(mesh, p);
+  const CGP::internal::Distribution Q = CGP::quasi_conformal_error(mesh, p);
   EXPECT_NEAR(Q.mean, (1 + 3 * 2) / 4., 1e-14);
   EXPECT_NEAR(Q.p99, 2, 1e-14);
   EXPECT_NEAR(Q.max, 2, 1e-14);

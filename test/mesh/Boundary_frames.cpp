@@ -21,7 +21,7 @@ const Eigen::Vector3d e_z(0, 0, 1);
 /// the greatest distance of the tangents of a disk from those of its circle
 double tangent_error(const Mesh_view& disk)
 {
-  const CGP::Boundary_frames b = CGP::boundary_frames(disk);
+  const CGP::internal::Boundary_frames b = CGP::boundary_frames(disk);
   double error = 0;
   for (std::size_t k = 0; k < b.vertices.size(); ++k) {
     const Eigen::Vector3d exact = e_z.cross(disk.position(b.vertices[k]));
@@ -34,7 +34,7 @@ double tangent_error(const Mesh_view& disk)
 
 TEST(Boundary_frame, is_made_of_any_tangent_and_normal)
 {
-  CGP::Boundary_frame expected;
+  CGP::internal::Boundary_frame expected;
   expected << 1, 0, 0, 0, 1, 0, 0, 0, 1;
   EXPECT_EQ(CGP::boundary_frame({2, 0, 0}, {5, 3, 0}), expected);
   EXPECT_EQ(CGP::boundary_frame({1e-200, 0, 0}, {0, 1e200, 0}), expected);
@@ -42,10 +42,10 @@ TEST(Boundary_frame, is_made_of_any_tangent_and_normal)
 
 TEST(Boundary_frame, holds_zeros_where_there_is_no_direction)
 {
-  const CGP::Boundary_frame a = CGP::boundary_frame({0, 0, 0}, {0, 0, 2});
+  const CGP::internal::Boundary_frame a = CGP::boundary_frame({0, 0, 0}, {0, 0, 2});
   EXPECT_EQ(a.col(0), Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(a.col(2), Eigen::Vector3d(0, 0, 0));
-  const CGP::Boundary_frame b = CGP::boundary_frame({0, 2, 0}, {0, 3, 0});
+  const CGP::internal::Boundary_frame b = CGP::boundary_frame({0, 2, 0}, {0, 3, 0});
   EXPECT_EQ(b.col(1), Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(b.col(2), Eigen::Vector3d(0, 0, 0));
 }
@@ -53,7 +53,7 @@ TEST(Boundary_frame, holds_zeros_where_there_is_no_direction)
 TEST(Boundary_frames, of_a_disk_run_around_it_with_the_binormal_outward)
 {
   const Mesh_view mesh = disk(5);
-  const CGP::Boundary_frames b = CGP::boundary_frames(mesh);
+  const CGP::internal::Boundary_frames b = CGP::boundary_frames(mesh);
   ASSERT_EQ(b.loops.size(), 1u);
   EXPECT_EQ(b.vertices, b.loops[0]);
   ASSERT_EQ(b.frames.size(), 30u);
@@ -68,7 +68,7 @@ TEST(Boundary_frames, of_a_disk_run_around_it_with_the_binormal_outward)
 TEST(Boundary_frames, of_an_annulus_point_out_of_it_at_both_circles)
 {
   const Mesh_view mesh = annulus(1, 2, 40, 4);
-  const CGP::Boundary_frames b = CGP::boundary_frames(mesh);
+  const CGP::internal::Boundary_frames b = CGP::boundary_frames(mesh);
   ASSERT_EQ(b.loops.size(), 2u);
   ASSERT_EQ(b.vertices.size(), 80u);
   for (std::size_t k = 0; k < 80; ++k) {
@@ -82,7 +82,7 @@ TEST(Boundary_frames, of_an_annulus_point_out_of_it_at_both_circles)
 TEST(Boundary_frames, are_right_handed_and_orthonormal_on_any_surface)
 {
   const Mesh_view mesh = perturbed(cap_from_disk(jittered_disk(6, .3), 2), .04);
-  for (const CGP::Boundary_frame& frame : CGP::boundary_frames(mesh).frames) {
+  for (const CGP::internal::Boundary_frame& frame : CGP::boundary_frames(mesh).frames) {
     EXPECT_LT((frame.transpose() * frame - Eigen::Matrix3d::Identity()).norm(), 1e-14);
     EXPECT_LT((frame.col(0).cross(frame.col(1)) - frame.col(2)).norm(), 1e-14);
   }

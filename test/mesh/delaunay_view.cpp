@@ -22,10 +22,10 @@ namespace {
 
 using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
-using Conformal_geometry_processing::Common_subdivision;
 using Conformal_geometry_processing::Delaunay_view;
 using Conformal_geometry_processing::edge_lengths;
-using Conformal_geometry_processing::Intrinsic_triangulation;
+using Conformal_geometry_processing::internal::Common_subdivision;
+using Conformal_geometry_processing::internal::Intrinsic_triangulation;
 
 Mesh_view stretched_sphere()
 {

@@ -18,7 +18,7 @@ namespace {
 
 using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
-using Triangles = CGP::Intrinsic_triangulation;
+using Triangles = CGP::internal::Intrinsic_triangulation;
 
 Triangles triangles_of(const Mesh_view& mesh)
 {

@@ -55,7 +55,7 @@ TEST(Mesh_components, of_nothing_are_none_and_of_a_lonely_vertex_one)
 
 TEST(Failure_reasons, are_told_once_with_the_first_that_have_them)
 {
-  CGP::Failure_reasons reasons;
+  CGP::internal::Failure_reasons reasons;
   EXPECT_EQ(reasons.text(), "");
   for (const char* const name : {"a", "b", "c"}) reasons.add(name, "it is closed");
   reasons.add("d", "it is flat");
@@ -67,7 +67,7 @@ TEST(Failure_reasons, are_told_once_with_the_first_that_have_them)
 
 TEST(Failure_reasons, of_ever_so_many_are_a_short_text)
 {
-  CGP::Failure_reasons reasons;
+  CGP::internal::Failure_reasons reasons;
   std::string expected;
   for (int i = 0; i < 100000; ++i) {
     const std::string name = "a" + std::to_string(i), reason = "r" + std::to_string(i);
@@ -82,7 +82,7 @@ TEST(Failure_reasons, of_ever_so_many_are_a_short_text)
 
 TEST(Component_failures, names_those_that_failed)
 {
-  CGP::Component_failures failures(4, "some_function");
+  CGP::internal::Component_failures failures(4, "some_function");
   failures.attempt(0, 0, [] {});
   failures.attempt(1, 7, [] { throw CGP::Solver_error("inner", "no factor"); });
   failures.attempt(3, 9, [] { throw CGP::Precondition_error("inner", "it is closed"); });
@@ -99,21 +99,21 @@ TEST(Component_failures, names_those_that_failed)
 
 TEST(Component_failures, are_none_if_nothing_was_thrown)
 {
-  CGP::Component_failures failures(1, "some_function");
+  CGP::internal::Component_failures failures(1, "some_function");
   failures.attempt(0, 0, [] {});
   EXPECT_NO_THROW(failures.throw_if_any());
 }
 
 TEST(Component_failures, of_the_solver_alone_are_an_error_of_the_solver)
 {
-  CGP::Component_failures failures(2, "some_function");
+  CGP::internal::Component_failures failures(2, "some_function");
   failures.attempt(1, 7, [] { throw CGP::Solver_error("inner", "no factor"); });
   EXPECT_THROW(failures.throw_if_any(), CGP::Solver_error);
 }
 
 TEST(Component_failures, let_what_is_not_of_one_component_pass)
 {
-  CGP::Component_failures failures(2, "some_function");
+  CGP::internal::Component_failures failures(2, "some_function");
   EXPECT_THROW(failures.attempt(1, 7, [] { throw std::bad_alloc(); }), std::bad_alloc);
   EXPECT_THROW(
       failures.attempt(1, 7, [] { throw CGP::Solver_error("inner", "failed: out of memory"); }),
@@ -132,7 +132,7 @@ TEST(Component_failures, know_the_words_of_solvers_for_a_lack_of_memory)
 
 TEST(Component_reports, are_true_if_all_of_them_are)
 {
-  CGP::Component_reports<bool> reports;
+  CGP::internal::Component_reports<bool> reports;
   EXPECT_TRUE(reports);
   reports.components.push_back({0, 4, 4, true});
   EXPECT_TRUE(reports);

@@ -11,7 +11,7 @@
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
-using CGP::Normalized_frame;
+using CGP::internal::Normalized_frame;
 
 TEST(Normalized_frame, centres_the_bounding_box)
 {

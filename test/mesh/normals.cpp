@@ -9,7 +9,7 @@
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
-using CGP::Normal_weight;
+using CGP::internal::Normal_weight;
 
 namespace {
 

@@ -14,7 +14,7 @@ namespace {
 
 void expect_topology(const Mesh_view& mesh, int components, int loops, int genus)
 {
-  const CGP::Topology t = CGP::topology(mesh);
+  const CGP::internal::Topology t = CGP::topology(mesh);
   EXPECT_EQ(t.vertices, mesh.size_of_vertices());
   EXPECT_EQ(t.edges, mesh.size_of_edges());
   EXPECT_EQ(t.faces, mesh.size_of_faces());

@@ -29,7 +29,7 @@ TEST(Well_shaped_faces, leave_out_the_thinnest_of_at_most_a_twentieth_of_the_are
       1, .051, .03, .02, 0, .049;
   const CGP::Mesh_view mesh = fan(apexes);
   for (const double unit : {1., 1e-30, 1e30}) {
-    const CGP::Well_shaped_faces sound =
+    const CGP::internal::Well_shaped_faces sound =
         CGP::well_shaped_faces({unit * mesh.positions(), mesh.corners()});
     ASSERT_EQ(sound.mesh.size_of_faces(), 3);
     EXPECT_EQ(sound.mesh.corners(0), mesh.corners(0));
@@ -44,7 +44,7 @@ TEST(Well_shaped_faces, are_all_but_those_without_area_where_all_are_thin)
 {
   Eigen::Matrix2Xd apexes(2, 3);
   apexes << .5, 2, .5, .01, 0, .01;
-  const CGP::Well_shaped_faces sound = CGP::well_shaped_faces(fan(apexes));
+  const CGP::internal::Well_shaped_faces sound = CGP::well_shaped_faces(fan(apexes));
   EXPECT_EQ(sound.mesh.size_of_faces(), 2);
   EXPECT_EQ(sound.share, 1);
 }

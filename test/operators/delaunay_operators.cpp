@@ -74,8 +74,8 @@ TEST(Delaunay_operators, are_those_of_the_mesh_where_that_is_Delaunay)
       const Curvature_potential rho = random_potential(mesh, on);
       EXPECT_LT(relative_difference(dense(dirac_energy(view, rho)), dense(dirac_energy(mesh, rho))),
                 1e-14);
-      const CGP::Dirac_forms forms = dirac_forms(view, rho, vectors),
-                             expected = dirac_forms(mesh, rho, vectors);
+      const CGP::internal::Dirac_forms forms = dirac_forms(view, rho, vectors),
+                                       expected = dirac_forms(mesh, rho, vectors);
       EXPECT_LT(relative_difference(forms.dirac, expected.dirac), 1e-13);
       EXPECT_LT(relative_difference(forms.mass, expected.mass), 1e-13);
       const Quaternion_vector<double> v = vectors.col(0);

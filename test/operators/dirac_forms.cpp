@@ -54,7 +54,7 @@ Quaternion_matrix hermitian_part(const Quaternion_matrix& A)
 void expect_forms_of_the_matrices(const Curvature_potential& rho)
 {
   const Quaternion_matrix V = random_columns(3);
-  const CGP::Dirac_forms forms = CGP::dirac_forms(bumps, rho, V);
+  const CGP::internal::Dirac_forms forms = CGP::dirac_forms(bumps, rho, V);
   const Quaternion_matrix B = dense(CGP::averaging(bumps));
   const Quaternion_matrix A = dense(CGP::dirac(bumps)) - dense(CGP::potential_matrix(bumps, rho));
   EXPECT_LT(relative_difference(forms.dirac, hermitian_part(form(V, A))), 1e-13);
@@ -81,7 +81,7 @@ TEST(Apply_dirac_form, is_the_operator_of_the_form)
   for (const auto& rho :
        {Curvature_potential::on_faces(random_numbers(bumps.size_of_faces(), 3)),
         Curvature_potential::on_vertices(random_numbers(bumps.size_of_vertices(), 4))}) {
-    const CGP::Dirac_forms forms = CGP::dirac_forms(bumps, rho, V);
+    const CGP::internal::Dirac_forms forms = CGP::dirac_forms(bumps, rho, V);
     for (int c = 0; c < 2; ++c) {
       const Quaternion_vector<double> image = CGP::apply_dirac_form(bumps, rho, V.col(c));
       for (int r = 0; r < 2; ++r)

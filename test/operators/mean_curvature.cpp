@@ -108,7 +108,7 @@ TEST(Mean_curvature, integrates_to_half_the_derivative_of_area_along_the_normals
 {
   // d area / d t = sum_i <(L f)_i, N_i> = 2 sum_i V_i H_i for f + t N.
   const Mesh_view mesh = bumpy_sphere(2);
-  const Points normals = CGP::vertex_normals(mesh, CGP::Normal_weight::angle);
+  const Points normals = CGP::vertex_normals(mesh, CGP::internal::Normal_weight::angle);
   const double t = 1e-5;
   const double derivative = (area({mesh.positions() + t * normals, mesh.corners()}) -
                              area({mesh.positions() - t * normals, mesh.corners()})) /

@@ -37,7 +37,7 @@ TEST(Planar_directions, of_a_flat_surface_are_those_it_has_up_to_one_turn)
 {
   for (const Mesh_view& mesh : {grid(5, 3, 2, 1), jittered_disk(4, .3), moved_disk(5)}) {
     const Points directions = CGP::planar_directions(mesh);
-    const CGP::Boundary_frames frames = CGP::boundary_frames(mesh);
+    const CGP::internal::Boundary_frames frames = CGP::boundary_frames(mesh);
     for (Eigen::Index k = 0; k < directions.cols(); ++k) {
       const auto i = static_cast<std::size_t>(k);
       const Eigen::Vector3d d = directions.col(k);
@@ -94,7 +94,7 @@ TEST(Planar_directions, are_those_of_disks_only)
 TEST(Turning_angles, of_a_square_are_right_angles_at_its_corners)
 {
   const Mesh_view mesh = grid(2, 2);
-  const CGP::Vertex_loop loop = CGP::boundary_loops(mesh)[0];
+  const CGP::internal::Vertex_loop loop = CGP::boundary_loops(mesh)[0];
   const Eigen::VectorXd turn = CGP::turning_angles(mesh, loop);
   for (Eigen::Index k = 0; k < turn.size(); ++k)
     EXPECT_NEAR(turn[k], k % 2 == 0 ? pi / 2 : 0, 1e-14);

@@ -25,9 +25,10 @@ namespace {
 
 using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
+using Normals = CGP::Parameterization_options::Normals;
 
-CGP::Parameterization_result flattened(
-    const Mesh_view& mesh, CGP::Conformal_normals normals = CGP::Conformal_normals::of_faces)
+CGP::internal::Parameterization_result flattened(const Mesh_view& mesh,
+                                                 Normals normals = Normals::of_faces)
 {
   CGP::Parameterization_options options;
   options.normals = normals;
@@ -40,7 +41,7 @@ CGP::Parameterization_result flattened(
 Eigen::VectorXd eigenvalues_by_definition(const Mesh_view& mesh)
 {
   const Eigen::MatrixXd C = least_squares_conformal_rows(mesh), A = C.transpose() * C;
-  const CGP::Vertex_loop loop = CGP::boundary_loops(mesh)[0];
+  const CGP::internal::Vertex_loop loop = CGP::boundary_loops(mesh)[0];
   std::vector<int> outside, inside;
   for (int v = 0; v < mesh.size_of_vertices(); ++v) {
     auto& rows = std::find(loop.begin(), loop.end(), v) == loop.end() ? inside : outside;
@@ -56,7 +57,8 @@ Eigen::VectorXd eigenvalues_by_definition(const Mesh_view& mesh)
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(shifted).eigenvalues();
 }
 
-double distance_from_disk(const CGP::Parameterization_result& result, const Mesh_view& disk)
+double distance_from_disk(const CGP::internal::Parameterization_result& result,
+                          const Mesh_view& disk)
 {
   return CGP::align(CGP::in_space(result.z), disk.positions()).rms;
 }
@@ -77,8 +79,7 @@ TEST(Spectral_parameterization, of_caps_has_the_distortion_of_the_reference_impl
                         {.8 * pi, 8, 1.22745, 1.22854},
                         {.8 * pi, 16, 1.11051, 1.11070}}) {
     const Mesh_view plane = disk(c.n), cap = cap_from_disk(plane, c.angle);
-    const auto faces = flattened(cap),
-               vertices = flattened(cap, CGP::Conformal_normals::of_vertices);
+    const auto faces = flattened(cap), vertices = flattened(cap, Normals::of_vertices);
     ASSERT_TRUE(faces.report && vertices.report);
     EXPECT_NEAR(faces.report.conformality.quasi_conformal.mean, c.faces, 6e-6);
     EXPECT_NEAR(vertices.report.conformality.quasi_conformal.mean, c.vertices, 1e-3);
@@ -90,7 +91,7 @@ TEST(Spectral_parameterization, of_a_cap_is_its_stereographic_projection)
 {
   const Mesh_view plane = disk(8), cap = cap_from_disk(plane, pi / 3);
   EXPECT_LT(distance_from_disk(flattened(cap), plane), 2e-4);
-  EXPECT_LT(distance_from_disk(flattened(cap, CGP::Conformal_normals::of_vertices), plane), 5e-4);
+  EXPECT_LT(distance_from_disk(flattened(cap, Normals::of_vertices), plane), 5e-4);
 }
 
 TEST(Spectral_parameterization, has_the_eigenvalues_of_the_definition_each_of_them_twice)
@@ -106,8 +107,7 @@ TEST(Spectral_parameterization, has_the_eigenvalues_of_the_definition_each_of_th
 
 TEST(Spectral_parameterization, with_normals_of_vertices_has_simple_eigenvalues)
 {
-  const auto result =
-      flattened(cap_from_disk(jittered_disk(5, .2), 2.), CGP::Conformal_normals::of_vertices);
+  const auto result = flattened(cap_from_disk(jittered_disk(5, .2), 2.), Normals::of_vertices);
   ASSERT_TRUE(result.report);
   EXPECT_GT(result.report.next_eigenvalue, 1.001 * result.report.eigenvalue);
 }
@@ -115,8 +115,7 @@ TEST(Spectral_parameterization, with_normals_of_vertices_has_simple_eigenvalues)
 TEST(Spectral_parameterization, leaves_flat_surfaces_as_they_are)
 {
   for (const Mesh_view& mesh : {jittered_disk(6, .3), grid(7, 4, 3, 1), annulus(.4, 1, 24, 4)})
-    for (const auto normals :
-         {CGP::Conformal_normals::of_faces, CGP::Conformal_normals::of_vertices}) {
+    for (const auto normals : {Normals::of_faces, Normals::of_vertices}) {
       const auto result = flattened(mesh, normals);
       ASSERT_TRUE(result.report);
       EXPECT_NEAR(result.report.eigenvalue, 0, 1e-10);
@@ -150,8 +149,8 @@ TEST(Spectral_parameterization, does_not_depend_on_the_order_of_vertices)
 
 TEST(Spectral_parameterization, makes_a_ring_of_a_cylinder)
 {
-  for (const auto boundary :
-       {CGP::Normalized_boundary::longest_loop, CGP::Normalized_boundary::all_loops}) {
+  for (const auto boundary : {CGP::Parameterization_options::Boundary::longest_loop,
+                              CGP::Parameterization_options::Boundary::all_loops}) {
     const Mesh_view mesh = mapped(cylinder(1, 1, 48, 8), [](const Eigen::Vector3d& p) {
       const double r = 1 + 1e-3 * p.z();  // so that one loop is longer
       return Eigen::Vector3d(r * p.x(), r * p.y(), p.z());
@@ -162,7 +161,7 @@ TEST(Spectral_parameterization, makes_a_ring_of_a_cylinder)
     ASSERT_TRUE(result.report);
     EXPECT_EQ(result.report.boundary_loops, 2);
     EXPECT_EQ(result.report.normalized_vertices,
-              boundary == CGP::Normalized_boundary::all_loops ? 96 : 48);
+              boundary == CGP::Parameterization_options::Boundary::all_loops ? 96 : 48);
     EXPECT_EQ(result.report.conformality.flipped_faces, 0);
     const double outer = result.z.cwiseAbs().maxCoeff(), inner = result.z.cwiseAbs().minCoeff();
     EXPECT_NEAR(std::log(outer / inner), 1, .02);
@@ -175,7 +174,7 @@ TEST(Spectral_parameterization, has_the_area_of_the_surface_around_the_origin)
   const Mesh_view mesh = scaled(cap_from_disk(disk(6), 2.), 5);
   const auto result = flattened(mesh);
   EXPECT_NEAR(area({CGP::in_space(result.z), mesh.corners()}), area(mesh), 1e-10);
-  const CGP::Vertex_loop loop = CGP::boundary_loops(mesh)[0];
+  const CGP::internal::Vertex_loop loop = CGP::boundary_loops(mesh)[0];
   EXPECT_LT(std::abs(result.z(loop).sum()), 1e-10);
   EXPECT_GT(result.z[loop[0]].real(), 1);
   EXPECT_NEAR(result.z[loop[0]].imag(), 0, 1e-12);
@@ -184,8 +183,7 @@ TEST(Spectral_parameterization, has_the_area_of_the_surface_around_the_origin)
 TEST(Spectral_parameterization, works_with_other_solvers)
 {
   const Mesh_view mesh = cap_from_disk(jittered_disk(5, .2), 2.);
-  for (const auto normals :
-       {CGP::Conformal_normals::of_faces, CGP::Conformal_normals::of_vertices}) {
+  for (const auto normals : {Normals::of_faces, Normals::of_vertices}) {
     CGP::Parameterization_options options;
     options.normals = normals;
     options.tolerance = 1e-8;

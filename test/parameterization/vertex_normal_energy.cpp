@@ -56,7 +56,7 @@ TEST(Vertex_normal_energy, is_that_of_the_dirac_operator_along_the_faces)
 {
   for (const Mesh_view& mesh :
        {cap_from_disk(jittered_disk(4, .3), 2.), perturbed(cylinder(1, 2, 12, 3), .1)}) {
-    const Points normals = CGP::vertex_normals(mesh, CGP::Normal_weight::angle);
+    const Points normals = CGP::vertex_normals(mesh, CGP::internal::Normal_weight::angle);
     const Eigen::VectorXcd z = random_map(mesh.size_of_vertices(), 1);
     EXPECT_NEAR(energy(mesh, normals, z), energy_by_dirac(mesh, normals, z),
                 1e-12 * energy(mesh, normals, z));
@@ -85,7 +85,7 @@ TEST(Vertex_normal_energy, with_the_opposite_normals_is_that_of_reflections)
 TEST(Vertex_normal_energy, of_a_bent_mesh_is_zero_for_the_constant_1_but_not_for_i)
 {
   const Mesh_view mesh = perturbed(cap_from_disk(disk(4), 2.), .05);
-  const Points normals = CGP::vertex_normals(mesh, CGP::Normal_weight::angle);
+  const Points normals = CGP::vertex_normals(mesh, CGP::internal::Normal_weight::angle);
   const Eigen::VectorXcd one = Eigen::VectorXcd::Ones(mesh.size_of_vertices());
   EXPECT_NEAR(energy(mesh, normals, one), 0, 1e-12);
   EXPECT_GT(energy(mesh, normals, std::complex<double>(0, 1) * one), 1e-3);

@@ -60,7 +60,7 @@ TEST(Verification, objects_to_each_fault_and_to_what_is_no_number)
   expect_objection(report, "the share of flipped faces is 0.02");
   (report = faultless()).direction_error.mean = nan;
   expect_objection(report, "directions at the boundary are missed");
-  (report = faultless()).boundary_fault = CGP::Boundary_fault::degenerate;
+  (report = faultless()).boundary_fault = CGP::Spin_report::Boundary_fault::degenerate;
   expect_objection(report, "try: EASIER");
   CGP::Points positions = CGP::Points::Zero(3, 4);
   positions(1, 2) = nan;

@@ -35,7 +35,7 @@ double product(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
 TEST(Constraint_basis, leaves_nothing_along_any_group)
 {
   const Eigen::MatrixXd a = random_functions(3, 2), b = 1e-6 * random_functions(4, 3);
-  CGP::Constraint_basis basis(some_areas());
+  CGP::internal::Constraint_basis basis(some_areas());
   basis.add(a);
   basis.add(b);
   EXPECT_EQ(basis.rank(), 7);
@@ -48,7 +48,7 @@ TEST(Constraint_basis, leaves_nothing_along_any_group)
 TEST(Constraint_basis, takes_away_what_lies_in_it_and_nothing_else)
 {
   const Eigen::MatrixXd a = random_functions(3, 2);
-  CGP::Constraint_basis basis(some_areas());
+  CGP::internal::Constraint_basis basis(some_areas());
   basis.add(a);
   EXPECT_LT(basis.norm(basis.project_out(a * Eigen::Vector3d(1, -2, 3))), 1e-13);
   const Eigen::VectorXd v = basis.project_out(random_numbers(n, 4));
@@ -60,7 +60,7 @@ TEST(Constraint_basis, drops_what_depends_on_other_functions)
 {
   const Eigen::MatrixXd a = random_functions(3, 2);
   Eigen::MatrixXd b = 1e-6 * random_functions(2, 3);
-  CGP::Constraint_basis basis(some_areas());
+  CGP::internal::Constraint_basis basis(some_areas());
   basis.add(a);
   basis.add(a.col(0) - 2 * a.col(2) + 1e-5 * random_functions(1, 5));
   EXPECT_EQ(basis.rank(), 3);
@@ -71,7 +71,7 @@ TEST(Constraint_basis, drops_what_depends_on_other_functions)
 
 TEST(Constraint_basis, is_empty_at_first)
 {
-  const CGP::Constraint_basis basis(some_areas());
+  const CGP::internal::Constraint_basis basis(some_areas());
   const Eigen::VectorXd v = random_numbers(n, 4);
   EXPECT_EQ(basis.rank(), 0);
   EXPECT_EQ(basis.project_out(v), v);
@@ -80,6 +80,6 @@ TEST(Constraint_basis, is_empty_at_first)
 
 TEST(Constraint_basis, refuses_functions_of_another_size)
 {
-  CGP::Constraint_basis basis(some_areas());
+  CGP::internal::Constraint_basis basis(some_areas());
   EXPECT_THROW(basis.add(Eigen::MatrixXd::Ones(n + 1, 1)), CGP::Precondition_error);
 }

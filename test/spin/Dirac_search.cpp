@@ -18,7 +18,7 @@ class Dirac_search : public testing::Test {
  protected:
   Search search_for(const Curvature_potential& rho)
   {
-    CGP::Dirac_evidence::Seconds seconds;
+    CGP::internal::Dirac_evidence::Seconds seconds;
     system.set_potential(rho, seconds);
     return Search(system, rho, one, options, always);
   }
@@ -31,10 +31,10 @@ class Dirac_search : public testing::Test {
   explicit Dirac_search(int level = 3) : sphere(icosphere(level)) {}
 
   const Mesh_view sphere;
-  CGP::Dirac_system<> system{sphere};
+  CGP::internal::Dirac_system<> system{sphere};
   const Quaternion_vector<double> one = identity_spins(sphere);
   CGP::Dirac_options options;
-  const CGP::Go_further always = CGP::Always_go_further();
+  const CGP::internal::Go_further always = CGP::internal::Always_go_further();
 };
 
 /// The eigenvalue -2 of the normal and that of the identity become nearly opposite
@@ -62,7 +62,7 @@ TEST_F(Dirac_search, takes_one_column_where_it_is_on_the_branch)
 TEST_F(Dirac_search, takes_one_column_where_no_other_vector_can_be_on_the_branch)
 {
   const Curvature_potential rho = smooth_potential(sphere, 0.1);
-  CGP::Dirac_evidence::Seconds seconds;
+  CGP::internal::Dirac_evidence::Seconds seconds;
   system.set_potential(rho, seconds);
   const Quaternion_vector<double> guide =
       std::sqrt(.5) * (one + imaginary_columns(sphere.positions()));
@@ -92,7 +92,7 @@ TEST_F(Dirac_search_of_a_mixture, finds_two_vectors_that_the_signed_form_separat
   search.run(one);
   ASSERT_TRUE(search.is_mixed());
   EXPECT_FALSE(search.is_cancelled());
-  const CGP::Dirac_forms forms = CGP::dirac_forms(sphere, rho, search.mixture());
+  const CGP::internal::Dirac_forms forms = CGP::dirac_forms(sphere, rho, search.mixture());
   const Quaternion_matrix pure = CGP::rayleigh_ritz_of_dirac(search.mixture(), forms);
   const Quaternion_vector<double> u = pure.col(0), v = pure.col(1);
   EXPECT_GT(system.overlap(u, imaginary_columns(sphere.positions())), 0.9);
@@ -137,11 +137,11 @@ TEST(Dirac_search_on_a_sphere, tells_the_same_errors_in_all_units_of_length)
   const Mesh_view sphere = icosphere(1);
   CGP::Dirac_options options;
   options.max_iterations = 2;
-  const CGP::Go_further always = CGP::Always_go_further();
+  const CGP::internal::Go_further always = CGP::internal::Always_go_further();
   const auto after_two_iterations = [&](double scale) {
     const Mesh_view large = scaled(sphere, scale);
-    CGP::Dirac_system<> system(large);
-    CGP::Dirac_evidence::Seconds seconds;
+    CGP::internal::Dirac_system<> system(large);
+    CGP::internal::Dirac_evidence::Seconds seconds;
     const Curvature_potential rho = smooth_potential(sphere, 1 / scale);
     system.set_potential(rho, seconds);
     const Quaternion_vector<double> one = identity_spins(large);
@@ -161,12 +161,12 @@ TEST(Dirac_search_on_bumps, finds_a_mixture_before_its_vector_has_converged)
     return Eigen::Vector3d((1 + 0.15 * height) * p.cwiseProduct(Eigen::Vector3d(1, 0.7, 0.5)));
   });
   const Mesh_view mesh = scaled_to_area(bumps, 4 * pi);
-  CGP::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system<> system(mesh);
   const Curvature_potential rho = smooth_potential(mesh, 2);
-  CGP::Dirac_evidence::Seconds seconds;
+  CGP::internal::Dirac_evidence::Seconds seconds;
   system.set_potential(rho, seconds);
   const Quaternion_vector<double> guide = identity_spins(mesh);
-  const CGP::Go_further always = CGP::Always_go_further();
+  const CGP::internal::Go_further always = CGP::internal::Always_go_further();
   Search search(system, rho, guide, CGP::Dirac_options(), always);
   search.run(guide);
   ASSERT_TRUE(search.is_mixed());
@@ -178,7 +178,7 @@ TEST_F(Dirac_search_of_a_mixture, with_a_separated_vector_needs_no_companion)
 {
   Search mixed = search_for(rho);
   mixed.run(one);
-  const CGP::Dirac_forms forms = CGP::dirac_forms(sphere, rho, mixed.mixture());
+  const CGP::internal::Dirac_forms forms = CGP::dirac_forms(sphere, rho, mixed.mixture());
   const auto values = CGP::signed_eigenvalues(forms);
   const Quaternion_vector<double> start =
       CGP::rayleigh_ritz_of_dirac(mixed.mixture(), forms).col(1);
@@ -212,9 +212,11 @@ TEST_F(Dirac_search, keeps_to_the_iterations_allowed)
 
 TEST_F(Dirac_search, is_cancelled_by_the_caller_only)
 {
-  const CGP::Go_further stop = [](const CGP::Eigensolver_progress& p) { return p.iteration < 1; };
+  const CGP::internal::Go_further stop = [](const CGP::Eigensolver_progress& p) {
+    return p.iteration < 1;
+  };
   const Curvature_potential rho = smooth_potential(sphere, 1);
-  CGP::Dirac_evidence::Seconds seconds;
+  CGP::internal::Dirac_evidence::Seconds seconds;
   system.set_potential(rho, seconds);
   Search search(system, rho, one, options, stop);
   search.run(one);

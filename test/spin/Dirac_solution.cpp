@@ -11,7 +11,7 @@ namespace CGP = Conformal_geometry_processing;
 
 TEST(Dirac_evidence, has_curvatures_in_the_unit_of_the_mesh_and_pure_numbers_as_they_are)
 {
-  CGP::Dirac_solution s;
+  CGP::internal::Dirac_solution s;
   s.eigenvalue = 3;
   s.gap = 5;
   s.spectral_shift = 7;
@@ -23,7 +23,7 @@ TEST(Dirac_evidence, has_curvatures_in_the_unit_of_the_mesh_and_pure_numbers_as_
   s.is_generalized = s.converged = true;
   CGP::Spin_report r;
   r.steps = 3;
-  static_cast<CGP::Dirac_evidence&>(r) = CGP::in_units(s, 4);
+  static_cast<CGP::internal::Dirac_evidence&>(r) = CGP::in_units(s, 4);
   EXPECT_EQ(r.eigenvalue, .75);
   EXPECT_EQ(r.gap, 1.25);
   EXPECT_EQ(r.spectral_shift, 1.75);
@@ -40,7 +40,7 @@ TEST(Dirac_evidence, has_curvatures_in_the_unit_of_the_mesh_and_pure_numbers_as_
 
 TEST(Dirac_evidence, has_not_converged_to_what_is_no_number)
 {
-  CGP::Dirac_solution s;
+  CGP::internal::Dirac_solution s;
   s.converged = true;
   s.eigenvalue = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(CGP::in_units(s, 1).converged);

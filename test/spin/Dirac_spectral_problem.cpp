@@ -19,16 +19,16 @@ namespace {
 using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
-CGP::Dirac_spectrum spectrum(const Mesh_view& mesh, int count, double shift = 0,
-                             const CGP::Boundary_condition& condition = {})
+CGP::internal::Dirac_spectrum spectrum(const Mesh_view& mesh, int count, double shift = 0,
+                                       const CGP::Boundary_condition& condition = {})
 {
-  CGP::Dirac_spectrum_options options;
+  CGP::internal::Dirac_spectrum_options options;
   options.shift = shift;
-  return CGP::Dirac_spectral_problem<>(mesh, condition)
+  return CGP::internal::Dirac_spectral_problem<>(mesh, condition)
       .find(CGP::no_potential(mesh), count, options);
 }
 
-void expect_eigenvalues(const CGP::Dirac_spectrum& s, double resolution,
+void expect_eigenvalues(const CGP::internal::Dirac_spectrum& s, double resolution,
                         const std::vector<std::pair<double, int>>& expected, double error)
 {
   ASSERT_TRUE(s.converged);
@@ -55,7 +55,7 @@ TEST(Dirac_spectrum_of_the_sphere, has_errors_of_second_order)
   std::vector<std::vector<double>> errors(6);
   for (int level : {2, 3, 4}) {
     const Mesh_view sphere = icosphere(level);
-    const CGP::Dirac_spectrum s = spectrum(sphere, 7);
+    const CGP::internal::Dirac_spectrum s = spectrum(sphere, 7);
     h.push_back(mean_edge_length(sphere));
     for (const bool of_pencil : {false, true}) {
       const auto values =
@@ -72,7 +72,7 @@ TEST(Dirac_spectrum_of_the_sphere, has_errors_of_second_order)
 
 TEST(Dirac_spectrum_of_the_sphere, next_to_a_shift_comes_first)
 {
-  const CGP::Dirac_spectrum s = spectrum(icosphere(3), 9, 3.4);
+  const CGP::internal::Dirac_spectrum s = spectrum(icosphere(3), 9, 3.4);
   ASSERT_TRUE(s.converged);
   EXPECT_EQ(s.size_of_constants, 0);
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(s.eigenvalues[k], 3, 0.05);
@@ -90,7 +90,7 @@ TEST(Dirac_spectrum_of_the_sphere, is_not_missed_where_the_shift_is_at_an_eigenv
 {
   // The pencil alone takes 2 for something else on so coarse a mesh.
   for (const double shift : {1.9, 2.0, 2.1}) {
-    const CGP::Dirac_spectrum s = spectrum(icosphere(2), 5, shift);
+    const CGP::internal::Dirac_spectrum s = spectrum(icosphere(2), 5, shift);
     ASSERT_TRUE(s.converged);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(s.eigenvalues[k], 2, 0.1) << shift;
     for (int k = 3; k < 5; ++k) EXPECT_GT(std::abs(s.eigenvalues[k] - 2), 0.9) << shift;
@@ -101,8 +101,8 @@ TEST(Standard_problem, mixes_the_signs_that_the_spectrum_tells_apart)
 {
   // X has the eigenvalue n^2 with the multiplicities of n and -n together: 2 n.
   const Mesh_view sphere = geodesic_sphere(20);
-  CGP::Dirac_system<> system(sphere);
-  CGP::Dirac_evidence::Seconds seconds;
+  CGP::internal::Dirac_system<> system(sphere);
+  CGP::internal::Dirac_evidence::Seconds seconds;
   system.set_potential(CGP::no_potential(sphere), seconds);
   const CGP::Eigensolver_result r =
       smallest(system, CGP::random_quaternions(sphere.size_of_vertices(), 9, 1), 7, 1e-6, 100);
@@ -119,9 +119,10 @@ TEST(Dirac_spectrum, solves_the_pencil_with_its_matrices)
   const Mesh_view mesh = bumpy_sphere(2);
   const double shift = -0.3;
   const auto rho = CGP::Curvature_potential::on_faces(rho_of_section_3_on_faces(mesh));
-  CGP::Dirac_spectrum_options options;
+  CGP::internal::Dirac_spectrum_options options;
   options.shift = shift;
-  const CGP::Dirac_spectrum s = CGP::Dirac_spectral_problem<>(mesh).find(rho, 6, options);
+  const CGP::internal::Dirac_spectrum s =
+      CGP::internal::Dirac_spectral_problem<>(mesh).find(rho, 6, options);
   ASSERT_TRUE(s.converged);
   const auto shifted = CGP::Curvature_potential::on_faces((rho.values.array() + shift).matrix());
   const auto X = CGP::dirac_energy(mesh, shifted), K = CGP::dirac_form(mesh, shifted);
@@ -147,7 +148,7 @@ TEST(Dirac_spectrum, solves_the_pencil_with_its_matrices)
 TEST(Dirac_spectrum, leaves_the_constants_out_of_the_others)
 {
   const Mesh_view mesh = bumpy_sphere(2);
-  const CGP::Dirac_spectrum s = spectrum(mesh, 5);
+  const CGP::internal::Dirac_spectrum s = spectrum(mesh, 5);
   EXPECT_EQ(s.size_of_constants, 1);
   EXPECT_EQ(s.eigenvalues[0], 0);
   const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
@@ -156,7 +157,7 @@ TEST(Dirac_spectrum, leaves_the_constants_out_of_the_others)
     for (Eigen::Index i = 0; i < areas.size(); ++i) mean += areas[i] * s.vectors(i, k);
     EXPECT_LT(norm(mean), 1e-9);
   }
-  const CGP::Dirac_spectrum only = spectrum(mesh, 1);
+  const CGP::internal::Dirac_spectrum only = spectrum(mesh, 1);
   EXPECT_TRUE(only.converged);
   for (Eigen::Index i = 0; i < areas.size(); ++i)
     EXPECT_LT(norm(only.vectors(i, 0) - CGP::Quaternion<double>{1, 0, 0, 0}), 1e-14);
@@ -166,16 +167,16 @@ TEST(Dirac_spectrum, moves_with_constant_rho_and_scales_as_one_over_length)
 {
   const Mesh_view mesh = bumpy_sphere(2);
   const Eigen::VectorXd values = spectrum(mesh, 6).eigenvalues;
-  CGP::Dirac_spectrum_options options;
+  CGP::internal::Dirac_spectrum_options options;
   options.shift = -0.75;
   const auto rho = CGP::Curvature_potential::on_vertices(
       Eigen::VectorXd::Constant(mesh.size_of_vertices(), 0.75));
   const Eigen::VectorXd moved =
-      CGP::Dirac_spectral_problem<>(mesh).find(rho, 6, options).eigenvalues;
+      CGP::internal::Dirac_spectral_problem<>(mesh).find(rho, 6, options).eigenvalues;
   EXPECT_LT((moved.array() + 0.75 - values.array()).abs().maxCoeff(), 1e-9);
   const Mesh_view large =
       mapped(mesh, [](const Eigen::Vector3d& p) { return Eigen::Vector3d(1e3 * p.array() + 5e4); });
-  const CGP::Dirac_spectrum of_large = spectrum(large, 6);
+  const CGP::internal::Dirac_spectrum of_large = spectrum(large, 6);
   EXPECT_LT((1e3 * of_large.eigenvalues - values).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_LT((1e3 * of_large.pencil_eigenvalues - spectrum(mesh, 6).pencil_eigenvalues)
                 .cwiseAbs()
@@ -191,7 +192,8 @@ TEST(Dirac_spectrum_of_the_disk, holds_the_zeros_of_bessel_functions_of_either_s
   std::vector<double> h;
   std::vector<std::vector<double>> errors(3);
   for (int n : {8, 12, 16}) {
-    const CGP::Dirac_spectrum s = spectrum(disk(n), 11, 0, CGP::Boundary_condition::binormals());
+    const CGP::internal::Dirac_spectrum s =
+        spectrum(disk(n), 11, 0, CGP::Boundary_condition::binormals());
     ASSERT_TRUE(s.converged);
     EXPECT_EQ(s.size_of_constants, 1);
     const auto values = CGP::with_multiplicities(s.eigenvalues, 0.2);
@@ -211,15 +213,16 @@ TEST(Dirac_spectrum_of_the_disk, holds_the_zeros_of_bessel_functions_of_either_s
 
 TEST(Dirac_spectrum_of_the_disk, next_to_a_shift_is_that_of_the_specification)
 {
-  const CGP::Dirac_spectrum s = spectrum(disk(16), 3, 2.1, CGP::Boundary_condition::binormals());
+  const CGP::internal::Dirac_spectrum s =
+      spectrum(disk(16), 3, 2.1, CGP::Boundary_condition::binormals());
   expect_eigenvalues(s, 0.2, {{1.84008, 2}, {2.41176, 1}}, 1e-5);
 }
 
 TEST(Dirac_spectrum, stops_when_told)
 {
   const Mesh_view mesh = icosphere(1);
-  const CGP::Dirac_spectrum s = CGP::Dirac_spectral_problem<>(mesh).find(
-      CGP::no_potential(mesh), 4, {}, [](const CGP::Krylov_progress&) { return false; });
+  const CGP::internal::Dirac_spectrum s = CGP::internal::Dirac_spectral_problem<>(mesh).find(
+      CGP::no_potential(mesh), 4, {}, [](const CGP::internal::Krylov_progress&) { return false; });
   EXPECT_TRUE(s.cancelled);
   EXPECT_FALSE(s.converged);
 }
@@ -228,14 +231,14 @@ TEST(Dirac_spectrum, refuses_what_has_none)
 {
   const Mesh_view mesh = icosphere(1), plane = disk(3);
   const auto none = CGP::no_potential(mesh);
-  CGP::Dirac_spectral_problem<> problem(mesh);
+  CGP::internal::Dirac_spectral_problem<> problem(mesh);
   EXPECT_THROW((void)problem.find(none, 0), CGP::Precondition_error);
   EXPECT_THROW((void)problem.find(none, mesh.size_of_vertices() + 1), CGP::Precondition_error);
   EXPECT_THROW((void)problem.find(CGP::no_potential(plane), 1), CGP::Precondition_error);
   auto infinite = none;
   infinite.values[3] = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)problem.find(infinite, 1), CGP::Precondition_error);
-  using Problem = CGP::Dirac_spectral_problem<>;
+  using Problem = CGP::internal::Dirac_spectral_problem<>;
   EXPECT_THROW(Problem{plane}, CGP::Precondition_error);
   EXPECT_THROW((Problem{plane, CGP::Boundary_condition::tangents()}), CGP::Precondition_error);
   EXPECT_THROW((Problem{mesh, CGP::Boundary_condition::binormals()}), CGP::Precondition_error);

@@ -34,8 +34,8 @@ class Dirac_system : public testing::Test {
 
   const Mesh_view mesh = icosphere(1);
   const Quaternion_vector<double> one = identity_spins(mesh);
-  CGP::Dirac_system<> system{mesh};
-  CGP::Dirac_evidence::Seconds seconds;
+  CGP::internal::Dirac_system<> system{mesh};
+  CGP::internal::Dirac_evidence::Seconds seconds;
 };
 
 /// finds matrices indefinite until they are shifted by so much, in multiples of the vertex areas
@@ -87,7 +87,7 @@ TEST_F(Dirac_system, forgets_the_last_potential)
 TEST_F(Dirac_system, adds_up_the_seconds_of_all_potentials)
 {
   set_potential(1);
-  const CGP::Dirac_evidence::Seconds once = seconds;
+  const CGP::internal::Dirac_evidence::Seconds once = seconds;
   set_potential(1);
   EXPECT_GT(once.assembly, 0);
   EXPECT_GT(once.factorization, 0);
@@ -98,7 +98,7 @@ TEST_F(Dirac_system, adds_up_the_seconds_of_all_potentials)
 TEST_F(Dirac_system, has_the_curvature_of_the_sphere_of_the_same_area_as_unit)
 {
   const Mesh_view large = scaled_to_area(mesh, 100);
-  EXPECT_NEAR(CGP::Dirac_system<>(large).unit(), 4 * pi / 100, 1e-14);
+  EXPECT_NEAR(CGP::internal::Dirac_system<>(large).unit(), 4 * pi / 100, 1e-14);
 }
 
 TEST_F(Dirac_system, solves_with_its_matrix_and_the_shift_of_its_factor)
@@ -153,7 +153,7 @@ TEST_F(Dirac_system, overlap_is_one_for_right_factors_and_zero_for_orthogonal_ve
 TEST_F(Dirac_system, tells_which_step_of_the_solver_failed)
 {
   const Mesh_view empty;
-  EXPECT_THROW(CGP::Dirac_system<>{empty}, CGP::Solver_error);
+  EXPECT_THROW(CGP::internal::Dirac_system<>{empty}, CGP::Solver_error);
   EXPECT_THROW((void)system.noise(1, 0), CGP::Solver_error);  // not factorized yet
   EXPECT_THROW((void)system.solve(one), CGP::Solver_error);
   try {
@@ -178,7 +178,7 @@ TEST_F(Dirac_system, is_shifted_more_where_rounding_makes_it_indefinite_but_not_
 {
   const double four_pi = 4 * std::acos(-1.);  // the sum of the shifts by unit()
   const Curvature_potential rho = smooth_potential(mesh, 1);
-  CGP::Dirac_system<Timid_solver_traits> timid(mesh);
+  CGP::internal::Dirac_system<Timid_solver_traits> timid(mesh);
   Timid_solver_traits::enough = 0.005 * four_pi;
   timid.set_potential(rho, seconds);
   EXPECT_EQ(Timid_solver_traits::factorizations, 2);

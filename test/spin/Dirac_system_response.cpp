@@ -34,7 +34,7 @@ TYPED_TEST_SUITE(Dirac_system_response, Surfaces);
 TYPED_TEST(Dirac_system_response, inverts_the_matrix_on_vectors_without_sum)
 {
   for (const TypeParam& surface : this->surfaces) {
-    CGP::Dirac_system<> system(surface);
+    CGP::internal::Dirac_system<> system(surface);
     system.prepare_response();
     const Quaternion_matrix c = sources(surface.size_of_vertices(), 11);
     expect_solutions(surface, system.response(c), c);
@@ -44,7 +44,7 @@ TYPED_TEST(Dirac_system_response, inverts_the_matrix_on_vectors_without_sum)
 TYPED_TEST(Dirac_system_response, passes_over_what_has_no_solution)
 {
   const TypeParam& surface = this->surfaces[1];
-  CGP::Dirac_system<> system(surface);
+  CGP::internal::Dirac_system<> system(surface);
   system.prepare_response();
   const Quaternion_matrix c = sources(surface.size_of_vertices(), 1);
   Quaternion_matrix shifted = c;
@@ -55,7 +55,7 @@ TYPED_TEST(Dirac_system_response, passes_over_what_has_no_solution)
 TYPED_TEST(Dirac_system_response, to_nothing_is_nothing)
 {
   const TypeParam& surface = this->surfaces[0];
-  CGP::Dirac_system<> system(surface);
+  CGP::internal::Dirac_system<> system(surface);
   system.prepare_response();
   EXPECT_EQ(system.response(zero_matrix(surface.size_of_vertices(), 0)).cols(), 0);
   EXPECT_EQ(greatest_entry(system.response(zero_matrix(surface.size_of_vertices(), 2))), 0);
@@ -64,7 +64,7 @@ TYPED_TEST(Dirac_system_response, to_nothing_is_nothing)
 TEST(Dirac_system, responds_on_a_mesh_that_has_moved_with_the_same_analysis)
 {
   Mesh_view mesh = btorus(12);
-  CGP::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system<> system(mesh);
   system.prepare_response();
   const auto structure = system.solver().structure();
   mesh.set_positions(perturbed(mesh, 0.04).positions());
@@ -78,7 +78,7 @@ TEST(Dirac_system, responds_on_a_mesh_that_has_moved_with_the_same_analysis)
 TEST(Dirac_system, responds_on_faces_of_area_zero)
 {
   const CGP::Delaunay_view surface(spoilt(icosphere(2)));
-  CGP::Dirac_system<> system(surface);
+  CGP::internal::Dirac_system<> system(surface);
   system.prepare_response();
   const Quaternion_matrix c = sources(surface.size_of_vertices(), 2);
   expect_solutions(surface, system.response(c), c);
@@ -87,7 +87,7 @@ TEST(Dirac_system, responds_on_faces_of_area_zero)
 TEST(Dirac_system, refuses_to_respond_to_or_on_what_is_not_finite)
 {
   Mesh_view mesh = btorus(8);
-  CGP::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system<> system(mesh);
   system.prepare_response();
   Quaternion_matrix c = sources(mesh.size_of_vertices(), 1);
   c(3, 0).y = std::numeric_limits<double>::infinity();

@@ -18,14 +18,14 @@ namespace {
 using namespace cgp_test;
 using Q = Quaternion<double>;
 using Vectors = CGP::Block<Q>;
-using System = CGP::Dirac_system<>;
+using System = CGP::internal::Dirac_system<>;
 
 /// the equation on a small mesh, and all its eigenpairs by a dense matrix
 class Directions_search : public testing::Test {
  protected:
   void SetUp() override
   {
-    CGP::Dirac_evidence::Seconds seconds;
+    CGP::internal::Dirac_evidence::Seconds seconds;
     system.assemble(rho, seconds);
     const CGP::Block<double> one = CGP::Block<double>::Identity(dimension(), dimension());
     const Vectors embedded = basis().embed(one);
@@ -36,7 +36,7 @@ class Directions_search : public testing::Test {
     vectors = basis().embed(eigen.eigenvectors().leftCols(4));
   }
 
-  const CGP::Reduced_basis<double>& basis() const { return system.directions()->basis(); }
+  const CGP::internal::Reduced_basis<double>& basis() const { return system.directions()->basis(); }
   const Quaternion_vector<double>& guide() const { return system.directions()->guide(); }
   int dimension() const { return basis().rows().dimension(); }
 
@@ -77,10 +77,11 @@ class Directions_search : public testing::Test {
     return std::abs(product(vectors.col(j), guide())) / std::sqrt(product(guide(), guide()));
   }
 
-  CGP::Dirac_solution solve(const CGP::Dirac_options& options,
-                            const CGP::Go_further& go_further = CGP::Always_go_further())
+  CGP::internal::Dirac_solution solve(
+      const CGP::Dirac_options& options,
+      const CGP::internal::Go_further& go_further = CGP::internal::Always_go_further())
   {
-    CGP::Dirac_solution s;
+    CGP::internal::Dirac_solution s;
     system.set_potential(rho, s.seconds);
     CGP::internal::Directions_search<CGP::Default_solver_traits>(system).solve(rho, options, s,
                                                                                go_further);
@@ -110,8 +111,8 @@ class Directions_search : public testing::Test {
 TEST_F(Directions_search, finds_the_smallest_singular_value)
 {
   CGP::Dirac_options options = exactly();
-  options.branch = CGP::Branch::smallest;
-  const CGP::Dirac_solution s = solve(options);
+  options.branch = CGP::Dirac_options::Branch::smallest;
+  const CGP::internal::Dirac_solution s = solve(options);
   ASSERT_TRUE(s.converged);
   EXPECT_NEAR(s.eigenvalue, values[0], 1e-10);
   EXPECT_NEAR(s.energy, values[0] * values[0], 1e-10);
@@ -124,7 +125,7 @@ TEST_F(Directions_search, finds_the_vector_nearest_to_the_guide)
   int nearest = 0;
   for (int j = 1; j < 4; ++j)
     if (overlap(j) > overlap(nearest)) nearest = j;
-  const CGP::Dirac_solution s = solve(exactly());
+  const CGP::internal::Dirac_solution s = solve(exactly());
   ASSERT_TRUE(s.converged);
   EXPECT_NEAR(s.eigenvalue, values[nearest], 1e-10);
   EXPECT_NEAR(s.overlap, overlap(nearest), 1e-9);
@@ -135,7 +136,7 @@ TEST_F(Directions_search, projects_the_guide_on_what_counts_as_kernel)
 {
   CGP::Dirac_options options = exactly();
   options.kernel_tolerance = (values[1] + values[2]) / 2;
-  const CGP::Dirac_solution s = solve(options);
+  const CGP::internal::Dirac_solution s = solve(options);
   ASSERT_TRUE(s.converged);
   Quaternion_vector<double> expected = Quaternion_vector<double>::Constant(s.lambda.size(), Q{});
   double energy = 0, square = 0;
@@ -151,7 +152,7 @@ TEST_F(Directions_search, projects_the_guide_on_what_counts_as_kernel)
 
 TEST_F(Directions_search, is_what_solves_the_equation_with_a_condition_of_directions)
 {
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho, exactly());
+  const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho, exactly());
   EXPECT_EQ(s.lambda, solve(exactly()).lambda);
   EXPECT_EQ(s.eigenvalue, solve(exactly()).eigenvalue);
 }
@@ -159,7 +160,7 @@ TEST_F(Directions_search, is_what_solves_the_equation_with_a_condition_of_direct
 TEST_F(Directions_search, gives_gamma_its_sign_where_it_is_an_eigenvalue)
 {
   System self_adjoint(mesh, Boundary_condition::binormals());
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(self_adjoint, rho, exactly());
+  const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(self_adjoint, rho, exactly());
   ASSERT_TRUE(s.converged);
   const Quaternion_vector<double> B = CGP::averaging(mesh) * s.lambda,
                                   D = CGP::dirac(mesh) * s.lambda,
@@ -183,7 +184,7 @@ TEST_F(Directions_search, answers_to_sources_in_the_space_of_the_condition)
   system.prepare_response();
   const Vectors x = system.response(Vectors(c));
   EXPECT_LT(greatest_difference(basis().project(x).col(0), x.col(0)), 1e-12);
-  CGP::Dirac_evidence::Seconds seconds;
+  CGP::internal::Dirac_evidence::Seconds seconds;
   system.assemble(CGP::no_potential(mesh), seconds);
   Quaternion_vector<double> image = system.matrix() * x.col(0);
   for (int v = 0; v < image.size(); ++v)
@@ -202,7 +203,7 @@ TEST_F(Directions_search, can_be_cancelled)
 {
   for (int limit = 0; limit < 4; ++limit) {
     int count = 0;
-    const CGP::Dirac_solution s =
+    const CGP::internal::Dirac_solution s =
         solve(exactly(), [&](const CGP::Eigensolver_progress&) { return count++ < limit; });
     EXPECT_TRUE(s.cancelled);
     EXPECT_EQ(count, limit + 1);
@@ -222,7 +223,7 @@ TEST_F(Directions_search, tells_the_same_error_in_all_units_of_length)
   System of_large(large, tangents);
   CGP::Dirac_options options = exactly();
   options.max_iterations = 1;
-  const CGP::Dirac_solution s =
+  const CGP::internal::Dirac_solution s =
       CGP::solve_dirac_equation(of_large, Curvature_potential{rho.on, rho.values / 1024}, options);
   const double residual = solve(options).residual;
   EXPECT_GT(residual, 1e-9);
@@ -233,6 +234,6 @@ TEST_F(Directions_search, refuses_a_matrix_that_is_not_finite)
 {
   Curvature_potential broken = rho;
   broken.values[3] = std::numeric_limits<double>::quiet_NaN();
-  CGP::Dirac_evidence::Seconds seconds;
+  CGP::internal::Dirac_evidence::Seconds seconds;
   EXPECT_THROW(system.set_potential(broken, seconds), CGP::Solver_error);
 }

@@ -186,7 +186,7 @@ TEST(Exact_steps, keeps_the_spin_structure_embedded_or_not)
 {
   for (const int arf : {0, 1}) {
     const Mesh_view mesh = turned_torus(64, 32, arf == 1, arf);
-    const CGP::Spin_structure before = CGP::spin_structure(mesh);
+    const CGP::internal::Spin_structure before = CGP::spin_structure(mesh);
     EXPECT_EQ(before.arf_invariant(), arf);
     const CGP::Spin_result result = transformed(mesh, wave(mesh, .3));
     EXPECT_TRUE(result.report) << arf;

@@ -42,7 +42,7 @@ double distortion(const CGP::Spin_result& result)
 /// the tangents of the image of a plane surface under z + 0.3 z^2, which is conformal
 Boundary_condition tangents_of_image(const Mesh_view& mesh)
 {
-  const CGP::Boundary_frames b = CGP::boundary_frames(mesh);
+  const CGP::internal::Boundary_frames b = CGP::boundary_frames(mesh);
   Points targets(3, static_cast<Eigen::Index>(b.vertices.size()));
   for (std::size_t k = 0; k < b.vertices.size(); ++k) {
     const Eigen::Vector3d p = mesh.position(b.vertices[k]), t = b.tangent(k);
@@ -90,7 +90,7 @@ TEST(Spin_transformation_with_boundary, is_as_before_if_new_positions_fold_the_b
   const Mesh_view mesh = bumpy_annulus(4);
   CGP::Spin_transformation<> transformation(mesh, {Boundary_condition::binormals()});
   const CGP::Spin_result expected = transformation.transform(wave(mesh, .5));
-  const CGP::Boundary_frames b = CGP::boundary_frames(mesh);
+  const CGP::internal::Boundary_frames b = CGP::boundary_frames(mesh);
   Points folded = mesh.positions();
   // A vertex between two that coincide has no tangent.
   folded.col(b.loops[0][3]) = folded.col(b.loops[0][1]);
@@ -111,9 +111,9 @@ TEST(Exact_steps_with_boundary, tell_the_error_of_directions_from_end_to_end)
     const CGP::Spin_result result = transformation.transform(wave(mesh, 2));
     ASSERT_TRUE(result.report);
     ASSERT_GT(result.report.steps, 2);
-    const CGP::Boundary_frames before = CGP::boundary_frames(mesh),
-                               after = CGP::boundary_frames(
-                                   Mesh_view(result.positions, mesh.corners()));
+    const CGP::internal::Boundary_frames before = CGP::boundary_frames(mesh),
+                                         after = CGP::boundary_frames(
+                                             Mesh_view(result.positions, mesh.corners()));
     double greatest = 0;
     for (std::size_t k = 0; k < before.vertices.size(); ++k)
       greatest = std::max(greatest, (before.binormal(k) - after.binormal(k)).norm());
@@ -167,5 +167,5 @@ TEST(Exact_steps_with_boundary, says_why_a_boundary_cannot_be)
   for (Eigen::Index k = 0; k < condition.targets.cols(); ++k) condition.targets.col(k) << 1, 0, 0;
   const CGP::Spin_result result = transformed(mesh, condition, CGP::no_potential(mesh));
   EXPECT_FALSE(result.report);
-  EXPECT_NE(result.report.boundary_fault, CGP::Boundary_fault::none);
+  EXPECT_NE(result.report.boundary_fault, CGP::Spin_report::Boundary_fault::none);
 }

@@ -29,7 +29,7 @@ struct Followed {
     transformation.set_positions(positions);
     constraints = found();
   }
-  CGP::Exactness_constraints found()
+  CGP::internal::Exactness_constraints found()
   {
     return transformation.exactness(CGP::Curvature_potential::On::vertices);
   }
@@ -42,7 +42,7 @@ struct Followed {
 
   Mesh_view mesh;
   CGP::Spin_transformation<> transformation;
-  CGP::Exactness_constraints constraints;
+  CGP::internal::Exactness_constraints constraints;
 };
 
 Eigen::MatrixX3d edges(const Mesh_view& mesh)

@@ -105,7 +105,7 @@ TEST(Poisson_reconstruction, can_take_the_ordering_of_another_solver)
 {
   const Mesh_view mesh = icosphere(2);
   const auto pattern = CGP::vertex_graph(mesh);
-  CGP::Ordering backwards(at(mesh.size_of_vertices()));
+  CGP::internal::Ordering backwards(at(mesh.size_of_vertices()));
   for (int i = 0; i < mesh.size_of_vertices(); ++i)
     backwards[at(i)] = mesh.size_of_vertices() - 1 - i;
   const CGP::Poisson_reconstruction<> other(mesh, pattern, backwards);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace cgp_test;
 using Q = Quaternion<double>;
-using Directions = CGP::Prescribed_directions<CGP::Default_solver_traits>;
+using Directions = CGP::internal::Prescribed_directions<CGP::Default_solver_traits>;
 
 /// The directions of a condition, with the objects that they refer to
 struct Prescribed {
@@ -23,7 +23,7 @@ struct Prescribed {
   {}
 
   Mesh_view mesh;
-  CGP::Dirac_system<> system;
+  CGP::internal::Dirac_system<> system;
   Directions directions;
 };
 
@@ -81,7 +81,7 @@ TEST(Prescribed_directions, have_spins_that_turn_the_direction_into_its_target)
   const Prescribed p(mesh, Boundary_condition::directions(tnb, targets));
   const CGP::Block<double> c = random_numbers(p.directions.basis().rows().dimension(), 2);
   const CGP::Block<Q> l = p.directions.basis().embed(c);
-  const CGP::Boundary_frames b = CGP::boundary_frames(mesh);
+  const CGP::internal::Boundary_frames b = CGP::boundary_frames(mesh);
   for (std::size_t k = 0; k < b.vertices.size(); ++k) {
     const Q spin = l(b.vertices[k], 0);
     const Eigen::Vector3d U = (b.frames[k] * tnb).normalized();

@@ -13,7 +13,7 @@ namespace {
 
 using namespace cgp_test;
 using Q = Quaternion<double>;
-using Positions = CGP::Prescribed_positions<CGP::Default_solver_traits>;
+using Positions = CGP::internal::Prescribed_positions<CGP::Default_solver_traits>;
 
 /// the normals of a curve whose boundary frames turn `turns` times about its tangents
 Points twisted_normals(const Mesh_view& mesh, int turns)
@@ -32,7 +32,7 @@ Points boundary_of(const Mesh_view& mesh)
 /// what the spins and positions of a condition are refused with
 std::string refusal(const Mesh_view& mesh, const Points& targets, const Points& normals)
 {
-  const CGP::Dirac_system<> system(mesh);
+  const CGP::internal::Dirac_system<> system(mesh);
   return refusal_of([&] {
     const Positions positions(mesh, Boundary_condition::positions(targets, normals),
                               system.matrix().shared_pattern(), system.solver(), "f");
@@ -46,15 +46,15 @@ class Prescribed_positions : public testing::Test {
   const Points targets = boundary_of(curve), normals = twisted_normals(curve, 0);
   const Curvature_potential rho =
       potential_on_vertices(mesh, [](const Eigen::Vector3d& p) { return std::cos(3 * p.x()); });
-  const CGP::Boundary_frames frames = CGP::boundary_frames(mesh);
-  CGP::Dirac_system<> system{mesh, Boundary_condition::positions(targets, normals)};
+  const CGP::internal::Boundary_frames frames = CGP::boundary_frames(mesh);
+  CGP::internal::Dirac_system<> system{mesh, Boundary_condition::positions(targets, normals)};
 };
 
 }  // namespace
 
 TEST_F(Prescribed_positions, turn_and_stretch_the_boundary_into_the_curve)
 {
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+  const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
   ASSERT_TRUE(s.converged);
   const auto wanted = CGP::boundary_frames(curve).frames;
   const std::vector<int>& loop = frames.loops[0];
@@ -73,7 +73,7 @@ TEST_F(Prescribed_positions, turn_and_stretch_the_boundary_into_the_curve)
 
 TEST_F(Prescribed_positions, have_spins_of_least_energy_inside)
 {
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+  const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
   const Quaternion_vector<double> image = system.matrix() * s.lambda;
   const std::vector<char> is_boundary = CGP::boundary_vertices(mesh);
   for (int v = 0; v < mesh.size_of_vertices(); ++v)
@@ -93,7 +93,7 @@ TEST_F(Prescribed_positions, have_spins_of_least_energy_inside)
 
 TEST_F(Prescribed_positions, say_how_much_of_what_the_boundary_contributes_is_left_over)
 {
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+  const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
   const std::vector<char> is_boundary = CGP::boundary_vertices(mesh);
   Quaternion_vector<double> known = s.lambda;
   for (int v = 0; v < mesh.size_of_vertices(); ++v)
@@ -136,9 +136,10 @@ TEST(Prescribed_positions_of_a_curve, that_is_similar_give_the_similar_surface)
   const Eigen::Matrix3d R = Random(3).rotation();
   const auto similar =
       mapped(mesh, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return 2 * (R * p); });
-  CGP::Dirac_system<> system(
+  CGP::internal::Dirac_system<> system(
       mesh, Boundary_condition::positions(boundary_of(similar), twisted_normals(similar, 0)));
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, constant_potential(mesh, 0));
+  const CGP::internal::Dirac_solution s =
+      CGP::solve_dirac_equation(system, constant_potential(mesh, 0));
   EXPECT_LT(s.eigenvalue, 1e-7);
   const Points f = system.positions()->positions(CGP::transformed_edges(mesh, s.lambda));
   EXPECT_LT((f - similar.positions()).cwiseAbs().maxCoeff(), 1e-12);

@@ -8,7 +8,7 @@
 namespace {
 
 using namespace cgp_test;
-using CGP::Boundary_fault;
+using Boundary_fault = CGP::Spin_report::Boundary_fault;
 
 struct Row {
   double gamma, Q, Q_max, shape, direction;

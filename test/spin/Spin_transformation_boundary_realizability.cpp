@@ -9,7 +9,7 @@
 namespace {
 
 using namespace cgp_test;
-using CGP::Boundary_fault;
+using Boundary_fault = CGP::Spin_report::Boundary_fault;
 
 Mesh_view graph(int n)
 {

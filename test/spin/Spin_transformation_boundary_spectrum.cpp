@@ -47,7 +47,7 @@ double zero_of_bessel_derivative(int n, double near)
 CGP::Spin_result nearest_to(const Mesh_view& disk, double s)
 {
   CGP::Dirac_options options;
-  options.branch = CGP::Branch::smallest;
+  options.branch = CGP::Dirac_options::Branch::smallest;
   return transformed(disk, Boundary_condition::binormals(), constant_potential(disk, s), options);
 }
 

@@ -25,7 +25,7 @@ const Solver& factor_of(const Solver& solver)
   return solver;
 }
 template <class Solver>
-const Solver& factor_of(const CGP::Lagged_solver<Solver>& solver)
+const Solver& factor_of(const CGP::internal::Lagged_solver<Solver>& solver)
 {
   return solver.factor();
 }

@@ -60,7 +60,7 @@ struct Condition {
 /// free, the tangents kept, the binormals, the positions
 std::vector<Condition> conditions(const Mesh_view& mesh)
 {
-  const CGP::Boundary_frames frames = CGP::boundary_frames(mesh);
+  const CGP::internal::Boundary_frames frames = CGP::boundary_frames(mesh);
   CGP::Boundary_condition tangents, binormals, positions;
   tangents.kind = binormals.kind = CGP::Boundary_condition::Kind::directions;
   tangents.direction = {1, 0, 0};

@@ -12,7 +12,7 @@
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
-using CGP::Boundary_fault;
+using Boundary_fault = CGP::Spin_report::Boundary_fault;
 
 namespace {
 

@@ -18,7 +18,7 @@ using Q = Quaternion<double>;
 namespace {
 
 /// |U l - l V| for l in the plane
-double defect(const CGP::Reduced_basis<double>::Plane& plane, double a, double b,
+double defect(const CGP::internal::Reduced_basis<double>::Plane& plane, double a, double b,
               const Eigen::Vector3d& U, const Eigen::Vector3d& V)
 {
   const Q l = a * plane[0] + b * plane[1];
@@ -31,7 +31,7 @@ Q turn_about_z(double angle)
   return {std::cos(angle / 2), 0, 0, -std::sin(angle / 2)};
 }
 
-CGP::Boundary_frame random_frame(Random& random)
+CGP::internal::Boundary_frame random_frame(Random& random)
 {
   return CGP::boundary_frame(random.vector(), random.vector());
 }
@@ -135,7 +135,8 @@ TEST(Boundary_spin, turns_one_frame_into_the_other_and_stretches)
 {
   Random random(5);
   for (int i = 0; i < 100; ++i) {
-    const CGP::Boundary_frame source = random_frame(random), target = random_frame(random);
+    const CGP::internal::Boundary_frame source = random_frame(random),
+                                        target = random_frame(random);
     const double ratio = 1.1 + random.number();
     const Q l = CGP::boundary_spin(source, target, ratio);
     for (int c = 0; c < 3; ++c)

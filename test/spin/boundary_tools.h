@@ -58,7 +58,7 @@ inline Curvature_potential constant_potential(const Mesh_view& mesh, double c)
 template <class Function>
 Points at_boundary(const Mesh_view& mesh, Function f)
 {
-  const CGP::Boundary_frames b = CGP::boundary_frames(mesh);
+  const CGP::internal::Boundary_frames b = CGP::boundary_frames(mesh);
   Points values(3, static_cast<Eigen::Index>(b.vertices.size()));
   for (std::size_t k = 0; k < b.vertices.size(); ++k)
     values.col(static_cast<Eigen::Index>(k)) = f(mesh.position(b.vertices[k]), b.frames[k]);
@@ -72,12 +72,13 @@ template <class Differential>
 Points image_directions(const Mesh_view& mesh, Differential differential,
                         const Eigen::Vector3d& tnb)
 {
-  return at_boundary(mesh, [&](const Eigen::Vector3d& p, const CGP::Boundary_frame& frame) {
-    const Eigen::Vector3d x = differential(p, {1, 0, 0}), y = differential(p, {0, 1, 0});
-    const Eigen::Vector3d T = differential(p, frame.col(0)).normalized();
-    const Eigen::Vector3d N = x.cross(y).normalized();
-    return Eigen::Vector3d(tnb[0] * T + tnb[1] * N + tnb[2] * T.cross(N));
-  });
+  return at_boundary(
+      mesh, [&](const Eigen::Vector3d& p, const CGP::internal::Boundary_frame& frame) {
+        const Eigen::Vector3d x = differential(p, {1, 0, 0}), y = differential(p, {0, 1, 0});
+        const Eigen::Vector3d T = differential(p, frame.col(0)).normalized();
+        const Eigen::Vector3d N = x.cross(y).normalized();
+        return Eigen::Vector3d(tnb[0] * T + tnb[1] * N + tnb[2] * T.cross(N));
+      });
 }
 
 inline Points enneper_directions(const Mesh_view& mesh, const Eigen::Vector3d& tnb)

@@ -52,7 +52,7 @@ inline Quaternion_vector<double> identity_spins(const Mesh_view& mesh)
 
 /// the smallest eigenpairs of X, as many as `start` has columns, of which `wanted` converge
 template <class SolverTraits>
-CGP::Eigensolver_result smallest(const CGP::Dirac_system<SolverTraits>& system,
+CGP::Eigensolver_result smallest(const CGP::internal::Dirac_system<SolverTraits>& system,
                                  CGP::Block<Quaternion<double>> start, int wanted, double tolerance,
                                  int max_iterations = 200)
 {
@@ -62,13 +62,14 @@ CGP::Eigensolver_result smallest(const CGP::Dirac_system<SolverTraits>& system,
   options.max_iterations = max_iterations;
   options.scale = std::sqrt(system.unit());
   return CGP::Lobpcg_eigensolver_traits()(system.matrix(), system.areas(), system.solver(),
-                                          std::move(start), options, CGP::Always_go_further());
+                                          std::move(start), options,
+                                          CGP::internal::Always_go_further());
 }
 
 /// the guide, and a vector to be improved
 template <class SolverTraits>
-CGP::Block<Quaternion<double>> guide_and_noise(const CGP::Dirac_system<SolverTraits>& system,
-                                               const Quaternion_vector<double>& guide)
+CGP::Block<Quaternion<double>> guide_and_noise(
+    const CGP::internal::Dirac_system<SolverTraits>& system, const Quaternion_vector<double>& guide)
 {
   CGP::Block<Quaternion<double>> both(guide.size(), 2);
   both << guide, system.noise(1, 0);
@@ -84,14 +85,14 @@ struct Branch_point {
 
 /// Brute force: rho is switched on in `steps` equal steps. Each takes, of the eigenvectors of
 /// D - (t rho + gamma) with gamma the last eigenvalue, the one that overlaps most with the last.
-inline Branch_point branch_of_identity(CGP::Dirac_system<>& system, const Curvature_potential& rho,
-                                       int steps)
+inline Branch_point branch_of_identity(CGP::internal::Dirac_system<>& system,
+                                       const Curvature_potential& rho, int steps)
 {
   const auto one = Quaternion_vector<double>::Constant(system.areas().size(), {1, 0, 0, 0});
   Branch_point at{one, 0, 1};
   for (int k = 1; k <= steps; ++k) {
     const double t = double(k) / steps;
-    CGP::Dirac_evidence::Seconds seconds;
+    CGP::internal::Dirac_evidence::Seconds seconds;
     system.set_potential(scaled(rho, t, at.gamma), seconds);
     const auto found = smallest(system, guide_and_noise(system, at.lambda), 2, 1e-4);
     const Quaternion_vector<double> a = found.vectors.col(0), b = found.vectors.col(1);
@@ -105,10 +106,10 @@ inline Branch_point branch_of_identity(CGP::Dirac_system<>& system, const Curvat
 }
 
 /// the eigenvector of the smallest eigenvalue of X, whatever its branch
-inline Quaternion_vector<double> smallest_eigenvector(CGP::Dirac_system<>& system,
+inline Quaternion_vector<double> smallest_eigenvector(CGP::internal::Dirac_system<>& system,
                                                       const Curvature_potential& rho)
 {
-  CGP::Dirac_evidence::Seconds seconds;
+  CGP::internal::Dirac_evidence::Seconds seconds;
   system.set_potential(rho, seconds);
   const auto one = Quaternion_vector<double>::Constant(system.areas().size(), {1, 0, 0, 0});
   return smallest(system, guide_and_noise(system, one), 1, 1e-6).vectors.col(0);

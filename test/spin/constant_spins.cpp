@@ -11,7 +11,7 @@ namespace {
 
 namespace CGP = Conformal_geometry_processing;
 using Q = CGP::Quaternion<double>;
-using Plane = CGP::Reduced_basis<double>::Plane;
+using Plane = CGP::internal::Reduced_basis<double>::Plane;
 
 /// the spins that keep a direction: span(1, direction)
 Plane keeping(const Q& direction)
@@ -21,7 +21,8 @@ Plane keeping(const Q& direction)
 
 TEST(Constant_spins, are_the_real_numbers_where_different_directions_are_kept)
 {
-  const CGP::Reduced_basis<double> basis(4, {1, 3}, {keeping({0, 1, 0, 0}), keeping({0, 0, 1, 0})});
+  const CGP::internal::Reduced_basis<double> basis(4, {1, 3},
+                                                   {keeping({0, 1, 0, 0}), keeping({0, 0, 1, 0})});
   const auto spins = CGP::constant_spins(basis);
   ASSERT_EQ(spins.size(), 1);
   EXPECT_NEAR(std::abs(spins[0].w), 1, 1e-14);
@@ -29,8 +30,8 @@ TEST(Constant_spins, are_the_real_numbers_where_different_directions_are_kept)
 
 TEST(Constant_spins, hold_the_rotations_about_parallel_directions)
 {
-  const CGP::Reduced_basis<double> basis(4, {1, 3},
-                                         {keeping({0, 0, 0, 1}), keeping({0, 0, 0, -1})});
+  const CGP::internal::Reduced_basis<double> basis(4, {1, 3},
+                                                   {keeping({0, 0, 0, 1}), keeping({0, 0, 0, -1})});
   const auto spins = CGP::constant_spins(basis);
   ASSERT_EQ(spins.size(), 2);
   for (const Q& q : spins) {
@@ -42,10 +43,10 @@ TEST(Constant_spins, hold_the_rotations_about_parallel_directions)
 
 TEST(Constant_spins, do_not_exist_where_directions_are_turned_differently)
 {
-  const CGP::Reduced_basis<double> basis(
+  const CGP::internal::Reduced_basis<double> basis(
       2, {0, 1}, {keeping({0, 0, 0, 1}), Plane{Q{0, 1, 0, 0}, Q{0, 0, 1, 0}}});
   EXPECT_EQ(CGP::constant_spins(basis).size(), 0);
-  EXPECT_EQ(CGP::constant_spins(CGP::Reduced_basis<double>(3, {}, {})).size(), 4);
+  EXPECT_EQ(CGP::constant_spins(CGP::internal::Reduced_basis<double>(3, {}, {})).size(), 4);
 }
 
 }  // namespace

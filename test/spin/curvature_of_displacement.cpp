@@ -27,7 +27,7 @@ Eigen::VectorXd bump(const Mesh_view& mesh, double height, double x, double y, d
 /// the z coordinates over the mean of those at the boundary
 Eigen::VectorXd heights(const Mesh_view& mesh, const Points& positions)
 {
-  const CGP::Boundary_frames boundary = CGP::boundary_frames(mesh);
+  const CGP::internal::Boundary_frames boundary = CGP::boundary_frames(mesh);
   double level = 0;
   for (const int v : boundary.vertices)
     level += positions(2, v) / static_cast<double>(boundary.vertices.size());
@@ -38,7 +38,7 @@ Eigen::VectorXd heights(const Mesh_view& mesh, const Points& positions)
 /// shrinks
 double rim(const Mesh_view& mesh, const Points& positions)
 {
-  const CGP::Boundary_frames boundary = CGP::boundary_frames(mesh);
+  const CGP::internal::Boundary_frames boundary = CGP::boundary_frames(mesh);
   const auto count = static_cast<double>(boundary.vertices.size());
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const int v : boundary.vertices) centre += positions.col(v) / count;
@@ -123,7 +123,7 @@ TEST(Curvature_of_displacement, keeps_the_angles_that_a_displacement_spoils_as_t
                 2e-4);
     Points offset = mesh.positions();
     offset.row(2) += h.transpose();
-    const CGP::Distribution Q = CGP::quasi_conformal_error(mesh, offset);
+    const CGP::internal::Distribution Q = CGP::quasi_conformal_error(mesh, offset);
     EXPECT_NEAR(Q.mean - 1, bumped.offset_Q - 1, 0.02 * (bumped.offset_Q - 1));
     EXPECT_NEAR(Q.max - 1, bumped.offset_max - 1, 0.02 * (bumped.offset_max - 1));
   }

@@ -21,7 +21,7 @@ class Dirac_pencils : public testing::TestWithParam<bool> {
 
   void set_potential(const Curvature_potential& potential)
   {
-    CGP::Dirac_evidence::Seconds seconds;
+    CGP::internal::Dirac_evidence::Seconds seconds;
     system.set_potential(potential, seconds);
   }
 
@@ -38,7 +38,7 @@ class Dirac_pencils : public testing::TestWithParam<bool> {
                                     : radially_perturbed(icosphere(2), .1);
   const Curvature_potential rho =
       potential_on_faces(mesh, [](const auto& p) { return std::cos(2 * p.x() + 1); });
-  CGP::Dirac_system<> system{
+  CGP::internal::Dirac_system<> system{
       mesh, GetParam() ? Boundary_condition::binormals() : Boundary_condition::free()};
   const Vectors none = Vectors(mesh.size_of_vertices(), 0);
 };
@@ -72,21 +72,21 @@ TEST_P(Dirac_pencils, solve_beside_the_constants)
   Vectors expected = b;
   CGP::add_combination(expected, masses,
                        Vectors(-CGP::gram_matrix(constants, b, system.coefficients())));
-  const CGP::Pencil pencil = CGP::internal::pencil_of_masses(system, constants);
+  const CGP::internal::Pencil pencil = CGP::internal::pencil_of_masses(system, constants);
   EXPECT_LT(greatest(pencil.N(x) - expected), 1e-10);
   EXPECT_LT(greatest(pencil.solve(b) - x), 1e-14);
 }
 
 TEST_P(Dirac_pencils, apply_the_matrices_of_the_system)
 {
-  const CGP::Pencil masses = CGP::internal::pencil_of_masses(system, none);
+  const CGP::internal::Pencil masses = CGP::internal::pencil_of_masses(system, none);
   const Vectors x = random_member(3);
   EXPECT_LT(greatest(masses.K(x) - system.projected(times_masses(x))), 1e-14);
   const Vectors shifted =
       CGP::block_operator(system.matrix())(x) + times_masses(x) * system.shift();
   EXPECT_LT(greatest(masses.N(x) - system.projected(shifted)), 1e-12);
   EXPECT_EQ(masses.coefficients, system.coefficients());
-  const CGP::Pencil form = CGP::internal::pencil_of_form(system, rho, none);
+  const CGP::internal::Pencil form = CGP::internal::pencil_of_form(system, rho, none);
   const auto K = CGP::dirac_form(mesh, rho);
   EXPECT_LT(greatest(form.K(x) - system.projected(CGP::block_operator(K)(x))), 1e-13);
   EXPECT_LT(greatest(form.N(x) - masses.N(x)), 1e-15);
@@ -94,8 +94,8 @@ TEST_P(Dirac_pencils, apply_the_matrices_of_the_system)
 
 TEST_P(Dirac_pencils, solve_with_their_second_matrix)
 {
-  for (const CGP::Pencil& pencil : {CGP::internal::pencil_of_masses(system, none),
-                                    CGP::internal::pencil_of_form(system, rho, none)}) {
+  for (const CGP::internal::Pencil& pencil : {CGP::internal::pencil_of_masses(system, none),
+                                              CGP::internal::pencil_of_form(system, rho, none)}) {
     const Vectors b = random_member(4), x = pencil.solve(b);
     EXPECT_LT(greatest(system.projected(x) - x), 1e-11);
     EXPECT_LT(greatest(pencil.N(x) - b), 1e-10);
@@ -106,8 +106,8 @@ TEST_P(Dirac_pencils, have_forms_over_the_numbers_of_the_space)
 {
   Vectors v(mesh.size_of_vertices(), 2);
   v << random_member(5), random_member(6);
-  const CGP::Dirac_forms found = CGP::internal::forms_in_space(system, rho, v),
-                         all = CGP::dirac_forms(mesh, rho, v);
+  const CGP::internal::Dirac_forms found = CGP::internal::forms_in_space(system, rho, v),
+                                   all = CGP::dirac_forms(mesh, rho, v);
   for (Eigen::Index i = 0; i < 2; ++i)
     for (Eigen::Index j = 0; j < 2; ++j) {
       const auto reduced = [&](const Quaternion<double>& q) {

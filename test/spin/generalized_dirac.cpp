@@ -18,7 +18,7 @@ using CGP::Curvature_potential;
 CGP::Dirac_options generalized()
 {
   CGP::Dirac_options options;
-  options.problem = CGP::Eigenproblem::generalized;
+  options.problem = CGP::Dirac_options::Eigenproblem::generalized;
   return options;
 }
 
@@ -28,7 +28,8 @@ Curvature_potential potential(const Mesh_view& mesh, double amplitude, double me
 }
 
 /// |X lambda - g K lambda| / |X lambda|
-double residual(const Mesh_view& mesh, const Curvature_potential& rho, const CGP::Dirac_solution& s)
+double residual(const Mesh_view& mesh, const Curvature_potential& rho,
+                const CGP::internal::Dirac_solution& s)
 {
   const Quaternion_vector<double> Xl = CGP::block_operator(CGP::dirac_energy(mesh, rho))(s.lambda);
   Quaternion_vector<double> r = CGP::block_operator(CGP::dirac_form(mesh, rho))(s.lambda);
@@ -44,7 +45,7 @@ TEST(Generalized_dirac, has_the_tabled_eigenvalues)
   for (const auto& [level, expected] :
        {std::pair(2, -0.1732272145), std::pair(3, -0.0680672257), std::pair(4, -0.0418786038)}) {
     const Mesh_view sphere = icosphere(level);
-    const CGP::Dirac_solution s = solved(sphere, potential(sphere, 1), generalized());
+    const CGP::internal::Dirac_solution s = solved(sphere, potential(sphere, 1), generalized());
     EXPECT_TRUE(s.converged);
     ASSERT_TRUE(s.is_generalized);
     EXPECT_NEAR(s.generalized_eigenvalue, expected, 1e-9);
@@ -55,11 +56,11 @@ TEST(Generalized_dirac, has_the_tabled_eigenvalues)
 TEST(Generalized_dirac, has_the_eigenvalue_that_the_error_of_the_standard_problem_predicts)
 {
   const Mesh_view sphere = icosphere(3);
-  CGP::Dirac_system<> system(sphere);
+  CGP::internal::Dirac_system<> system(sphere);
   for (const double amplitude : {1., 0.3, -0.1}) {
-    const CGP::Dirac_solution standard =
+    const CGP::internal::Dirac_solution standard =
         CGP::solve_dirac_equation(system, potential(sphere, amplitude));
-    const CGP::Dirac_solution s =
+    const CGP::internal::Dirac_solution s =
         CGP::solve_dirac_equation(system, potential(sphere, amplitude), generalized());
     ASSERT_TRUE(s.is_generalized);
     const double expected = standard.energy / standard.eigenvalue;  // (gamma^2 + delta^2) / gamma
@@ -71,9 +72,9 @@ TEST(Generalized_dirac, has_the_eigenvalue_that_the_error_of_the_standard_proble
 TEST(Generalized_dirac, finds_positive_and_negative_eigenvalues)
 {
   const Mesh_view sphere = icosphere(2);
-  CGP::Dirac_system<> system(sphere);
+  CGP::internal::Dirac_system<> system(sphere);
   for (const double mean : {-0.2, 0.2}) {
-    const CGP::Dirac_solution s =
+    const CGP::internal::Dirac_solution s =
         CGP::solve_dirac_equation(system, potential(sphere, 0.5, mean), generalized());
     ASSERT_TRUE(s.is_generalized);
     EXPECT_NEAR(s.generalized_eigenvalue, -mean, 0.1);
@@ -85,14 +86,14 @@ TEST(Generalized_dirac, finds_positive_and_negative_eigenvalues)
 TEST(Generalized_dirac, is_not_trusted_where_the_eigenvalue_vanishes)
 {
   const Mesh_view sphere = icosphere(2);
-  CGP::Dirac_system<> system(sphere);
+  CGP::internal::Dirac_system<> system(sphere);
   double mean = 0;
   for (int i = 0; i < 4; ++i)
     mean += CGP::solve_dirac_equation(system, potential(sphere, 1, mean)).eigenvalue;
   for (const double offset : {0., 1e-6, -1e-6}) {
     const Curvature_potential rho = potential(sphere, 1, mean + offset);
-    const CGP::Dirac_solution standard = CGP::solve_dirac_equation(system, rho),
-                              s = CGP::solve_dirac_equation(system, rho, generalized());
+    const CGP::internal::Dirac_solution standard = CGP::solve_dirac_equation(system, rho),
+                                        s = CGP::solve_dirac_equation(system, rho, generalized());
     EXPECT_LT(std::abs(s.eigenvalue), 1e-5);
     EXPECT_TRUE(s.converged);
     EXPECT_FALSE(s.is_generalized);
@@ -105,7 +106,7 @@ TEST(Generalized_dirac, is_not_trusted_where_the_eigenvalue_vanishes)
 TEST(Generalized_dirac, keeps_the_standard_solution_for_rho_zero)
 {
   const Mesh_view sphere = icosphere(2);
-  const CGP::Dirac_solution s = solved(sphere, potential(sphere, 0), generalized());
+  const CGP::internal::Dirac_solution s = solved(sphere, potential(sphere, 0), generalized());
   EXPECT_TRUE(s.converged);
   EXPECT_FALSE(s.is_generalized);
   EXPECT_NEAR(s.overlap, 1, 1e-14);
@@ -114,7 +115,7 @@ TEST(Generalized_dirac, keeps_the_standard_solution_for_rho_zero)
 TEST(Generalized_dirac, is_not_tried_where_the_branch_needed_a_shift)
 {
   const Mesh_view sphere = icosphere(2);
-  const CGP::Dirac_solution s = solved(sphere, potential(sphere, 1, 2), generalized());
+  const CGP::internal::Dirac_solution s = solved(sphere, potential(sphere, 1, 2), generalized());
   EXPECT_TRUE(s.converged);
   EXPECT_NE(s.spectral_shift, 0);
   EXPECT_FALSE(s.is_generalized);
@@ -123,11 +124,11 @@ TEST(Generalized_dirac, is_not_tried_where_the_branch_needed_a_shift)
 TEST(Generalized_dirac, can_be_cancelled)
 {
   const Mesh_view sphere = icosphere(2);
-  CGP::Dirac_system<> system(sphere);
+  CGP::internal::Dirac_system<> system(sphere);
   const int standard = CGP::solve_dirac_equation(system, potential(sphere, 1)).iterations;
   int asked = 0;
   const auto stop = [&](const CGP::Eigensolver_progress&) { return ++asked <= standard + 1; };
-  const CGP::Dirac_solution s =
+  const CGP::internal::Dirac_solution s =
       CGP::solve_dirac_equation(system, potential(sphere, 1), generalized(), stop);
   EXPECT_TRUE(s.cancelled);
   EXPECT_FALSE(s.is_generalized);

@@ -16,7 +16,7 @@
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
 using Q = CGP::Quaternion<double>;
-using Plane = CGP::Reduced_basis<double>::Plane;
+using Plane = CGP::internal::Reduced_basis<double>::Plane;
 using Eigen::Vector3d;
 
 namespace {

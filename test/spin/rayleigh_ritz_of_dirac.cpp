@@ -19,9 +19,9 @@ namespace CGP = Conformal_geometry_processing;
 
 /// the forms of two vectors e with <e, e> = 1, <e_1, e_2> = 0 and the eigenvalues a and b of D -
 /// rho
-CGP::Dirac_forms forms_of_eigenvectors(double a, double b)
+CGP::internal::Dirac_forms forms_of_eigenvectors(double a, double b)
 {
-  CGP::Dirac_forms forms{zero_matrix(2, 2), zero_matrix(2, 2)};
+  CGP::internal::Dirac_forms forms{zero_matrix(2, 2), zero_matrix(2, 2)};
   forms.dirac(0, 0).w = a;
   forms.dirac(1, 1).w = b;
   forms.mass(0, 0).w = forms.mass(1, 1).w = 1;
@@ -41,14 +41,15 @@ Quaternion_matrix rotation(double angle, std::uint64_t seed)
   return U;
 }
 
-CGP::Dirac_forms turned(const CGP::Dirac_forms& forms, const Quaternion_matrix& U)
+CGP::internal::Dirac_forms turned(const CGP::internal::Dirac_forms& forms,
+                                  const Quaternion_matrix& U)
 {
   return {CGP::gram_matrix(U, CGP::combination(forms.dirac, U)),
           CGP::gram_matrix(U, CGP::combination(forms.mass, U))};
 }
 
 /// the forms of vectors 100 times and a tenth as long
-CGP::Dirac_forms stretched(const CGP::Dirac_forms& forms)
+CGP::internal::Dirac_forms stretched(const CGP::internal::Dirac_forms& forms)
 {
   Quaternion_matrix lengths = zero_matrix(2, 2);
   lengths(0, 0).w = 100;
@@ -84,7 +85,7 @@ TEST(Is_surely_unmixed, holds_for_no_visible_mixture_and_for_pure_vectors_withou
 
 TEST(Has_mixed_signs, sees_angles_above_three_degrees_between_opposite_eigenvalues)
 {
-  const CGP::Dirac_forms pure = forms_of_eigenvectors(-0.4, 0.5);
+  const CGP::internal::Dirac_forms pure = forms_of_eigenvectors(-0.4, 0.5);
   EXPECT_FALSE(CGP::has_mixed_signs(pure));
   EXPECT_FALSE(CGP::has_mixed_signs(turned(pure, rotation(1 * degree, 1))));
   EXPECT_FALSE(CGP::has_mixed_signs(turned(pure, rotation(89 * degree, 1))));
@@ -96,7 +97,7 @@ TEST(Has_mixed_signs, sees_angles_above_three_degrees_between_opposite_eigenvalu
 
 TEST(Has_mixed_signs, does_not_depend_on_the_lengths_of_the_vectors)
 {
-  const CGP::Dirac_forms pure = forms_of_eigenvectors(-0.4, 0.5);
+  const CGP::internal::Dirac_forms pure = forms_of_eigenvectors(-0.4, 0.5);
   EXPECT_FALSE(CGP::has_mixed_signs(stretched(pure)));
   EXPECT_FALSE(CGP::has_mixed_signs(stretched(turned(pure, rotation(1 * degree, 4)))));
   EXPECT_TRUE(CGP::has_mixed_signs(stretched(turned(pure, rotation(20 * degree, 4)))));
@@ -112,7 +113,7 @@ TEST(Signed_eigenvalues, are_those_before_the_vectors_were_mixed)
 {
   for (const double angle : {0., 0.2, pi / 4, 2.}) {
     const auto mixed = turned(forms_of_eigenvectors(-0.4, 0.5), rotation(angle, 7));
-    for (const CGP::Dirac_forms& forms : {mixed, stretched(mixed)}) {
+    for (const CGP::internal::Dirac_forms& forms : {mixed, stretched(mixed)}) {
       const auto values = CGP::signed_eigenvalues(forms);
       EXPECT_NEAR(values[0], -0.4, 1e-14);
       EXPECT_NEAR(values[1], 0.5, 1e-14);
@@ -148,12 +149,12 @@ TEST(Separate_signs, recovers_two_eigenvectors_of_opposite_sign)
   pair.col(1).setConstant({1, 0, 0, 0});
   for (const double angle : {0.3, pi / 4, 2.}) {
     const Quaternion_matrix mixed = CGP::combination(pair, rotation(angle, 6));
-    const CGP::Dirac_forms forms = CGP::dirac_forms(sphere, rho, mixed);
+    const CGP::internal::Dirac_forms forms = CGP::dirac_forms(sphere, rho, mixed);
     EXPECT_TRUE(CGP::has_mixed_signs(forms));
     const Quaternion_matrix separated = CGP::rayleigh_ritz_of_dirac(mixed, forms);
     EXPECT_NEAR(overlap(separated.col(0), pair.col(0)), 1, 1e-12);
     EXPECT_NEAR(overlap(separated.col(1), pair.col(1)), 1, 1e-12);
-    const CGP::Dirac_forms after = CGP::dirac_forms(sphere, rho, separated);
+    const CGP::internal::Dirac_forms after = CGP::dirac_forms(sphere, rho, separated);
     EXPECT_NEAR(after.mass(0, 0).w, 1, 1e-12);
     EXPECT_NEAR(after.mass(1, 1).w, 1, 1e-12);
     EXPECT_NEAR(after.dirac(0, 0).w, -1, 0.02);

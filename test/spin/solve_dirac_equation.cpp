@@ -79,7 +79,7 @@ struct Counting_solver_traits {
 TEST(Solve_dirac_equation, for_rho_zero_is_solved_by_the_identity_without_an_iteration)
 {
   for (const Mesh_view& mesh : {icosphere(2), torus(2, 1, 12, 9), tetrahedron()}) {
-    const CGP::Dirac_solution s = solved(mesh, constant_on_faces(mesh, 0));
+    const CGP::internal::Dirac_solution s = solved(mesh, constant_on_faces(mesh, 0));
     EXPECT_TRUE(s.converged);
     EXPECT_EQ(s.iterations, 0);
     EXPECT_EQ(s.substeps, 1);
@@ -92,10 +92,10 @@ TEST(Solve_dirac_equation, for_rho_zero_is_solved_by_the_identity_without_an_ite
 TEST(Solve_dirac_equation, for_constant_rho_is_solved_by_the_identity)
 {
   const Mesh_view mesh = radially_perturbed(icosphere(2), 0.05);
-  CGP::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system<> system(mesh);
   for (const double c : {0.1, -0.5, 1., 3., -20.}) {
     for (const auto& rho : {constant_on_faces(mesh, c), constant_on_vertices(mesh, c)}) {
-      const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+      const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
       EXPECT_TRUE(s.converged) << c;
       EXPECT_LT(distance_to_one(s.lambda), 1e-6) << c;
       EXPECT_NEAR(s.eigenvalue, -c, 1e-6) << c;
@@ -107,11 +107,11 @@ TEST(Solve_dirac_equation, of_a_weak_rho_has_the_smallest_eigenvalue_of_the_dens
 {
   const double radius = 3;
   const Mesh_view sphere = icosphere(1), mesh = scaled(sphere, radius);
-  CGP::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system<> system(mesh);
   for (const auto& rho :
        {Curvature_potential::on_faces(0.5 / radius * rho_of_section_3_on_faces(sphere)),
         Curvature_potential::on_vertices(0.5 / radius * rho_of_section_3_on_vertices(sphere))}) {
-    const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+    const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
     const Eigen::VectorXd mu = dense_eigenvalues(mesh, rho);
     EXPECT_NEAR(s.energy, mu[0], 1e-12);
     const double gap = std::sqrt(mu[4]) - std::sqrt(mu[0]);
@@ -123,7 +123,7 @@ TEST(Solve_dirac_equation, of_a_weak_rho_has_the_smallest_eigenvalue_of_the_dens
 TEST(Solve_dirac_equation, has_a_solution_in_the_gauge_with_mean_real_and_mean_square_one)
 {
   const Mesh_view mesh = radially_perturbed(icosphere(2), 0.05);
-  const CGP::Dirac_solution s = solved(mesh, shifted(mesh, 0.2));
+  const CGP::internal::Dirac_solution s = solved(mesh, shifted(mesh, 0.2));
   const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
   Quaternion<double> mean;
   double square = 0;
@@ -144,7 +144,7 @@ TEST(Solve_dirac_equation, residual_is_that_of_the_equation)
   for (const double tolerance : {1e-3, 1e-6, 1e-10}) {
     CGP::Dirac_options options;
     options.tolerance = tolerance;
-    const CGP::Dirac_solution s = solved(mesh, rho, options);
+    const CGP::internal::Dirac_solution s = solved(mesh, rho, options);
     ASSERT_TRUE(s.converged);
     EXPECT_LE(s.residual, tolerance);
     Quaternion_vector<double> r = CGP::block_operator(CGP::dirac_energy(mesh, rho))(s.lambda);
@@ -158,10 +158,10 @@ TEST(Solve_dirac_equation, residual_is_that_of_the_equation)
 TEST(Solve_dirac_equation, adds_the_mean_of_rho_to_the_eigenvalue_and_nothing_to_lambda)
 {
   const Mesh_view mesh = icosphere(3);
-  CGP::Dirac_system<> system(mesh);
-  const CGP::Dirac_solution s0 = CGP::solve_dirac_equation(system, shifted(mesh, 0));
+  CGP::internal::Dirac_system<> system(mesh);
+  const CGP::internal::Dirac_solution s0 = CGP::solve_dirac_equation(system, shifted(mesh, 0));
   for (const double c : {0.1, -0.2}) {  // up to the discretisation error of the square
-    const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, shifted(mesh, c));
+    const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, shifted(mesh, c));
     EXPECT_NEAR(s.eigenvalue, s0.eigenvalue - c, 2e-3);
     EXPECT_LT(greatest_difference(s.lambda, s0.lambda), 2e-2);
   }
@@ -171,9 +171,9 @@ TEST(Solve_dirac_equation, adds_the_mean_of_rho_to_the_eigenvalue_and_nothing_to
 TEST(Solve_dirac_equation, does_not_tell_apart_large_means_of_rho)
 {
   const Mesh_view mesh = icosphere(3);
-  CGP::Dirac_system<> system(mesh);
-  const CGP::Dirac_solution s1 = CGP::solve_dirac_equation(system, shifted(mesh, 1));
-  const CGP::Dirac_solution s3 = CGP::solve_dirac_equation(system, shifted(mesh, 3));
+  CGP::internal::Dirac_system<> system(mesh);
+  const CGP::internal::Dirac_solution s1 = CGP::solve_dirac_equation(system, shifted(mesh, 1));
+  const CGP::internal::Dirac_solution s3 = CGP::solve_dirac_equation(system, shifted(mesh, 3));
   EXPECT_TRUE(s1.converged && s3.converged);
   EXPECT_NE(s1.spectral_shift, 0);
   EXPECT_NEAR(s3.spectral_shift, s1.spectral_shift - 2, 1e-9);
@@ -186,10 +186,10 @@ TEST(Solve_dirac_equation, does_not_tell_apart_large_means_of_rho)
 TEST(Solve_dirac_equation, is_not_confused_by_an_eigenvalue_of_opposite_sign)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::Dirac_system<> system(mesh);
-  const CGP::Dirac_solution s0 = CGP::solve_dirac_equation(system, shifted(mesh, 0));
+  CGP::internal::Dirac_system<> system(mesh);
+  const CGP::internal::Dirac_solution s0 = CGP::solve_dirac_equation(system, shifted(mesh, 0));
   for (const double c : {-0.98, -1., -1.02}) {
-    const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, shifted(mesh, c));
+    const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, shifted(mesh, c));
     EXPECT_TRUE(s.converged);
     EXPECT_NEAR(s.eigenvalue, s0.eigenvalue - c, 0.02);
     EXPECT_LT(greatest_difference(s.lambda, s0.lambda), 0.1);
@@ -199,11 +199,11 @@ TEST(Solve_dirac_equation, is_not_confused_by_an_eigenvalue_of_opposite_sign)
 TEST(Solve_dirac_equation, takes_one_factorization_or_two_where_signs_are_mixed)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::Dirac_system<Counting_solver_traits> system(mesh);
+  CGP::internal::Dirac_system<Counting_solver_traits> system(mesh);
   int& count = Counting_solver_traits::factorizations = 0;
   EXPECT_TRUE(CGP::solve_dirac_equation(system, shifted(mesh, 0)).converged);
   EXPECT_EQ(count, 1);
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(
+  const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(
       system, Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh).array() - 1.01));
   EXPECT_TRUE(s.converged);
   EXPECT_NE(s.spectral_shift, 0);
@@ -213,12 +213,12 @@ TEST(Solve_dirac_equation, takes_one_factorization_or_two_where_signs_are_mixed)
 TEST(Solve_dirac_equation, is_solved_twice_to_the_same_bits)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system<> system(mesh);
   for (const double amplitude : {1., 5.}) {
     const auto rho = Curvature_potential::on_faces(amplitude * rho_of_section_3_on_faces(mesh));
-    const CGP::Dirac_solution first = CGP::solve_dirac_equation(system, rho),
-                              second = CGP::solve_dirac_equation(system, rho);
-    const CGP::Dirac_solution fresh = solved(mesh, rho);
+    const CGP::internal::Dirac_solution first = CGP::solve_dirac_equation(system, rho),
+                                        second = CGP::solve_dirac_equation(system, rho);
+    const CGP::internal::Dirac_solution fresh = solved(mesh, rho);
     EXPECT_EQ(first.lambda, second.lambda);
     EXPECT_EQ(first.lambda, fresh.lambda);
     EXPECT_EQ(first.eigenvalue, fresh.eigenvalue);
@@ -229,18 +229,20 @@ TEST(Solve_dirac_equation, is_solved_twice_to_the_same_bits)
 TEST(Solve_dirac_equation, does_not_depend_on_the_random_start_beyond_the_tolerance)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system<> system(mesh);
   CGP::Dirac_options options;
-  const CGP::Dirac_solution a = CGP::solve_dirac_equation(system, shifted(mesh, 0), options);
+  const CGP::internal::Dirac_solution a =
+      CGP::solve_dirac_equation(system, shifted(mesh, 0), options);
   options.random_seed = 7;
-  const CGP::Dirac_solution b = CGP::solve_dirac_equation(system, shifted(mesh, 0), options);
+  const CGP::internal::Dirac_solution b =
+      CGP::solve_dirac_equation(system, shifted(mesh, 0), options);
   EXPECT_LT(greatest_difference(a.lambda, b.lambda), 1e-7);
 }
 
 TEST(Solve_dirac_equation, reports_progress_and_stops_when_told)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system<> system(mesh);
   int iterations = 0;
   const auto watch = [&](const CGP::Eigensolver_progress& p) {
     EXPECT_EQ(p.iteration, iterations++);
@@ -248,7 +250,8 @@ TEST(Solve_dirac_equation, reports_progress_and_stops_when_told)
   };
   EXPECT_EQ(CGP::solve_dirac_equation(system, shifted(mesh, 0), {}, watch).iterations, iterations);
   const auto stop = [](const CGP::Eigensolver_progress& p) { return p.iteration < 2; };
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, shifted(mesh, 0), {}, stop);
+  const CGP::internal::Dirac_solution s =
+      CGP::solve_dirac_equation(system, shifted(mesh, 0), {}, stop);
   EXPECT_TRUE(s.cancelled);
   EXPECT_FALSE(s.converged);
   EXPECT_EQ(s.iterations, 2);
@@ -257,7 +260,7 @@ TEST(Solve_dirac_equation, reports_progress_and_stops_when_told)
 TEST(Solve_dirac_equation, passes_on_what_the_observer_throws)
 {
   const Mesh_view mesh = icosphere(1);
-  CGP::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system<> system(mesh);
   const auto bad = [](const CGP::Eigensolver_progress&) -> bool {
     throw std::runtime_error("bad");
   };

@@ -16,7 +16,7 @@
 namespace {
 
 using namespace cgp_test;
-using System = CGP::Dirac_system<CGP::Eigen_hermitian_solver_traits>;
+using System = CGP::internal::Dirac_system<CGP::Eigen_hermitian_solver_traits>;
 using Q = Quaternion<double>;
 
 /// (X + weight M_V) x, with the matrix of the system
@@ -49,7 +49,7 @@ TEST_F(Free_boundary, has_a_weight_of_ten_edges_on_the_disk_of_the_same_area)
 
 TEST_F(Free_boundary, gives_the_minimiser_of_energy_plus_distance_from_one)
 {
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+  const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
   EXPECT_TRUE(s.converged);
   EXPECT_LT(s.residual, 1e-13);
   const auto b = shifted(system, weight, s.lambda);
@@ -59,7 +59,7 @@ TEST_F(Free_boundary, gives_the_minimiser_of_energy_plus_distance_from_one)
 
 TEST_F(Free_boundary, reports_the_energy_of_what_it_found)
 {
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+  const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
   const auto A = CGP::dirac(mesh) * s.lambda;
   const auto R = CGP::potential_matrix(mesh, rho) * s.lambda;
   double energy = 0, mass = 0;
@@ -84,9 +84,9 @@ TEST_F(Free_boundary, changes_to_first_order_as_the_response_to_minus_rho)
   // (X + a^2 M) lambda = a^2 M 1 with X = (D - rho)^* (D - rho): the derivative of X 1 along rho is
   // -D^* M_F rho.
   const double t = 1e-5;
-  const CGP::Dirac_solution plus =
+  const CGP::internal::Dirac_solution plus =
       CGP::solve_dirac_equation(system, Curvature_potential{rho.on, t * rho.values});
-  const CGP::Dirac_solution minus =
+  const CGP::internal::Dirac_solution minus =
       CGP::solve_dirac_equation(system, Curvature_potential{rho.on, -t * rho.values});
   Quaternion_vector<double> c = Quaternion_vector<double>::Constant(mesh.size_of_vertices(), Q{});
   for (int f = 0; f < mesh.size_of_faces(); ++f)
@@ -106,7 +106,7 @@ TEST_F(Free_boundary, has_a_finite_gamma_where_rounding_makes_the_energy_negativ
   p << -1, 1, 0, -1e-3, -1e-3, 1e-3, 0, 0, 0;
   const Mesh_view triangle(p, {{0, 1, 2}});
   System thin(triangle);
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(
+  const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(
       thin, Curvature_potential::on_vertices(Eigen::Vector3d(-.25, .25, 0)));
   EXPECT_NEAR(s.eigenvalue, 0, 1e-9);  // of rho only the mean over the face counts
 }
@@ -120,7 +120,8 @@ TEST(Solve_dirac_equation_with_a_boundary, with_rho_zero_and_nothing_to_turn_is_
   for (const Boundary_condition& condition :
        {Boundary_condition::free(), Boundary_condition::tangents(), Boundary_condition::binormals(),
         Boundary_condition::directions({1, 2, 3}), Boundary_condition::positions(kept, normals)}) {
-    const CGP::Dirac_solution s = solved(mesh, constant_potential(mesh, 0), {}, condition);
+    const CGP::internal::Dirac_solution s =
+        solved(mesh, constant_potential(mesh, 0), {}, condition);
     EXPECT_TRUE(s.converged);
     EXPECT_NEAR(s.eigenvalue, 0, 1e-7);
     EXPECT_NEAR(s.overlap, 1, 1e-12);
@@ -138,12 +139,12 @@ TEST(Solve_dirac_equation_with_a_boundary, follows_the_mesh)
         Boundary_condition::tangents(
             at_boundary(after, [](const auto&, const auto& frame) { return frame.col(0); }))}) {
     Mesh_view mesh = before;
-    CGP::Dirac_system<> system(mesh, condition);
+    CGP::internal::Dirac_system<> system(mesh, condition);
     (void)CGP::solve_dirac_equation(system, rho);
     mesh.set_positions(after.positions());
     system.update_geometry();
-    const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho),
-                              expected = solved(after, rho, {}, condition);
+    const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho),
+                                        expected = solved(after, rho, {}, condition);
     EXPECT_TRUE(expected.converged);
     for (int v = 0; v < mesh.size_of_vertices(); ++v)
       EXPECT_LT(norm(s.lambda[v] - expected.lambda[v]), 1e-8);
@@ -153,7 +154,7 @@ TEST(Solve_dirac_equation_with_a_boundary, follows_the_mesh)
 TEST(Solve_dirac_equation_with_a_boundary, refuses_the_generalized_problem_with_a_boundary)
 {
   CGP::Dirac_options options;
-  options.problem = CGP::Eigenproblem::generalized;
+  options.problem = CGP::Dirac_options::Eigenproblem::generalized;
   const Mesh_view mesh = disk(2);
   const auto rho = potential_on_faces(mesh, [](const auto& p) { return p.x(); });
   EXPECT_EQ(refusal_of([&] { (void)solved(mesh, rho, options); }),

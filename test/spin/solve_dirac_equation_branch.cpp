@@ -13,7 +13,7 @@ using namespace cgp_test;
 class Branch_on_icosphere_3 : public testing::Test {
  protected:
   /// the solution is the vector that brute force finds
-  void expect_branch(const Curvature_potential& rho, const CGP::Dirac_solution& s)
+  void expect_branch(const Curvature_potential& rho, const CGP::internal::Dirac_solution& s)
   {
     const Branch_point expected = branch_of_identity(system, rho, 40);
     ASSERT_GT(expected.least_overlap, 0.98);
@@ -24,13 +24,13 @@ class Branch_on_icosphere_3 : public testing::Test {
     EXPECT_NEAR(s.eigenvalue, expected.gamma, 0.02);
   }
 
-  double overlap_of_smallest(const Curvature_potential& rho, const CGP::Dirac_solution& s)
+  double overlap_of_smallest(const Curvature_potential& rho, const CGP::internal::Dirac_solution& s)
   {
     return system.overlap(smallest_eigenvector(system, rho), s.lambda);
   }
 
   const Mesh_view sphere = icosphere(3);
-  CGP::Dirac_system<> system{sphere};
+  CGP::internal::Dirac_system<> system{sphere};
 };
 
 }  // namespace
@@ -38,7 +38,7 @@ class Branch_on_icosphere_3 : public testing::Test {
 TEST_F(Branch_on_icosphere_3, is_found_at_once_among_the_two_smallest_though_it_is_not_the_first)
 {
   const Curvature_potential rho = smooth_potential(sphere, 3);
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+  const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
   expect_branch(rho, s);
   EXPECT_EQ(s.substeps, 1);
   EXPECT_LT(overlap_of_smallest(rho, s), 0.1);
@@ -47,7 +47,7 @@ TEST_F(Branch_on_icosphere_3, is_found_at_once_among_the_two_smallest_though_it_
 TEST_F(Branch_on_icosphere_3, is_followed_in_substeps_where_the_smallest_vectors_are_others)
 {
   const Curvature_potential rho = smooth_potential(sphere, 5);
-  const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+  const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
   expect_branch(rho, s);
   EXPECT_GT(s.substeps, 1);
   EXPECT_LT(overlap_of_smallest(rho, s), 0.1);
@@ -73,7 +73,7 @@ TEST_F(Branch_on_icosphere_3, is_not_claimed_when_the_substeps_do_not_suffice)
   CGP::Dirac_options options;
   for (const int enough_for_none : {1, 2, 3}) {
     options.max_substeps = enough_for_none;
-    const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho, options);
+    const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho, options);
     EXPECT_FALSE(s.converged);
     EXPECT_LE(s.substeps, enough_for_none);
   }
@@ -91,7 +91,7 @@ TEST_F(Branch_on_icosphere_3, is_left_when_cancelled_within_the_substeps)
 {
   int asked = 0;
   const auto stop = [&](const CGP::Eigensolver_progress&) { return ++asked < 12; };
-  const CGP::Dirac_solution s =
+  const CGP::internal::Dirac_solution s =
       CGP::solve_dirac_equation(system, smooth_potential(sphere, 5), {}, stop);
   EXPECT_TRUE(s.cancelled);
   EXPECT_FALSE(s.converged);

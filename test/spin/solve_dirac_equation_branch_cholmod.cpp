@@ -12,10 +12,10 @@ using namespace cgp_test;
 
 class Branch_on_icosphere_4 : public testing::Test {
  protected:
-  CGP::Dirac_solution expect_branch(const Curvature_potential& rho)
+  CGP::internal::Dirac_solution expect_branch(const Curvature_potential& rho)
   {
-    CGP::Dirac_system<> system(sphere);
-    CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+    CGP::internal::Dirac_system<> system(sphere);
+    CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
     const Branch_point expected = branch_of_identity(system, rho, 20);
     EXPECT_GT(expected.least_overlap, 0.98);
     EXPECT_TRUE(s.converged);

@@ -56,8 +56,8 @@ void expect_agreement(const Mesh_view& mesh, const Curvature_potential& rho,
   ASSERT_EQ(view.number_of_flips(), 0);
   CGP::Dirac_options options;
   options.tolerance = 1e-12;
-  const CGP::Dirac_solution s = solved(mesh, rho, options, condition),
-                            of_view = solved(view, rho, options, condition);
+  const CGP::internal::Dirac_solution s = solved(mesh, rho, options, condition),
+                                      of_view = solved(view, rho, options, condition);
   EXPECT_TRUE(s.converged && of_view.converged);
   EXPECT_LT(greatest_difference(s.lambda, of_view.lambda), 1e-10);
   EXPECT_NEAR(s.eigenvalue, of_view.eigenvalue, 1e-10);
@@ -71,10 +71,10 @@ TYPED_TEST(Solve_dirac_equation_on, any_surface_with_constant_rho_finds_the_iden
 {
   for (const TypeParam& surface :
        {TypeParam(radially_perturbed(icosphere(2), 0.05)), TypeParam(perturbed(btorus(12), .04))}) {
-    CGP::Dirac_system<> system(surface);
+    CGP::internal::Dirac_system<> system(surface);
     for (const double c : {0., 0.1, -0.5, 1., 3., -20.})
       for (const Curvature_potential& rho : this->constants(surface, c)) {
-        const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+        const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
         EXPECT_TRUE(s.converged) << c;
         EXPECT_LT(distance_to_one(s.lambda), 1e-6) << c;
         EXPECT_NEAR(s.eigenvalue, -c, 1e-6) << c;
@@ -86,11 +86,11 @@ TYPED_TEST(Solve_dirac_equation_on, any_surface_with_weak_rho_finds_the_smallest
 {
   const Mesh_view mesh = perturbed(icosphere(1), .05);
   const TypeParam surface(mesh);
-  CGP::Dirac_system<> system(surface);
+  CGP::internal::Dirac_system<> system(surface);
   for (const auto& rho :
        {Curvature_potential::on_faces(0.5 * rho_of_section_3_on_faces(mesh)),
         Curvature_potential::on_vertices(0.5 * rho_of_section_3_on_vertices(mesh))}) {
-    const CGP::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+    const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
     EXPECT_TRUE(s.converged);
     EXPECT_NEAR(s.energy, dense_eigenvalues(surface, rho)[0], 1e-12);
   }
@@ -103,7 +103,8 @@ TYPED_TEST(Solve_dirac_equation_on, any_bounded_surface_with_nothing_to_turn_fin
   for (const Boundary_condition& condition :
        {Boundary_condition::free(), Boundary_condition::tangents(), Boundary_condition::binormals(),
         Boundary_condition::directions({1, 2, 3})}) {
-    const CGP::Dirac_solution s = solved(surface, constant_potential(mesh, 0), {}, condition);
+    const CGP::internal::Dirac_solution s =
+        solved(surface, constant_potential(mesh, 0), {}, condition);
     EXPECT_TRUE(s.converged);
     EXPECT_NEAR(s.eigenvalue, 0, 1e-7);
     EXPECT_LT(distance_to_one(s.lambda), 1e-7);
@@ -117,8 +118,8 @@ TEST(Solve_dirac_equation, finds_the_identity_on_faces_of_area_zero)
   const Mesh_view mesh = spoilt(icosphere(2));
   for (const double share : {1e-4, 1e-6, 1e-8}) {
     const CGP::Delaunay_view surface(mesh, share);
-    const CGP::Dirac_solution flat = solved(surface, constant_potential(mesh, 0)),
-                              s = solved(surface, constant_potential(mesh, -0.5));
+    const CGP::internal::Dirac_solution flat = solved(surface, constant_potential(mesh, 0)),
+                                        s = solved(surface, constant_potential(mesh, -0.5));
     EXPECT_TRUE(flat.converged && s.converged);
     EXPECT_LT(distance_to_one(flat.lambda), 1e-12);
     EXPECT_LT(distance_to_one(s.lambda), 0.2 * std::sqrt(share));

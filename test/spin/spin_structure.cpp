@@ -28,17 +28,17 @@ int arf(const Mesh_view& mesh)
 
 /// the loop around the tube of `torus(R, r, m, n)` through its first n quadrangles: across the
 /// diagonal of each, and on into the next
-CGP::Face_loop around_the_tube(int n)
+CGP::internal::Face_loop around_the_tube(int n)
 {
-  CGP::Face_loop loop;
+  CGP::internal::Face_loop loop;
   for (int j = 0; j < n; ++j) loop.insert(loop.end(), {6 * j + 1, 6 * j + 3});
   return loop;
 }
 
 /// the loop of the faces around the first corner of face 0
-CGP::Face_loop around_a_point(const Mesh_view& mesh)
+CGP::internal::Face_loop around_a_point(const Mesh_view& mesh)
 {
-  CGP::Face_loop loop;
+  CGP::internal::Face_loop loop;
   int f = 0, corner = 0;
   do {
     loop.push_back(3 * f + (corner + 1) % 3);  // it ends there
@@ -95,7 +95,7 @@ TEST(Spin_structure, stays_under_motions_and_small_deformations)
 {
   for (const int turns : {0, 1}) {
     Mesh_view mesh = turned_torus(48, 24, true, turns);
-    const CGP::Spin_structure before = CGP::spin_structure(mesh);
+    const CGP::internal::Spin_structure before = CGP::spin_structure(mesh);
     Random random(5);
     Points p = mesh.positions();
     for (Eigen::Index i = 0; i < p.cols(); ++i) p.col(i) += .02 * random.vector();
@@ -108,7 +108,7 @@ TEST(Spin_structure, stays_under_Moebius_transformations)
 {
   for (const int turns : {0, 1}) {
     const Mesh_view mesh = turned_torus(48, 24, turns != 0, turns);
-    const CGP::Spin_structure before = CGP::spin_structure(mesh);
+    const CGP::internal::Spin_structure before = CGP::spin_structure(mesh);
     EXPECT_EQ(before.arf_invariant(), turns);
     // outside, in the hole, and in the tube: the last turns the surface inside out
     for (const Eigen::Vector3d& center :

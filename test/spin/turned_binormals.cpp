@@ -42,9 +42,9 @@ TEST(Turned_binormals, are_those_of_the_surfaces_at_the_ends)
                                Eigen::Vector3d::UnitX());  // turns binormals along the boundary
   const Mesh_view tilted_cap =
       mapped(cap, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return tilt * p; });
-  const CGP::Boundary_frames from = CGP::boundary_frames(mesh);
+  const CGP::internal::Boundary_frames from = CGP::boundary_frames(mesh);
   for (const Mesh_view& to : {cap, tilted_cap}) {
-    const CGP::Boundary_frames wanted = CGP::boundary_frames(to);
+    const CGP::internal::Boundary_frames wanted = CGP::boundary_frames(to);
     const Points start = CGP::turned_binormals(mesh, to, mesh, 0),
                  end = CGP::turned_binormals(mesh, to, mesh, 1);
     for (std::size_t k = 0; k < from.vertices.size(); ++k) {

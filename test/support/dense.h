@@ -23,7 +23,7 @@ inline Quaternion_matrix zero_matrix(int rows, int cols)
 }
 
 inline Quaternion_matrix dense(
-    const Conformal_geometry_processing::Quaternionic_sparse_matrix<double>& A)
+    const Conformal_geometry_processing::internal::Quaternionic_sparse_matrix<double>& A)
 {
   Quaternion_matrix M = zero_matrix(A.rows(), A.cols());
   for (int f = 0; f < A.rows(); ++f)

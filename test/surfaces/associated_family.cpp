@@ -20,7 +20,7 @@ TEST(Associated_family, has_the_surface_itself_and_its_mirror_image_in_a_point)
   const Mesh_view mesh = catenoid_strip(6);
   const CGP::Associated_family<> family(mesh);
   const Points start = mesh.positions().colwise() - mesh.positions().rowwise().mean();
-  const CGP::Associated_surface same = family(0);
+  const CGP::internal::Associated_surface same = family(0);
   EXPECT_LT((same.positions - start).norm(), 1e-12 * start.norm());
   EXPECT_LT(same.closure_residual, 1e-13);
   // Vertex normals differ from face normals: an error of second order.
@@ -32,7 +32,7 @@ TEST(Associated_family, of_a_catenoid_has_the_helicoid_a_quarter_of_a_turn_on)
   std::vector<double> h, errors, residuals;
   for (int n : {6, 12, 24}) {
     const CGP::Associated_family<> family(catenoid_strip(n));
-    const CGP::Associated_surface surface = family(pi / 2);
+    const CGP::internal::Associated_surface surface = family(pi / 2);
     h.push_back(1. / n);
     errors.push_back(CGP::align(surface.positions, helicoid_strip(n).positions()).rms);
     residuals.push_back(surface.closure_residual);

@@ -21,7 +21,7 @@ namespace CGP = Conformal_geometry_processing;
 TEST(Delaunay_meridian, goes_from_bulge_to_neck_and_back_in_one_period)
 {
   for (const double neck : {.3, -.2, 1.}) {
-    const CGP::Delaunay_meridian meridian(neck, 1);
+    const CGP::internal::Delaunay_meridian meridian(neck, 1);
     const Eigen::Matrix2Xd p = meridian.points(10, 11);
     EXPECT_NEAR(p(0, 0), 1, 1e-15) << neck;
     EXPECT_NEAR(p(0, 5), std::abs(neck), 1e-9) << neck;
@@ -39,19 +39,19 @@ TEST(Delaunay_meridian, of_an_unduloid_is_as_high_as_an_ellipse_is_round)
     const double t = 2 * pi * i / 1000;
     perimeter += std::hypot(a * std::sin(t), b * std::cos(t)) * 2 * pi / 1000;
   }
-  EXPECT_NEAR(CGP::Delaunay_meridian(neck, bulge).points(4, 5)(1, 4), perimeter, 1e-9);
+  EXPECT_NEAR(CGP::internal::Delaunay_meridian(neck, bulge).points(4, 5)(1, 4), perimeter, 1e-9);
 }
 
 TEST(Delaunay_meridian, of_a_nodoid_turns_back_at_the_neck)
 {
-  const Eigen::Matrix2Xd p = CGP::Delaunay_meridian(-.5, 1).points(100, 101);
+  const Eigen::Matrix2Xd p = CGP::internal::Delaunay_meridian(-.5, 1).points(100, 101);
   EXPECT_GT(p(1, 1), p(1, 0));
   EXPECT_LT(p(1, 51), p(1, 50));
 }
 
 TEST(Delaunay_surface, of_two_equal_radii_is_the_cylinder)
 {
-  const CGP::Delaunay_meridian meridian(2, 2);
+  const CGP::internal::Delaunay_meridian meridian(2, 2);
   EXPECT_NEAR(meridian.mean_curvature(), .25, 1e-15);
   EXPECT_NEAR(meridian.period(), 2 * pi, 1e-14);
   const Points p = CGP::delaunay_surface(2, 2, 8, 6).positions();
@@ -79,10 +79,10 @@ TEST(Delaunay_surface, is_an_annulus_of_constant_mean_curvature_up_to_second_ord
 
 TEST(Delaunay_surface, refuses_radii_and_grids_that_make_none)
 {
-  EXPECT_THROW((void)CGP::Delaunay_meridian(0, 1), CGP::Precondition_error);
-  EXPECT_THROW((void)CGP::Delaunay_meridian(2, 1), CGP::Precondition_error);
-  EXPECT_THROW((void)CGP::Delaunay_meridian(-1, 1), CGP::Precondition_error);
-  EXPECT_THROW((void)CGP::Delaunay_meridian(.5, NAN), CGP::Precondition_error);
+  EXPECT_THROW((void)CGP::internal::Delaunay_meridian(0, 1), CGP::Precondition_error);
+  EXPECT_THROW((void)CGP::internal::Delaunay_meridian(2, 1), CGP::Precondition_error);
+  EXPECT_THROW((void)CGP::internal::Delaunay_meridian(-1, 1), CGP::Precondition_error);
+  EXPECT_THROW((void)CGP::internal::Delaunay_meridian(.5, NAN), CGP::Precondition_error);
   EXPECT_THROW((void)CGP::delaunay_surface(.5, 1, 2, 8), CGP::Precondition_error);
   EXPECT_THROW((void)CGP::delaunay_surface(.5, 1, 8, 0), CGP::Precondition_error);
   EXPECT_THROW((void)CGP::delaunay_surface(.5, 1, 8, 8, 0), CGP::Precondition_error);

@@ -21,10 +21,10 @@ using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 /// an ellipse with semiaxes 1 and `height`
-CGP::Profile ellipse(double height, double distance = 4)
+CGP::internal::Profile ellipse(double height, double distance = 4)
 {
   const int n = 8000;
-  CGP::Profile profile(2, n);
+  CGP::internal::Profile profile(2, n);
   for (int i = 0; i < n; ++i)
     profile.col(i) << distance + std::cos(2 * pi * i / n), height * std::sin(2 * pi * i / n);
   return profile;
@@ -58,7 +58,7 @@ TEST(Conformal_lengths, of_a_circle_add_up_to_those_of_its_torus)
 TEST(Torus_of_revolution, has_the_class_and_the_energy_of_its_profile)
 {
   for (const double b : {1.2, 2.}) {
-    const CGP::Profile profile = CGP::profile_of_class(ellipse(.8), b);
+    const CGP::internal::Profile profile = CGP::profile_of_class(ellipse(.8), b);
     const double distance = (profile.row(0).maxCoeff() + profile.row(0).minCoeff()) / 2,
                  expected = willmore_energy_of_revolution(.8, distance);
     std::vector<double> h, moduli, energies;
@@ -79,7 +79,7 @@ TEST(Torus_of_revolution, has_the_class_and_the_energy_of_its_profile)
 TEST(Profile_of_class, moves_and_does_not_deform)
 {
   for (const double b : {.05, 1., 30.}) {
-    const CGP::Profile before = ellipse(.7), after = CGP::profile_of_class(before, b);
+    const CGP::internal::Profile before = ellipse(.7), after = CGP::profile_of_class(before, b);
     EXPECT_NEAR(CGP::conformal_lengths(after).sum(), 2 * pi / b, 1e-10 / b) << b;
     const Eigen::Matrix2Xd moved = after - before;
     EXPECT_LT((moved.colwise() - moved.col(0)).cwiseAbs().maxCoeff(), 1e-12 * (1 + b)) << b;

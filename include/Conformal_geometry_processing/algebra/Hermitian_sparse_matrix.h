@@ -24,7 +24,7 @@ template <class Scalar_>
 class Hermitian_sparse_matrix {
  public:
   using Scalar = Scalar_;
-  using FT = typename Scalar_traits<Scalar>::FT;
+  using FT = typename internal::Scalar_traits<Scalar>::FT;
 
   /// The empty matrix
   Hermitian_sparse_matrix() : m_pattern(std::make_shared<Sparse_pattern>()) {}
@@ -49,7 +49,8 @@ class Hermitian_sparse_matrix {
   /// The (real) diagonal entry of column j
   FT diagonal(int j) const
   {
-    return Scalar_traits<Scalar>::real(m_values[m_pattern->offsets[static_cast<std::size_t>(j)]]);
+    return internal::Scalar_traits<Scalar>::real(
+        m_values[m_pattern->offsets[static_cast<std::size_t>(j)]]);
   }
 
   /// Entry (i, j) of the full matrix, zero outside the pattern; O(log degree)

@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgAlgebra
 /// \brief A |F| x |V| quaternionic matrix with three entries per row: an operator that maps values
 /// at vertices to values on triangles [CGP 5.1].
@@ -79,6 +81,8 @@ class Quaternionic_sparse_matrix {
   int m_columns;
   std::vector<Quaternion<FT>> m_values;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -17,6 +17,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgAlgebra
 /// \brief The space of quaternionic vectors whose reduced rows lie in given planes of H:
 /// x_i = u_i a + v_i b with real a and b and orthonormal u_i, v_i. The matrix B of [CGP 5.7].
@@ -115,6 +117,8 @@ class Reduced_basis {
   Reduced_rows m_rows;
   std::vector<Plane> m_planes;  // of all rows, for direct access
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

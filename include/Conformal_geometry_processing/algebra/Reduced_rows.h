@@ -8,6 +8,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgAlgebra
 /// \brief The rows of a quaternionic vector that have two real degrees of freedom instead of four:
 /// boundary vertices of a surface with prescribed boundary directions [CGP 5.7].
@@ -51,6 +53,8 @@ class Reduced_rows {
   std::vector<int> m_first;  // size() + 1
   int m_count = 0;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

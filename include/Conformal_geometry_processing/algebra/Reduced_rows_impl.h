@@ -12,7 +12,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Reduced_rows::Reduced_rows(int size, const std::vector<int>& reduced)
+CGP_INLINE internal::Reduced_rows::Reduced_rows(int size, const std::vector<int>& reduced)
     : m_is_reduced(at(size), 0), m_count(static_cast<int>(reduced.size()))
 {
   for (int i : reduced) {

@@ -24,6 +24,8 @@ std::complex<FT> conjugate(const std::complex<FT>& s)
   return std::conj(s);
 }
 
+namespace internal {
+
 /// \ingroup PkgAlgebra
 /// Properties of a scalar type: the type of its real components, and the real part
 template <class Scalar>
@@ -46,6 +48,8 @@ struct Scalar_traits<Quaternion<FT_>> {
   static constexpr FT real(const Quaternion<FT>& s) { return s.w; }
   static constexpr Quaternion<FT> from_real(FT s) { return {s, 0, 0, 0}; }
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -16,6 +16,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// \brief Numbers the current vertices or faces of a mesh, for meshes whose elements have no
 /// indices. One hash table look-up per access.
@@ -81,6 +83,8 @@ class Associated_property_map {
   std::shared_ptr<const Element_numbering<Descriptor>> m_numbering;
   std::shared_ptr<std::vector<Value>> m_values;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

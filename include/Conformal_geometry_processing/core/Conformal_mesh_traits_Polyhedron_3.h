@@ -31,21 +31,21 @@ class Conformal_mesh_traits<CGAL::Polyhedron_3<Kernel, Items, HDS, Allocator>> {
   using Graph_traits = boost::graph_traits<Triangle_mesh>;
   using Vertex = typename Graph_traits::vertex_descriptor;
   using Face = typename Graph_traits::face_descriptor;
-  using Vertex_numbering = std::shared_ptr<const Element_numbering<Vertex>>;
+  using Vertex_numbering = std::shared_ptr<const internal::Element_numbering<Vertex>>;
   using Spin = Quaternion<double>;
   using Vector = internal::Vector_of<typename Triangle_mesh::Point_3>;
 
  public:
-  using Vertex_curvature_potential_map = Associated_property_map<Vertex, double>;
-  using Face_curvature_potential_map = Associated_property_map<Face, double>;
-  using Vertex_spin_map = Associated_property_map<Vertex, Spin>;
-  using Vertex_normal_map = Associated_property_map<Vertex, Vector>;
+  using Vertex_curvature_potential_map = internal::Associated_property_map<Vertex, double>;
+  using Face_curvature_potential_map = internal::Associated_property_map<Face, double>;
+  using Vertex_spin_map = internal::Associated_property_map<Vertex, Spin>;
+  using Vertex_normal_map = internal::Associated_property_map<Vertex, Vector>;
 
   /// Creates the containers: rho = 0, lambda = 1, normals 0
   /// \param mesh is not changed and must outlive the maps; O(|V| + |F|)
   explicit Conformal_mesh_traits(const Triangle_mesh& mesh)
-      : Conformal_mesh_traits(mesh,
-                              std::make_shared<const Element_numbering<Vertex>>(vertices(mesh)))
+      : Conformal_mesh_traits(
+            mesh, std::make_shared<const internal::Element_numbering<Vertex>>(vertices(mesh)))
   {}
 
   /// The maps; copies share their values
@@ -57,7 +57,7 @@ class Conformal_mesh_traits<CGAL::Polyhedron_3<Kernel, Items, HDS, Allocator>> {
  private:
   Conformal_mesh_traits(const Triangle_mesh& mesh, const Vertex_numbering& numbering)
       : m_vertex_rho(numbering, 0.),
-        m_face_rho(std::make_shared<const Element_numbering<Face>>(faces(mesh)), 0.),
+        m_face_rho(std::make_shared<const internal::Element_numbering<Face>>(faces(mesh)), 0.),
         m_spin(numbering, Spin{1, 0, 0, 0}),
         m_normal(numbering, Vector(0, 0, 0))
   {}

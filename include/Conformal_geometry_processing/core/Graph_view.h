@@ -76,7 +76,8 @@ class Graph_view {
   }
 
   /// The view of one component of the mesh, as if it were the whole mesh
-  Graph_view(const Graph_view& whole, Mesh_component component) : m_view(std::move(component.mesh))
+  Graph_view(const Graph_view& whole, internal::Mesh_component component)
+      : m_view(std::move(component.mesh))
   {
     for (const int v : component.vertices) m_vertices.push_back(whole.vertex(v));
     for (const int f : component.faces) m_faces.push_back(whole.face(f));

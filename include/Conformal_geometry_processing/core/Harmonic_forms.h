@@ -19,6 +19,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgForms
 /// \brief The harmonic 1-forms of a mesh and their tangent fields, as property maps of its
 /// halfedges and faces: the result of `harmonic_basis()`.
@@ -174,6 +176,8 @@ class Harmonic_forms {
 
   std::shared_ptr<const Data> m_data;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgCurves
 /// \brief The functions 1, f^x, f^y on the vertices of a curve f, orthogonalized: a change of
 /// curvature that is orthogonal to them keeps the curve closed, to first order [CGP 4.2].
@@ -30,6 +32,8 @@ class Closing_functions {
   Eigen::Vector2d m_mean, m_axis;
   Eigen::Vector3d m_norms;  // squared
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

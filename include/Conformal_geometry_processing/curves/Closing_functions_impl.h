@@ -12,8 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Closing_functions::Closing_functions(const Plane_points& points,
-                                                const Eigen::VectorXd& weights)
+CGP_INLINE internal::Closing_functions::Closing_functions(const internal::Plane_points& points,
+                                                          const Eigen::VectorXd& weights)
 {
   const double total = weights.sum();
   m_mean = points * weights / total;
@@ -32,13 +32,14 @@ CGP_INLINE Closing_functions::Closing_functions(const Plane_points& points,
     m_norms += weights[i] * values(points.col(i)).cwiseAbs2();
 }
 
-CGP_INLINE Eigen::Vector3d Closing_functions::values(const Eigen::Vector2d& point) const
+CGP_INLINE Eigen::Vector3d internal::Closing_functions::values(const Eigen::Vector2d& point) const
 {
   const Eigen::Vector2d p = point - m_mean;
   return {1, m_axis.x() * p.x() + m_axis.y() * p.y(), m_axis.x() * p.y() - m_axis.y() * p.x()};
 }
 
-CGP_INLINE Eigen::Vector3d Closing_functions::combination(const Eigen::Vector3d& products) const
+CGP_INLINE Eigen::Vector3d internal::Closing_functions::combination(
+    const Eigen::Vector3d& products) const
 {
   Eigen::Vector3d c;
   for (int k = 0; k < 3; ++k) c[k] = m_norms[k] > 0 ? products[k] / m_norms[k] : 0;

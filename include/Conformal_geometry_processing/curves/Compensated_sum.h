@@ -7,6 +7,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgCurves
 /// \brief A compensated running sum of vectors of the plane, accurate to one rounding.
 ///
@@ -21,6 +23,8 @@ class Compensated_sum {
  private:
   Eigen::Vector2d m_sum = Eigen::Vector2d::Zero(), m_lost = Eigen::Vector2d::Zero();
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -10,7 +10,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE void Compensated_sum::add(const Eigen::Vector2d& x)
+CGP_INLINE void internal::Compensated_sum::add(const Eigen::Vector2d& x)
 {
   const Eigen::Vector2d sum = m_sum + x;
   const Eigen::Vector2d added = sum - m_sum;

@@ -10,15 +10,14 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// How the ends of a closed curve are joined after a step
-enum class Curve_closing {
-  exact,         ///< by an additional change of curvature: every edge keeps its length
-  least_squares  ///< by small changes of all lengths, as in [CGP 6.4.3]
-};
-
-/// \ingroup PkgCurves
 /// Options of an isometric curve flow
 struct Curve_flow_options {
+  /// How the ends of a closed curve are joined after a step
+  enum class Closing {
+    exact,         ///< by an additional change of curvature: every edge keeps its length
+    least_squares  ///< by small changes of all lengths, as in [CGP 6.4.3]
+  };
+
   /// Whether the last point is followed by the first
   bool is_closed = true;
 
@@ -33,7 +32,7 @@ struct Curve_flow_options {
   /// energy or, if it tends to zero, to a hundredth of the initial energy
   double energy_tolerance = 1e-8;
 
-  Curve_closing closing = Curve_closing::exact;
+  Closing closing = Closing::exact;
 };
 
 /// \relates Curve_flow_options

@@ -8,25 +8,20 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgCurves
-/// Reason why a curve flow has stopped
-enum class Curve_flow_stop {
-  none,            ///< it has not stopped
-  energy_settled,  ///< the energy changes by less than the tolerance
-  steps_done,      ///< the requested steps are done
-  cancelled,       ///< the visitor has stopped the flow
-  step_failed      ///< no time step was small enough to close the curve and lower the energy
-};
-
-/// \relates Curve_flow_report
-/// Describes the reason
-const char* to_string(Curve_flow_stop stop);
-
-/// \ingroup PkgCurves
 /// \brief Measurements of one step of a curve flow.
 struct [[nodiscard]] Curve_step_report {
-  int step = 0;                                  ///< its number, from 1
-  bool accepted = false;                         ///< the curve has moved
-  Curve_flow_stop stop = Curve_flow_stop::none;  ///< reason to stop after this step, if any
+  /// Reason why a curve flow has stopped
+  enum class Stop {
+    none,            ///< it has not stopped
+    energy_settled,  ///< the energy changes by less than the tolerance
+    steps_done,      ///< the requested steps are done
+    cancelled,       ///< the visitor has stopped the flow
+    step_failed      ///< no time step was small enough to close the curve and lower the energy
+  };
+
+  int step = 0;            ///< its number, from 1
+  bool accepted = false;   ///< the curve has moved
+  Stop stop = Stop::none;  ///< reason to stop after this step, if any
 
   double energy_before = 0, energy = 0;  ///< sum kappa^2 d, in 1/length
   double time_step = 0;                  ///< tau of the last trial
@@ -38,10 +33,14 @@ struct [[nodiscard]] Curve_step_report {
   int turning_number = 0;        ///< of a closed curve
 };
 
+/// \relates Curve_flow_report
+/// Describes the reason
+const char* to_string(Curve_step_report::Stop stop);
+
 /// \ingroup PkgCurves
 /// \brief Measurements of a whole curve flow.
 struct [[nodiscard]] Curve_flow_report {
-  Curve_flow_stop stop = Curve_flow_stop::none;
+  Curve_step_report::Stop stop = Curve_step_report::Stop::none;
   std::vector<Curve_step_report> steps;  ///< the accepted ones
   double length = 0;                     ///< of the curve
   double initial_energy = 0, energy = 0;
@@ -50,10 +49,13 @@ struct [[nodiscard]] Curve_flow_report {
   double seconds = 0;            ///< wall clock
 
   /// Returns whether the flow has converged
-  bool converged() const { return stop == Curve_flow_stop::energy_settled; }
+  bool converged() const { return stop == Curve_step_report::Stop::energy_settled; }
 
   /// Returns whether the flow has converged, or has done the requested steps
-  explicit operator bool() const { return converged() || stop == Curve_flow_stop::steps_done; }
+  explicit operator bool() const
+  {
+    return converged() || stop == Curve_step_report::Stop::steps_done;
+  }
 };
 
 /// \relates Curve_flow_report

@@ -8,18 +8,18 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE const char* to_string(Curve_flow_stop stop)
+CGP_INLINE const char* to_string(Curve_step_report::Stop stop)
 {
   switch (stop) {
-    case Curve_flow_stop::none:
+    case Curve_step_report::Stop::none:
       return "not stopped";
-    case Curve_flow_stop::energy_settled:
+    case Curve_step_report::Stop::energy_settled:
       return "the energy has settled";
-    case Curve_flow_stop::steps_done:
+    case Curve_step_report::Stop::steps_done:
       return "all steps are done";
-    case Curve_flow_stop::cancelled:
+    case Curve_step_report::Stop::cancelled:
       return "cancelled";
-    case Curve_flow_stop::step_failed:
+    case Curve_step_report::Stop::step_failed:
       return "the step failed";
   }
   return "unknown";

@@ -14,13 +14,13 @@ namespace Conformal_geometry_processing {
 /// Exceptions propagate to the caller; the flow remains at its last complete step.
 struct Curve_flow_visitor {
   /// Called once, with the initial curve, 2 x m, and its energy
-  void on_flow_begin(const Plane_points&, double) {}
+  void on_flow_begin(const internal::Plane_points&, double) {}
 
   /// Called before every step; false stops the flow
   bool go_further() { return true; }
 
   /// Called after every accepted step, with the new curve
-  void on_step_end(const Curve_step_report&, const Plane_points&) {}
+  void on_step_end(const Curve_step_report&, const internal::Plane_points&) {}
 };
 
 }  // namespace Conformal_geometry_processing

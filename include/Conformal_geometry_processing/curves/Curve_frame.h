@@ -10,6 +10,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgCurves
 /// \brief Normalized coordinates of curve flows: `Normalized_frame` in the plane, which makes
 /// results independent of the unit of length and of a distant origin.
@@ -31,6 +33,8 @@ class Curve_frame {
 
   Normalized_frame m_frame;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

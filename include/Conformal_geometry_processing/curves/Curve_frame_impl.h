@@ -10,17 +10,19 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Plane_points Curve_frame::to_frame(const Plane_points& points) const
+CGP_INLINE internal::Plane_points internal::Curve_frame::to_frame(
+    const internal::Plane_points& points) const
 {
   return m_frame.to_frame(in_space(points)).topRows(2);
 }
 
-CGP_INLINE void Curve_frame::from_frame(const Plane_points& points, Plane_points& result) const
+CGP_INLINE void internal::Curve_frame::from_frame(const internal::Plane_points& points,
+                                                  internal::Plane_points& result) const
 {
   result = (unit() * points).colwise() + m_frame.center().head<2>();
 }
 
-CGP_INLINE Points Curve_frame::in_space(const Plane_points& points)
+CGP_INLINE Points internal::Curve_frame::in_space(const internal::Plane_points& points)
 {
   Points p = Points::Zero(3, points.cols());
   p.topRows(2) = points;

@@ -31,13 +31,14 @@ class Isometric_curve_flow {
   /// \param points the vertices, 2 x m \param function named in exceptions
   /// \throw Precondition_error if the points violate `require_polygon()`, or an option is out of
   /// its range
-  explicit Isometric_curve_flow(const Plane_points& points, const Curve_flow_options& options = {},
+  explicit Isometric_curve_flow(const internal::Plane_points& points,
+                                const Curve_flow_options& options = {},
                                 const std::string& function = "Isometric_curve_flow");
 
   bool is_closed() const { return m_options.is_closed; }
 
   /// The vertices of the current polygon
-  const Plane_points& points() const { return m_output; }
+  const internal::Plane_points& points() const { return m_output; }
 
   /// Its bending energy, in 1/length
   double energy() const { return m_energy / m_frame.unit(); }
@@ -55,17 +56,17 @@ class Isometric_curve_flow {
   template <class Visitor>
   Curve_flow_report run(Visitor& visitor)
   {
-    Stopwatch watch;
+    internal::Stopwatch watch;
     Curve_flow_report report;
     report.length = length();
     report.turning_number = m_turning_number;
     report.initial_energy = energy();
     visitor.on_flow_begin(m_output, energy());
-    for (int i = 0; report.stop == Curve_flow_stop::none; ++i) {
+    for (int i = 0; report.stop == Curve_step_report::Stop::none; ++i) {
       if (i == m_options.max_steps)
-        report.stop = Curve_flow_stop::steps_done;
+        report.stop = Curve_step_report::Stop::steps_done;
       else if (!visitor.go_further())
-        report.stop = Curve_flow_stop::cancelled;
+        report.stop = Curve_step_report::Stop::cancelled;
       else if (append(report, step()))
         visitor.on_step_end(report.steps.back(), m_output);
     }
@@ -79,20 +80,20 @@ class Isometric_curve_flow {
   static constexpr int max_trials = 12;
   static constexpr double energy_noise = 1e-11;  // relative to the initial energy
 
-  static const Plane_points& required(const Plane_points& points, bool is_closed,
-                                      const std::string& function);
+  static const internal::Plane_points& required(const internal::Plane_points& points,
+                                                bool is_closed, const std::string& function);
   bool try_step(Curve_step_report& report);
   bool integrate(double angle, Curve_step_report& report);
   bool has_same_turns();
-  Curve_flow_stop accept(Curve_step_report& report);
+  Curve_step_report::Stop accept(Curve_step_report& report);
 
   Curve_flow_options m_options;
-  Curve_frame m_frame;
-  Plane_points m_output;                // in units of the curve
-  Plane_points m_points, m_new_points;  // in the frame, like all following members
-  Polygon_lengths m_lengths;
+  internal::Curve_frame m_frame;
+  internal::Plane_points m_output;                // in units of the curve
+  internal::Plane_points m_points, m_new_points;  // in the frame, like all following members
+  internal::Polygon_lengths m_lengths;
   Eigen::VectorXd m_curvatures, m_direction, m_new_curvatures;
-  Plane_points m_tangents;
+  internal::Plane_points m_tangents;
   int m_turning_number = 0, m_steps = 0;
   double m_initial_energy = 0, m_energy = 0;
 };

@@ -22,7 +22,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Isometric_curve_flow::Isometric_curve_flow(const Plane_points& points,
+CGP_INLINE Isometric_curve_flow::Isometric_curve_flow(const internal::Plane_points& points,
                                                       const Curve_flow_options& options,
                                                       const std::string& function)
     : m_options(checked(options, function)),
@@ -54,14 +54,13 @@ CGP_INLINE Curve_step_report Isometric_curve_flow::step()
     ++report.trials;
     report.accepted = try_step(report);
   }
-  report.stop = report.accepted ? accept(report) : Curve_flow_stop::step_failed;
+  report.stop = report.accepted ? accept(report) : Curve_step_report::Stop::step_failed;
   report.energy = energy();
   return report;
 }
 
-CGP_INLINE const Plane_points& Isometric_curve_flow::required(const Plane_points& points,
-                                                              bool is_closed,
-                                                              const std::string& function)
+CGP_INLINE const internal::Plane_points& Isometric_curve_flow::required(
+    const internal::Plane_points& points, bool is_closed, const std::string& function)
 {
   require_polygon(points, is_closed, function);
   return points;
@@ -83,12 +82,12 @@ CGP_INLINE bool Isometric_curve_flow::try_step(Curve_step_report& report)
 
 CGP_INLINE bool Isometric_curve_flow::integrate(double angle, Curve_step_report& report)
 {
-  if (!is_closed() || m_options.closing == Curve_closing::least_squares) {
+  if (!is_closed() || m_options.closing == Curve_flow_options::Closing::least_squares) {
     integrate_curvature(m_new_curvatures, m_lengths, angle, m_tangents);
     return true;
   }
-  const Closing_result closing = close_polygon(m_lengths, m_turning_number, angle, m_points,
-                                               m_new_curvatures, m_tangents, m_new_points);
+  const internal::Closing_result closing = close_polygon(
+      m_lengths, m_turning_number, angle, m_points, m_new_curvatures, m_tangents, m_new_points);
   report.first_gap = closing.first_gap;
   report.newton_iterations = closing.iterations;
   return closing.is_closed;
@@ -99,7 +98,7 @@ CGP_INLINE bool Isometric_curve_flow::has_same_turns()
 {
   const auto duals = m_lengths.duals().array();
   const double largest = two_pi / 2 - half_turn_tolerance;
-  if (!is_closed() || m_options.closing == Curve_closing::exact)
+  if (!is_closed() || m_options.closing == Curve_flow_options::Closing::exact)
     return (m_new_curvatures.array() * duals).abs().maxCoeff() < largest;
   turning_angles(m_new_points, is_closed(), m_new_curvatures);
   const bool same = turning_number(m_new_curvatures) == m_turning_number &&
@@ -108,7 +107,7 @@ CGP_INLINE bool Isometric_curve_flow::has_same_turns()
   return same;
 }
 
-CGP_INLINE Curve_flow_stop Isometric_curve_flow::accept(Curve_step_report& report)
+CGP_INLINE Curve_step_report::Stop Isometric_curve_flow::accept(Curve_step_report& report)
 {
   m_points.swap(m_new_points);
   m_curvatures.swap(m_new_curvatures);
@@ -120,7 +119,7 @@ CGP_INLINE Curve_flow_stop Isometric_curve_flow::accept(Curve_step_report& repor
   const double scale = (std::max)(m_energy, m_initial_energy / 100);
   const bool is_settled =
       std::abs(before - m_energy) <= m_options.energy_tolerance * report.time_step * scale;
-  return is_settled ? Curve_flow_stop::energy_settled : Curve_flow_stop::none;
+  return is_settled ? Curve_step_report::Stop::energy_settled : Curve_step_report::Stop::none;
 }
 
 }  // namespace Conformal_geometry_processing

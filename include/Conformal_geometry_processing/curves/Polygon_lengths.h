@@ -7,6 +7,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// One point or vector of the plane per column
 using Plane_points = Eigen::Matrix2Xd;
 
@@ -39,9 +41,12 @@ class Polygon_lengths {
   bool m_is_closed = true;
 };
 
-/// \relates Polygon_lengths
+}  // namespace internal
+
+/// \ingroup PkgCurves
 /// Returns the maximal relative change of the length of an edge
-double length_distortion(const Plane_points& points, const Polygon_lengths& original);
+double length_distortion(const internal::Plane_points& points,
+                         const internal::Polygon_lengths& original);
 
 }  // namespace Conformal_geometry_processing
 

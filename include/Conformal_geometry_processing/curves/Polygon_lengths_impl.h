@@ -13,7 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Polygon_lengths::Polygon_lengths(const Plane_points& points, bool is_closed)
+CGP_INLINE internal::Polygon_lengths::Polygon_lengths(const internal::Plane_points& points,
+                                                      bool is_closed)
     : m_edges(points.cols() - (is_closed ? 0 : 1)),
       m_duals(Eigen::VectorXd::Zero(points.cols())),
       m_is_closed(is_closed)
@@ -28,7 +29,8 @@ CGP_INLINE Polygon_lengths::Polygon_lengths(const Plane_points& points, bool is_
   m_total = m_edges.sum();
 }
 
-CGP_INLINE double length_distortion(const Plane_points& points, const Polygon_lengths& original)
+CGP_INLINE double length_distortion(const internal::Plane_points& points,
+                                    const internal::Polygon_lengths& original)
 {
   double worst = 0;
   for (Eigen::Index i = 0; i < original.size_of_edges(); ++i) {

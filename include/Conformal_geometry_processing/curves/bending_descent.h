@@ -17,8 +17,8 @@ namespace Conformal_geometry_processing {
 /// weights: sum d_i v_i = 0 and sum d_i v_i f_i = 0. O(m).
 /// \param curvatures kappa, one per vertex \param points the vertices, 2 x m
 /// \param direction receives m numbers
-void bending_descent(const Eigen::VectorXd& curvatures, const Plane_points& points,
-                     const Polygon_lengths& lengths, Eigen::VectorXd& direction);
+void bending_descent(const Eigen::VectorXd& curvatures, const internal::Plane_points& points,
+                     const internal::Polygon_lengths& lengths, Eigen::VectorXd& direction);
 
 }  // namespace Conformal_geometry_processing
 

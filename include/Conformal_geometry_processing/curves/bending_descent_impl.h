@@ -11,12 +11,14 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE void bending_descent(const Eigen::VectorXd& curvatures, const Plane_points& points,
-                                const Polygon_lengths& lengths, Eigen::VectorXd& direction)
+CGP_INLINE void bending_descent(const Eigen::VectorXd& curvatures,
+                                const internal::Plane_points& points,
+                                const internal::Polygon_lengths& lengths,
+                                Eigen::VectorXd& direction)
 {
   direction = -2 * curvatures;
   if (!lengths.is_closed()) return;
-  const Closing_functions functions(points, lengths.duals());
+  const internal::Closing_functions functions(points, lengths.duals());
   Eigen::Vector3d products = Eigen::Vector3d::Zero();
   for (Eigen::Index i = 0; i < direction.size(); ++i)
     products += lengths.duals()[i] * direction[i] * functions.values(points.col(i));

@@ -16,7 +16,7 @@ namespace Conformal_geometry_processing {
 /// In 1/length; its product with the length of the curve is scale-invariant, and 4 pi^2 k^2 for a
 /// k-fold circle.
 /// \param curvatures the turning angles divided by the dual lengths, one per vertex
-double bending_energy(const Eigen::VectorXd& curvatures, const Polygon_lengths& lengths);
+double bending_energy(const Eigen::VectorXd& curvatures, const internal::Polygon_lengths& lengths);
 
 }  // namespace Conformal_geometry_processing
 

@@ -10,7 +10,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE double bending_energy(const Eigen::VectorXd& curvatures, const Polygon_lengths& lengths)
+CGP_INLINE double bending_energy(const Eigen::VectorXd& curvatures,
+                                 const internal::Polygon_lengths& lengths)
 {
   return (curvatures.array().square() * lengths.duals().array()).sum();
 }

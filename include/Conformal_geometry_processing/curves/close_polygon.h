@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// Result of closing a polygon
 struct Closing_result {
   double first_gap = 0;  ///< between its ends before, relative to its length
@@ -18,8 +20,6 @@ struct Closing_result {
   int iterations = 0;    ///< of Newton's method
   bool is_closed = false;
 };
-
-namespace internal {
 
 /// Returns the gap of the edges, and computes the vertices; the last edge ends at the first vertex,
 /// as required by the derivative of the gap.
@@ -44,9 +44,11 @@ void correct_curvatures(const Eigen::Vector2d& gap, double turning, const Plane_
 /// \param curvatures one per vertex; they close the polygon afterwards, if the result says so
 /// \param tangents receives its edges, 2 x m \param points is overwritten, 2 x m
 /// \returns `is_closed` if the gap is below 1e-13 of the length
-Closing_result close_polygon(const Polygon_lengths& lengths, int turning_number, double angle,
-                             const Plane_points& shape, Eigen::VectorXd& curvatures,
-                             Plane_points& tangents, Plane_points& points);
+internal::Closing_result close_polygon(const internal::Polygon_lengths& lengths, int turning_number,
+                                       double angle, const internal::Plane_points& shape,
+                                       Eigen::VectorXd& curvatures,
+                                       internal::Plane_points& tangents,
+                                       internal::Plane_points& points);
 
 }  // namespace Conformal_geometry_processing
 

@@ -47,17 +47,19 @@ CGP_INLINE void correct_curvatures(const Eigen::Vector2d& gap, double turning,
 
 }  // namespace internal
 
-CGP_INLINE Closing_result close_polygon(const Polygon_lengths& lengths, int turning_number,
-                                        double angle, const Plane_points& shape,
-                                        Eigen::VectorXd& curvatures, Plane_points& tangents,
-                                        Plane_points& points)
+CGP_INLINE internal::Closing_result close_polygon(const internal::Polygon_lengths& lengths,
+                                                  int turning_number, double angle,
+                                                  const internal::Plane_points& shape,
+                                                  Eigen::VectorXd& curvatures,
+                                                  internal::Plane_points& tangents,
+                                                  internal::Plane_points& points)
 {
   constexpr int max_iterations = 20;
   constexpr double tolerance = 1e-13;
   const double turning = turning_number * two_pi;
-  const Closing_functions functions(shape, lengths.duals());
+  const internal::Closing_functions functions(shape, lengths.duals());
   points.resize(2, lengths.size_of_vertices());
-  Closing_result result;
+  internal::Closing_result result;
   for (; result.iterations <= max_iterations; ++result.iterations) {
     integrate_curvature(curvatures, lengths, angle, tangents);
     const Eigen::Vector2d gap = internal::end_to_end(tangents, points);

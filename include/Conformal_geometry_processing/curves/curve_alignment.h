@@ -18,7 +18,8 @@ namespace Conformal_geometry_processing {
 /// curve is not rotated. O(m).
 /// \param to 2 x m \param weights of the vertices, m numbers \param points are moved, 2 x m
 /// \returns the angle of the rotation, counterclockwise
-double align(const Plane_points& to, const Eigen::VectorXd& weights, Plane_points& points);
+double align(const internal::Plane_points& to, const Eigen::VectorXd& weights,
+             internal::Plane_points& points);
 
 }  // namespace Conformal_geometry_processing
 

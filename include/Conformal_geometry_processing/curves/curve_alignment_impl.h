@@ -12,8 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE double align(const Plane_points& to, const Eigen::VectorXd& weights,
-                        Plane_points& points)
+CGP_INLINE double align(const internal::Plane_points& to, const Eigen::VectorXd& weights,
+                        internal::Plane_points& points)
 {
   const double total = weights.sum();
   const Eigen::Vector2d from_mean = points * weights / total, to_mean = to * weights / total;

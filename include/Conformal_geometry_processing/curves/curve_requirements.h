@@ -25,7 +25,8 @@ constexpr double half_turn_tolerance = 1e-10;
 /// by +-pi
 /// \param points 2 x m
 /// \throw Precondition_error naming `function` and the first point that breaks a rule
-void require_polygon(const Plane_points& points, bool is_closed, const std::string& function);
+void require_polygon(const internal::Plane_points& points, bool is_closed,
+                     const std::string& function);
 
 }  // namespace Conformal_geometry_processing
 

@@ -46,7 +46,7 @@ CGP_INLINE void require_turns(const Plane_points& points, bool is_closed,
 
 }  // namespace internal
 
-CGP_INLINE void require_polygon(const Plane_points& points, bool is_closed,
+CGP_INLINE void require_polygon(const internal::Plane_points& points, bool is_closed,
                                 const std::string& function)
 {
   if (points.cols() < 3)
@@ -57,7 +57,7 @@ CGP_INLINE void require_polygon(const Plane_points& points, bool is_closed,
       static_cast<int>(points.cols()), [&](int i) { return !points.col(i).allFinite(); },
       [](int i) { return "point " + std::to_string(i); }, function,
       "#point with a coordinate that is not finite", "finite coordinates are needed");
-  const Plane_points in_frame = Curve_frame(points).to_frame(points);
+  const internal::Plane_points in_frame = internal::Curve_frame(points).to_frame(points);
   internal::require_edges(in_frame, is_closed, function);
   internal::require_turns(in_frame, is_closed, function);
 }

@@ -17,8 +17,9 @@ namespace Conformal_geometry_processing {
 /// vertex 0 is not used: it turns the last edge of a closed polygon into the first.
 /// \param curvatures one per vertex \param angle of edge 0, theta_0
 /// \param tangents receives an edge per column, 2 x number of edges
-void integrate_curvature(const Eigen::VectorXd& curvatures, const Polygon_lengths& lengths,
-                         double angle, Plane_points& tangents);
+void integrate_curvature(const Eigen::VectorXd& curvatures,
+                         const internal::Polygon_lengths& lengths, double angle,
+                         internal::Plane_points& tangents);
 
 }  // namespace Conformal_geometry_processing
 

@@ -13,8 +13,8 @@
 namespace Conformal_geometry_processing {
 
 CGP_INLINE void integrate_curvature(const Eigen::VectorXd& curvatures,
-                                    const Polygon_lengths& lengths, double angle,
-                                    Plane_points& tangents)
+                                    const internal::Polygon_lengths& lengths, double angle,
+                                    internal::Plane_points& tangents)
 {
   tangents.resize(2, lengths.size_of_edges());
   for (Eigen::Index i = 0; i < lengths.size_of_edges(); ++i) {

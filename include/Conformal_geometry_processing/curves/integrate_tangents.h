@@ -24,8 +24,9 @@ namespace Conformal_geometry_processing {
 ///
 /// \param tangents an edge per column \param points receives the vertices, the first one at 0
 /// \returns the sum of the edges of a closed polygon: the gap that was distributed
-Eigen::Vector2d integrate_tangents(const Plane_points& tangents, const Polygon_lengths& lengths,
-                                   Plane_points& points);
+Eigen::Vector2d integrate_tangents(const internal::Plane_points& tangents,
+                                   const internal::Polygon_lengths& lengths,
+                                   internal::Plane_points& points);
 
 }  // namespace Conformal_geometry_processing
 

@@ -11,10 +11,11 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Eigen::Vector2d integrate_tangents(const Plane_points& tangents,
-                                              const Polygon_lengths& lengths, Plane_points& points)
+CGP_INLINE Eigen::Vector2d integrate_tangents(const internal::Plane_points& tangents,
+                                              const internal::Polygon_lengths& lengths,
+                                              internal::Plane_points& points)
 {
-  Compensated_sum sum;
+  internal::Compensated_sum sum;
   if (lengths.is_closed())
     for (Eigen::Index i = 0; i < tangents.cols(); ++i) sum.add(tangents.col(i));
   const Eigen::Vector2d gap = sum.value();
@@ -22,7 +23,7 @@ CGP_INLINE Eigen::Vector2d integrate_tangents(const Plane_points& tangents,
   const Eigen::Index m = lengths.size_of_vertices();
   points.resize(2, m);
   points.col(0).setZero();
-  Compensated_sum point;
+  internal::Compensated_sum point;
   for (Eigen::Index i = 0; i + 1 < m; ++i) {
     point.add(tangents.col(i) - lengths.edges()[i] * share);
     points.col(i + 1) = point.value();

@@ -17,10 +17,10 @@ namespace Conformal_geometry_processing {
 /// reverses its direction, the sign is arbitrary; `require_polygon()` rejects this case.
 /// \param points the vertices, 2 x m, m > 2
 /// \param angles receives m numbers, zero at the ends of an open polygon
-void turning_angles(const Plane_points& points, bool is_closed, Eigen::VectorXd& angles);
+void turning_angles(const internal::Plane_points& points, bool is_closed, Eigen::VectorXd& angles);
 
 /// \relates turning_angles
-Eigen::VectorXd turning_angles(const Plane_points& points, bool is_closed);
+Eigen::VectorXd turning_angles(const internal::Plane_points& points, bool is_closed);
 
 }  // namespace Conformal_geometry_processing
 

@@ -12,7 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE void turning_angles(const Plane_points& points, bool is_closed, Eigen::VectorXd& angles)
+CGP_INLINE void turning_angles(const internal::Plane_points& points, bool is_closed,
+                               Eigen::VectorXd& angles)
 {
   const Eigen::Index m = points.cols();
   angles.resize(m);
@@ -26,7 +27,7 @@ CGP_INLINE void turning_angles(const Plane_points& points, bool is_closed, Eigen
   if (!is_closed) angles[0] = angles[m - 1] = 0;
 }
 
-CGP_INLINE Eigen::VectorXd turning_angles(const Plane_points& points, bool is_closed)
+CGP_INLINE Eigen::VectorXd turning_angles(const internal::Plane_points& points, bool is_closed)
 {
   Eigen::VectorXd angles;
   turning_angles(points, is_closed, angles);

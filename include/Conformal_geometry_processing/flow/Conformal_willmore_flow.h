@@ -86,7 +86,7 @@ class Conformal_willmore_flow {
   template <class Visitor = Flow_visitor>
   Flow_step_report step(Visitor&& visitor = Visitor())
   {
-    Stopwatch watch;
+    internal::Stopwatch watch;
     Flow_step_report report;
     report.step = m_steps + 1;
     report.energy_before = report.energy = m_energy;
@@ -95,7 +95,7 @@ class Conformal_willmore_flow {
       report.direction_norm = direction.norm;
       report.remaining_share = direction.share;
       if (direction.has_vanished(m_options.direction_tolerance) && !is_turning())
-        report.stop = Flow_stop::direction_vanished;
+        report.stop = Flow_step_report::Stop::direction_vanished;
       else
         find_time_step(direction.v, report, [&](const Eigensolver_progress& progress) {
           visitor.on_iteration(progress);
@@ -104,7 +104,7 @@ class Conformal_willmore_flow {
     } catch (const Solver_error& error) {
       if (is_out_of_memory(error)) throw;  // a smaller step needs as much memory
       report.message = error.what();
-      report.stop = Flow_stop::step_failed;
+      report.stop = Flow_step_report::Stop::step_failed;
     }
     report.seconds = watch.lap();
     return report;
@@ -114,15 +114,15 @@ class Conformal_willmore_flow {
   template <class Visitor = Flow_visitor>
   Flow_report run(Visitor&& visitor = Visitor())
   {
-    Stopwatch watch;
+    internal::Stopwatch watch;
     Flow_report report;
     report.initial_energy = m_energy;
     visitor.on_flow_begin(m_mesh, m_energy);
-    while (report.stop == Flow_stop::none) {
+    while (report.stop == Flow_step_report::Stop::none) {
       if (static_cast<int>(report.steps.size()) >= m_options.max_steps)
-        report.stop = Flow_stop::steps_done;
+        report.stop = Flow_step_report::Stop::steps_done;
       else if (!visitor.go_further())
-        report.stop = Flow_stop::cancelled;
+        report.stop = Flow_step_report::Stop::cancelled;
       else if (append(report, step(visitor)))
         visitor.on_step_end(report.steps.back(), m_mesh);
     }
@@ -181,12 +181,13 @@ class Conformal_willmore_flow {
   std::string m_function;
   Flow_options m_options;
   Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
-  Mesh_view m_initial, m_mesh, m_next;             // m_next: workspace for trials
-  std::optional<Well_shaped_faces> m_well_shaped;  // of the initial mesh, with mollification
-  Constrained_direction<SolverTraits, EigensolverTraits, Direction> m_direction;
-  Flow_balance m_balance;
+  Mesh_view m_initial, m_mesh, m_next;  // m_next: workspace for trials
+  std::optional<internal::Well_shaped_faces>
+      m_well_shaped;  // of the initial mesh, with mollification
+  internal::Constrained_direction<SolverTraits, EigensolverTraits, Direction> m_direction;
+  internal::Flow_balance m_balance;
   double m_energy;
-  Time_step m_time_step;
+  internal::Time_step m_time_step;
   int m_steps = 0;
 };
 

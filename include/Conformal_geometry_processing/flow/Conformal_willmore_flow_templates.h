@@ -63,7 +63,7 @@ Mesh_view Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::i
     const Mesh_view& mesh)
 {
   const Points& positions = mesh.positions();
-  return {Normalized_frame(positions).to_frame(positions), mesh.corners()};
+  return {internal::Normalized_frame(positions).to_frame(positions), mesh.corners()};
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
@@ -72,21 +72,21 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::find_t
 {
   const double first = m_time_step.value();
   const Eigen::VectorXd back = m_direction.exact_part(m_balance.potential(m_mesh));
-  for (int slight_rises = 0; !report.accepted && report.stop == Flow_stop::none;) {
+  for (int slight_rises = 0; !report.accepted && report.stop == Flow_step_report::Stop::none;) {
     const double tau = report.time_step = m_time_step.value();
     ++report.trials;
     const Verdict verdict = try_step(tau * v + tau / first * back, report, go_further);
     slight_rises += verdict == Verdict::rises_slightly;
     if (verdict == Verdict::cancelled)
-      report.stop = Flow_stop::cancelled;
+      report.stop = Flow_step_report::Stop::cancelled;
     else if (verdict == Verdict::good)
       accept(report);
     else if (!m_options.backtracking)
-      report.stop = Flow_stop::step_failed;
+      report.stop = Flow_step_report::Stop::step_failed;
     else if (slight_rises == 2)  // halving the step does not help: this is the minimum
-      report.stop = Flow_stop::energy_settled;
+      report.stop = Flow_step_report::Stop::energy_settled;
     else if (!m_time_step.halve())
-      report.stop = Flow_stop::time_step_too_small;
+      report.stop = Flow_step_report::Stop::time_step_too_small;
   }
 }
 
@@ -196,7 +196,7 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::accept
   m_time_step.grow();
   const double change = report.energy - report.energy_before;
   if (internal::Has_energy<Direction>::value && is_small(change, report.time_step))
-    report.stop = Flow_stop::energy_settled;
+    report.stop = Flow_step_report::Stop::energy_settled;
 }
 
 }  // namespace Conformal_geometry_processing

@@ -16,6 +16,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgFlow
 /// \brief filters the direction of a flow and projects it onto the constraints [CGP 6.4.4].
 ///
@@ -75,6 +77,8 @@ class Constrained_direction {
   std::optional<Curvature_filter<SolverTraits>> m_filter;
   std::string m_function;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

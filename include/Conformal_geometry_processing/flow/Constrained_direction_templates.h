@@ -20,15 +20,15 @@
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-bool Constrained_direction<SolverTraits, EigensolverTraits, Direction>::Result::has_vanished(
-    double tolerance) const
+bool internal::Constrained_direction<SolverTraits, EigensolverTraits,
+                                     Direction>::Result::has_vanished(double tolerance) const
 {
   const double norm_of_spheres = std::sqrt(4 * 3.14159265358979323846);
   return share <= tolerance || norm <= tolerance * norm_of_spheres;
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-Constrained_direction<SolverTraits, EigensolverTraits, Direction>::Constrained_direction(
+internal::Constrained_direction<SolverTraits, EigensolverTraits, Direction>::Constrained_direction(
     Transformation& transformation, Direction direction, const Flow_options& options,
     std::string function)
     : m_transformation(transformation),
@@ -39,7 +39,7 @@ Constrained_direction<SolverTraits, EigensolverTraits, Direction>::Constrained_d
 {}
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-auto Constrained_direction<SolverTraits, EigensolverTraits, Direction>::operator()(
+auto internal::Constrained_direction<SolverTraits, EigensolverTraits, Direction>::operator()(
     const Mesh_view& mesh) -> Result
 {
   const internal::Framed_surface& domain = m_transformation.domain();
@@ -56,28 +56,28 @@ auto Constrained_direction<SolverTraits, EigensolverTraits, Direction>::operator
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-Eigen::VectorXd Constrained_direction<SolverTraits, EigensolverTraits, Direction>::exact_part(
-    const Eigen::VectorXd& rho)
+Eigen::VectorXd internal::Constrained_direction<SolverTraits, EigensolverTraits,
+                                                Direction>::exact_part(const Eigen::VectorXd& rho)
 {
   return rho.isZero(0) ? rho : exactness().basis().project_out(rho);
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-double Constrained_direction<SolverTraits, EigensolverTraits, Direction>::period_defect(
+double internal::Constrained_direction<SolverTraits, EigensolverTraits, Direction>::period_defect(
     const Quaternion_vector<double>& lambda)
 {
   return exactness().period_defect(transformed_edges(m_transformation.system().surface(), lambda));
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-auto Constrained_direction<SolverTraits, EigensolverTraits, Direction>::constrained(
+auto internal::Constrained_direction<SolverTraits, EigensolverTraits, Direction>::constrained(
     const Eigen::VectorXd& raw) -> Result
 {
   const auto& system = m_transformation.system();
   const double unit = m_transformation.domain().unit();
-  Constraint_basis all = exactness().basis();
+  internal::Constraint_basis all = exactness().basis();
   if (system.is_closed())
-    all.add(vertex_normals(system.surface(), Normal_weight::angle).transpose());
+    all.add(vertex_normals(system.surface(), internal::Normal_weight::angle).transpose());
   Result result;
   result.v = all.project_out(filtered(raw));
   result.norm = all.norm(result.v) * unit;
@@ -86,16 +86,16 @@ auto Constrained_direction<SolverTraits, EigensolverTraits, Direction>::constrai
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-const Exactness_constraints&
-Constrained_direction<SolverTraits, EigensolverTraits, Direction>::exactness()
+const internal::Exactness_constraints&
+internal::Constrained_direction<SolverTraits, EigensolverTraits, Direction>::exactness()
 {
   return m_transformation.exactness(Curvature_potential::On::vertices);
 }
 
 // With mollification, the surface and its pattern change in every step.
 template <class SolverTraits, class EigensolverTraits, class Direction>
-Eigen::VectorXd Constrained_direction<SolverTraits, EigensolverTraits, Direction>::filtered(
-    const Eigen::VectorXd& v)
+Eigen::VectorXd internal::Constrained_direction<SolverTraits, EigensolverTraits,
+                                                Direction>::filtered(const Eigen::VectorXd& v)
 {
   if (!(m_filter_weight > 0)) return v;
   const auto& system = m_transformation.system();
@@ -108,8 +108,9 @@ Eigen::VectorXd Constrained_direction<SolverTraits, EigensolverTraits, Direction
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-void Constrained_direction<SolverTraits, EigensolverTraits, Direction>::require_one_per_vertex(
-    const Eigen::VectorXd& v) const
+void internal::Constrained_direction<SolverTraits, EigensolverTraits,
+                                     Direction>::require_one_per_vertex(const Eigen::VectorXd& v)
+    const
 {
   if (v.size() != m_transformation.positions().cols())
     throw Precondition_error(m_function, "the direction has " + std::to_string(v.size()) +
@@ -126,8 +127,8 @@ void Constrained_direction<SolverTraits, EigensolverTraits, Direction>::require_
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Constrained_direction<Default_solver_traits, Lobpcg_eigensolver_traits,
-                                            Willmore_direction>;
+extern template class internal::Constrained_direction<
+    Default_solver_traits, Lobpcg_eigensolver_traits, Willmore_direction>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -14,6 +14,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgFlow
 /// \brief high-pass filter for a function on the vertices, such as the direction of a curvature
 /// flow, which then preserves the large features of the surface [CGP 6.4.2.1].
@@ -90,6 +92,8 @@ class Curvature_filter {
   Eigen::VectorXd m_masses;  // |V|; C = (L + diag(m_masses))^-1 diag(m_masses)
   Solver m_solver;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -20,8 +20,8 @@
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits>
-Curvature_filter<SolverTraits>::Curvature_filter(const Surface_ref& surface, double weight,
-                                                 int order)
+internal::Curvature_filter<SolverTraits>::Curvature_filter(const Surface_ref& surface,
+                                                           double weight, int order)
     : Curvature_filter(surface, weight, order, vertex_graph(surface))
 {
   check("analysis", m_solver.analyze(m_L.pattern()));
@@ -29,7 +29,7 @@ Curvature_filter<SolverTraits>::Curvature_filter(const Surface_ref& surface, dou
 }
 
 template <class SolverTraits>
-void Curvature_filter<SolverTraits>::update_geometry()
+void internal::Curvature_filter<SolverTraits>::update_geometry()
 {
   if (m_order == 0) return;
   const Eigen::VectorXd areas = vertex_areas(m_surface);
@@ -40,7 +40,7 @@ void Curvature_filter<SolverTraits>::update_geometry()
 }
 
 template <class SolverTraits>
-Eigen::VectorXd Curvature_filter<SolverTraits>::operator()(const Eigen::VectorXd& v) const
+Eigen::VectorXd internal::Curvature_filter<SolverTraits>::operator()(const Eigen::VectorXd& v) const
 {
   if (m_order == 0) return m_weight / (1 + m_weight) * v;
   // The recurrence of the Chebyshev polynomials in 2C - 1, whose spectrum is in [-1, 1].
@@ -55,9 +55,9 @@ Eigen::VectorXd Curvature_filter<SolverTraits>::operator()(const Eigen::VectorXd
 }
 
 template <class SolverTraits>
-Curvature_filter<SolverTraits>::Curvature_filter(const Surface_ref& surface, double weight,
-                                                 int order,
-                                                 std::shared_ptr<const Sparse_pattern> pattern)
+internal::Curvature_filter<SolverTraits>::Curvature_filter(
+    const Surface_ref& surface, double weight, int order,
+    std::shared_ptr<const Sparse_pattern> pattern)
     : m_surface(surface), m_weight(weight), m_order(order), m_L(std::move(pattern))
 {
   if (!(weight > 0) || !std::isfinite(weight))
@@ -70,7 +70,7 @@ Curvature_filter<SolverTraits>::Curvature_filter(const Surface_ref& surface, dou
 }
 
 template <class SolverTraits>
-Eigen::VectorXd Curvature_filter<SolverTraits>::smoothed(const Eigen::VectorXd& v) const
+Eigen::VectorXd internal::Curvature_filter<SolverTraits>::smoothed(const Eigen::VectorXd& v) const
 {
   Block<double> x;
   check("solution", m_solver.solve(m_masses.cwiseProduct(v), x));
@@ -78,7 +78,7 @@ Eigen::VectorXd Curvature_filter<SolverTraits>::smoothed(const Eigen::VectorXd& 
 }
 
 template <class SolverTraits>
-Eigen::VectorXd Curvature_filter<SolverTraits>::gain_series(int k)
+Eigen::VectorXd internal::Curvature_filter<SolverTraits>::gain_series(int k)
 {
   const double pi = 3.14159265358979323846, precision = 1e-10;
   const double pole = k == 1 ? HUGE_VAL : std::tan(pi / (2 * k));
@@ -95,7 +95,7 @@ Eigen::VectorXd Curvature_filter<SolverTraits>::gain_series(int k)
 }
 
 template <class SolverTraits>
-void Curvature_filter<SolverTraits>::check(const char* step, Solver_status status)
+void internal::Curvature_filter<SolverTraits>::check(const char* step, Solver_status status)
 {
   if (status != Solver_status::success)
     throw Solver_error("Curvature_filter",
@@ -107,7 +107,7 @@ void Curvature_filter<SolverTraits>::check(const char* step, Solver_status statu
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Curvature_filter<Default_solver_traits>;
+extern template class internal::Curvature_filter<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 #endif

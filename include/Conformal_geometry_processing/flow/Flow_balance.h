@@ -18,6 +18,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgFlow
 /// \brief keeps a flow balanced as its options specify.
 class Flow_balance {
@@ -32,7 +34,7 @@ class Flow_balance {
                const std::string& function)
       : m_way(options.balancing)
   {
-    if (options.balance == Balance::none) return;
+    if (options.balance == Flow_options::Balance::none) return;
     require_closed(mesh, function);
     m_balancing.emplace(target_areas(options, transformation, function), function);
     (void)m_balancing->imbalance(mesh);  // throws if the number of areas is wrong
@@ -45,7 +47,10 @@ class Flow_balance {
   Eigen::VectorXd potential(const Mesh_view& mesh) const;
 
   /// whether `inverted()` must be applied after a step
-  bool is_by_inversion() const { return m_balancing && m_way == Balancing::inversion; }
+  bool is_by_inversion() const
+  {
+    return m_balancing && m_way == Flow_options::Balancing::inversion;
+  }
 
   /// \brief the balanced image of the surface under sphere inversions, with its area and centroid.
   /// \pre `is_by_inversion()`
@@ -56,16 +61,18 @@ class Flow_balance {
   static Eigen::VectorXd target_areas(const Flow_options& options, Transformation& transformation,
                                       const std::string& function)
   {
-    if (options.balance == Balance::prescribed) return options.target_areas;
+    if (options.balance == Flow_options::Balance::prescribed) return options.target_areas;
     const Surface_ref surface = transformation.system().surface();
-    if (options.balance == Balance::initial) return vertex_areas(surface);
+    if (options.balance == Flow_options::Balance::initial) return vertex_areas(surface);
     const Harmonic_basis& forms = transformation.exactness(Curvature_potential::On::vertices).forms;
     return canonical_vertex_areas(surface, canonical_area_density(forms, function));
   }
 
-  Balancing m_way;
+  Flow_options::Balancing m_way;
   std::optional<Moebius_balancing> m_balancing;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

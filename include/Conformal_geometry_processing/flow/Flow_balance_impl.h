@@ -11,15 +11,15 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Eigen::VectorXd Flow_balance::potential(const Mesh_view& mesh) const
+CGP_INLINE Eigen::VectorXd internal::Flow_balance::potential(const Mesh_view& mesh) const
 {
-  if (!m_balancing || m_way != Balancing::potential)
+  if (!m_balancing || m_way != Flow_options::Balancing::potential)
     return Eigen::VectorXd::Zero(mesh.size_of_vertices());
-  return Moebius_balancing::curvature_change(m_balancing->step(mesh),
-                                             vertex_normals(mesh, Normal_weight::angle));
+  return internal::Moebius_balancing::curvature_change(
+      m_balancing->step(mesh), vertex_normals(mesh, internal::Normal_weight::angle));
 }
 
-CGP_INLINE Points Flow_balance::inverted(Mesh_view mesh) const
+CGP_INLINE Points internal::Flow_balance::inverted(Mesh_view mesh) const
 {
   const int most_inversions = 8;
   const double worthwhile = 1e-3;  // share of the imbalance

@@ -16,27 +16,25 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// \brief the vertex areas towards which the surface is balanced among its Moebius transforms.
-///
-/// The Moebius transforms of a surface do not differ in curvature, so a flow without balance may
-/// drift, on tori in particular.
-enum class Balance {
-  none,
-  initial,    ///< the initial areas
-  canonical,  ///< those of the canonical metric [CGP 4.5.3]; genus > 0
-  prescribed  ///< `Flow_options::target_areas`
-};
-
-/// \ingroup PkgFlow
-/// how balance is kept
-enum class Balancing {
-  inversion,  ///< by an exact sphere inversion after each step: converges quadratically
-  potential   ///< by a term of rho, to first order [CGP 6.4.4]
-};
-
-/// \ingroup PkgFlow
 /// options of a conformal Willmore flow
 struct Flow_options {
+  /// how balance is kept
+  enum class Balancing {
+    inversion,  ///< by an exact sphere inversion after each step: converges quadratically
+    potential   ///< by a term of rho, to first order [CGP 6.4.4]
+  };
+
+  /// \brief the vertex areas towards which the surface is balanced among its Moebius transforms.
+  ///
+  /// The Moebius transforms of a surface do not differ in curvature, so a flow without balance may
+  /// drift, on tori in particular.
+  enum class Balance {
+    none,
+    initial,    ///< the initial areas
+    canonical,  ///< those of the canonical metric [CGP 4.5.3]; genus > 0
+    prescribed  ///< `Flow_options::target_areas`
+  };
+
   /// tau in rho = -tau H. The flow is stable for 0 < tau < 2 on every mesh; tau = 1 removes high
   /// frequencies in one step. Near the round sphere a bump of degree k is multiplied by 1 - tau (1
   /// - 2 / (k (k + 1))). The thesis writes tau = 2 tau', so its bound is tau' < 1.
@@ -71,7 +69,7 @@ struct Flow_options {
 
   Balance balance = Balance::none;
   Balancing balancing = Balancing::inversion;
-  Eigen::VectorXd target_areas;  ///< for `Balance::prescribed`, |V| positive numbers
+  Eigen::VectorXd target_areas;  ///< for `Flow_options::Balance::prescribed`, |V| positive numbers
 
   /// the condition at the boundary, if the surface has one: directions, or free
   Boundary_condition boundary;

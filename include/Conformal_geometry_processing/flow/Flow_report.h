@@ -12,45 +12,44 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgFlow
-/// why a flow has stopped
-enum class Flow_stop {
-  none,                 ///< it has not stopped: it can continue
-  energy_settled,       ///< the energy changes by less than the tolerance
-  direction_vanished,   ///< the constraints leave less of the direction than the tolerance
-  steps_done,           ///< the requested number of steps is done
-  cancelled,            ///< the visitor cancelled
-  time_step_too_small,  ///< no step of at least `min_time_step` is acceptable
-  step_failed           ///< no step could be computed, or a step was rejected and backtracking is
-                        ///< off
-};
-
-/// \relates Flow_report
-/// the reason in words
-const char* to_string(Flow_stop stop);
-
-/// \ingroup PkgFlow
 /// \brief the numbers that verify one step of a flow.
 struct [[nodiscard]] Flow_step_report {
-  int step = 0;                      ///< its number, from 1
-  bool accepted = false;             ///< the surface has moved
-  Flow_stop stop = Flow_stop::none;  ///< why the flow must stop after this step, if it must
-  std::string message;               ///< why the last trial was rejected, if it was
+  /// why a flow has stopped
+  enum class Stop {
+    none,                 ///< it has not stopped: it can continue
+    energy_settled,       ///< the energy changes by less than the tolerance
+    direction_vanished,   ///< the constraints leave less of the direction than the tolerance
+    steps_done,           ///< the requested number of steps is done
+    cancelled,            ///< the visitor cancelled
+    time_step_too_small,  ///< no step of at least `min_time_step` is acceptable
+    step_failed           ///< no step could be computed, or a step was rejected and backtracking is
+                          ///< off
+  };
+
+  int step = 0;            ///< its number, from 1
+  bool accepted = false;   ///< the surface has moved
+  Stop stop = Stop::none;  ///< why the flow must stop after this step, if it must
+  std::string message;     ///< why the last trial was rejected, if it was
 
   double energy_before = 0, energy = 0;  ///< of the direction; Willmore energy if it has none
   double time_step = 0;                  ///< tau of the last trial
   int trials = 0;                        ///< how many time steps were tried
   double direction_norm = 0;             ///< root of the integral of v^2, after projection
   double remaining_share = 0;            ///< of the direction, after projection
-  double period_defect = 0;      ///< harmonic part of the new edges, relative; zero without loops
-  Spin_report spin;              ///< the spin transformation of the step, with its distortion
-  Distribution quasi_conformal;  ///< from the initial surface to the present one
-  double seconds = 0;            ///< wall clock, all trials together
+  double period_defect = 0;  ///< harmonic part of the new edges, relative; zero without loops
+  Spin_report spin;          ///< the spin transformation of the step, with its distortion
+  internal::Distribution quasi_conformal;  ///< from the initial surface to the present one
+  double seconds = 0;                      ///< wall clock, all trials together
 };
+
+/// \relates Flow_report
+/// the reason in words
+const char* to_string(Flow_step_report::Stop stop);
 
 /// \ingroup PkgFlow
 /// \brief the numbers that verify a whole flow.
 struct [[nodiscard]] Flow_report {
-  Flow_stop stop = Flow_stop::none;
+  Flow_step_report::Stop stop = Flow_step_report::Stop::none;
   std::string message;                  ///< why the last trial was rejected, if it was
   std::vector<Flow_step_report> steps;  ///< the accepted ones
   double initial_energy = 0, energy = 0;
@@ -61,7 +60,10 @@ struct [[nodiscard]] Flow_report {
   bool converged() const;
 
   /// whether it has converged, or made the requested number of steps
-  explicit operator bool() const { return converged() || stop == Flow_stop::steps_done; }
+  explicit operator bool() const
+  {
+    return converged() || stop == Flow_step_report::Stop::steps_done;
+  }
 };
 
 /// \relates Flow_report

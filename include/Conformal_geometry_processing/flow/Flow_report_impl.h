@@ -10,22 +10,22 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE const char* to_string(Flow_stop stop)
+CGP_INLINE const char* to_string(Flow_step_report::Stop stop)
 {
   switch (stop) {
-    case Flow_stop::none:
+    case Flow_step_report::Stop::none:
       return "not stopped";
-    case Flow_stop::energy_settled:
+    case Flow_step_report::Stop::energy_settled:
       return "the energy has settled";
-    case Flow_stop::direction_vanished:
+    case Flow_step_report::Stop::direction_vanished:
       return "nothing is left of the direction";
-    case Flow_stop::steps_done:
+    case Flow_step_report::Stop::steps_done:
       return "all steps are done";
-    case Flow_stop::cancelled:
+    case Flow_step_report::Stop::cancelled:
       return "cancelled";
-    case Flow_stop::time_step_too_small:
+    case Flow_step_report::Stop::time_step_too_small:
       return "the time step became too small";
-    case Flow_stop::step_failed:
+    case Flow_step_report::Stop::step_failed:
       return "the step failed";
   }
   return "unknown";
@@ -33,7 +33,8 @@ CGP_INLINE const char* to_string(Flow_stop stop)
 
 CGP_INLINE bool Flow_report::converged() const
 {
-  return stop == Flow_stop::energy_settled || stop == Flow_stop::direction_vanished;
+  return stop == Flow_step_report::Stop::energy_settled ||
+         stop == Flow_step_report::Stop::direction_vanished;
 }
 
 CGP_INLINE bool append(Flow_report& report, Flow_step_report step)

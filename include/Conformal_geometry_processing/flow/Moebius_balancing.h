@@ -12,6 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgFlow
 /// \brief finds the sphere inversion of a surface that brings the areas of its vertices nearest to
 /// given ones [CGP 4.5.3, 6.4.5.2].
@@ -72,6 +74,8 @@ class Moebius_balancing {
   Eigen::VectorXd m_target;  // |V|
   std::string m_function;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -18,7 +18,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Moebius_balancing::Moebius_balancing(Eigen::VectorXd target_areas, std::string function)
+CGP_INLINE internal::Moebius_balancing::Moebius_balancing(Eigen::VectorXd target_areas,
+                                                          std::string function)
     : m_target(std::move(target_areas)), m_function(std::move(function))
 {
   for (Eigen::Index v = 0; v < m_target.size(); ++v)
@@ -28,18 +29,19 @@ CGP_INLINE Moebius_balancing::Moebius_balancing(Eigen::VectorXd target_areas, st
                                                "; positive areas are needed");
 }
 
-CGP_INLINE Eigen::VectorXd Moebius_balancing::log_length_scale(const Mesh_view& mesh) const
+CGP_INLINE Eigen::VectorXd internal::Moebius_balancing::log_length_scale(
+    const Mesh_view& mesh) const
 {
   return log_length_scale(areas_of(mesh));
 }
 
-CGP_INLINE double Moebius_balancing::imbalance(const Mesh_view& mesh) const
+CGP_INLINE double internal::Moebius_balancing::imbalance(const Mesh_view& mesh) const
 {
   const Eigen::VectorXd areas = areas_of(mesh);
   return std::sqrt(areas.dot(log_length_scale(areas).cwiseAbs2()) / areas.sum());
 }
 
-CGP_INLINE Eigen::Vector3d Moebius_balancing::step(const Mesh_view& mesh) const
+CGP_INLINE Eigen::Vector3d internal::Moebius_balancing::step(const Mesh_view& mesh) const
 {
   const Eigen::VectorXd areas = areas_of(mesh);
   const Points f = mesh.positions().colwise() - centroid(mesh, areas);
@@ -50,13 +52,13 @@ CGP_INLINE Eigen::Vector3d Moebius_balancing::step(const Mesh_view& mesh) const
   return a / (std::max)(1., 2 * nearness_of_pole);
 }
 
-CGP_INLINE Eigen::VectorXd Moebius_balancing::curvature_change(const Eigen::Vector3d& a,
-                                                               const Points& normals)
+CGP_INLINE Eigen::VectorXd internal::Moebius_balancing::curvature_change(const Eigen::Vector3d& a,
+                                                                         const Points& normals)
 {
   return -2 * normals.transpose() * a;
 }
 
-CGP_INLINE Points Moebius_balancing::balanced(const Mesh_view& mesh) const
+CGP_INLINE Points internal::Moebius_balancing::balanced(const Mesh_view& mesh) const
 {
   const int most_halvings = 6;
   const double before = imbalance(mesh);
@@ -69,7 +71,8 @@ CGP_INLINE Points Moebius_balancing::balanced(const Mesh_view& mesh) const
   return mesh.positions();
 }
 
-CGP_INLINE Points Moebius_balancing::inverted(const Mesh_view& mesh, const Eigen::Vector3d& a)
+CGP_INLINE Points internal::Moebius_balancing::inverted(const Mesh_view& mesh,
+                                                        const Eigen::Vector3d& a)
 {
   const Eigen::VectorXd areas = vertex_areas(mesh);
   const Eigen::Vector3d center = centroid(mesh, areas);
@@ -82,7 +85,7 @@ CGP_INLINE Points Moebius_balancing::inverted(const Mesh_view& mesh, const Eigen
   return (scale * (image.positions().colwise() - new_center)).colwise() + center;
 }
 
-CGP_INLINE Eigen::VectorXd Moebius_balancing::areas_of(const Mesh_view& mesh) const
+CGP_INLINE Eigen::VectorXd internal::Moebius_balancing::areas_of(const Mesh_view& mesh) const
 {
   if (mesh.size_of_vertices() != m_target.size())
     throw Precondition_error(m_function, std::to_string(m_target.size()) +
@@ -91,14 +94,15 @@ CGP_INLINE Eigen::VectorXd Moebius_balancing::areas_of(const Mesh_view& mesh) co
   return vertex_areas(mesh);
 }
 
-CGP_INLINE Eigen::VectorXd Moebius_balancing::log_length_scale(const Eigen::VectorXd& areas) const
+CGP_INLINE Eigen::VectorXd internal::Moebius_balancing::log_length_scale(
+    const Eigen::VectorXd& areas) const
 {
   const Eigen::VectorXd u = (areas.array() / m_target.array()).log() / 2;
   return u.array() - areas.dot(u) / areas.sum();
 }
 
-CGP_INLINE Eigen::Vector3d Moebius_balancing::centroid(const Mesh_view& mesh,
-                                                       const Eigen::VectorXd& areas)
+CGP_INLINE Eigen::Vector3d internal::Moebius_balancing::centroid(const Mesh_view& mesh,
+                                                                 const Eigen::VectorXd& areas)
 {
   return mesh.positions() * areas / areas.sum();
 }

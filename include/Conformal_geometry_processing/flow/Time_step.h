@@ -7,6 +7,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgFlow
 /// \brief the time step of a flow with backtracking: shrinks after failures and grows again.
 ///
@@ -28,6 +30,8 @@ class Time_step {
  private:
   double m_largest, m_smallest, m_value;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -8,11 +8,11 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Time_step::Time_step(double largest, double smallest)
+CGP_INLINE internal::Time_step::Time_step(double largest, double smallest)
     : m_largest(largest), m_smallest(smallest), m_value(largest)
 {}
 
-CGP_INLINE bool Time_step::halve()
+CGP_INLINE bool internal::Time_step::halve()
 {
   if (m_value / 2 < m_smallest) return false;
   m_value /= 2;

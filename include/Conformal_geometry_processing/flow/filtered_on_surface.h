@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgFlow
 /// options of `filtered_on_surface()`
 struct Filter_options {
@@ -21,6 +23,8 @@ struct Filter_options {
   int order = 1;         ///< k >= 0, the sharpness of the cut-off
   double amount = 1;     ///< of `Curvature_band::unsharp`
 };
+
+}  // namespace internal
 
 /// \ingroup PkgFlow
 /// \brief filters a function on the vertices, such as rho or a height, by its frequencies on the
@@ -32,11 +36,13 @@ struct Filter_options {
 /// \throw Solver_error if a factorization fails
 template <class SolverTraits = Default_solver_traits>
 Eigen::VectorXd filtered_on_surface(const Mesh_view& mesh, const Eigen::VectorXd& v,
-                                    Curvature_band band, const Filter_options& options = {})
+                                    Curvature_band band,
+                                    const internal::Filter_options& options = {})
 {
   const Points& positions = mesh.positions();
-  const Mesh_view in_frame(Normalized_frame(positions).to_frame(positions), mesh.corners());
-  const Curvature_filter<SolverTraits> filter(in_frame, options.weight, options.order);
+  const Mesh_view in_frame(internal::Normalized_frame(positions).to_frame(positions),
+                           mesh.corners());
+  const internal::Curvature_filter<SolverTraits> filter(in_frame, options.weight, options.order);
   return band_of(v, filter(v), band, options.amount);
 }
 

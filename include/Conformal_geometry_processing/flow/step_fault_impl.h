@@ -14,7 +14,7 @@ CGP_INLINE std::string step_fault(const Spin_report& report, bool is_turning,
                                   const Flow_options& options)
 {
   if (!report.converged) return "the Dirac equation is not solved";
-  if (report.boundary_fault == Boundary_fault::not_realizable && is_turning)
+  if (report.boundary_fault == Spin_report::Boundary_fault::not_realizable && is_turning)
     return to_string(report.boundary_fault);
   if (!options.backtracking) return {};
   const double distortion = report.conformality.quasi_conformal.mean;

@@ -10,6 +10,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgForms
 /// \brief solves D^H M_F D Y = c on a connected closed surface, where the kernel consists of the
 /// constants.
@@ -49,6 +51,8 @@ class Dirac_energy_inverse {
   const Eigen::VectorXd& m_areas;
   const Solver& m_solver;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -15,14 +15,14 @@
 namespace Conformal_geometry_processing {
 
 template <class Solver>
-Dirac_energy_inverse<Solver>::Dirac_energy_inverse(
+internal::Dirac_energy_inverse<Solver>::Dirac_energy_inverse(
     const Hermitian_sparse_matrix<Quaternion<double>>& X, const Eigen::VectorXd& areas,
     const Solver& solver)
     : m_X(X), m_areas(areas), m_solver(solver)
 {}
 
 template <class Solver>
-auto Dirac_energy_inverse<Solver>::operator()(const Vectors& c) const -> Vectors
+auto internal::Dirac_energy_inverse<Solver>::operator()(const Vectors& c) const -> Vectors
 {
   Vectors Y(c.rows(), c.cols());
   for (Eigen::Index first = 0; first < c.cols(); first += at_once) {
@@ -33,7 +33,7 @@ auto Dirac_energy_inverse<Solver>::operator()(const Vectors& c) const -> Vectors
 }
 
 template <class Solver>
-auto Dirac_energy_inverse<Solver>::solve(Vectors c) const -> Vectors
+auto internal::Dirac_energy_inverse<Solver>::solve(Vectors c) const -> Vectors
 {
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(c.rows());
   remove_mean(c, ones);
@@ -43,7 +43,7 @@ auto Dirac_energy_inverse<Solver>::solve(Vectors c) const -> Vectors
     factor(r, z);
     remove_mean(z, ones);
   };
-  Conjugate_gradients_options options;
+  internal::Conjugate_gradients_options options;
   options.tolerance = 1e-11;
   Vectors Y;
   const auto result = conjugate_gradients(block_operator(m_X), precondition, c, Y, options);
@@ -55,7 +55,7 @@ auto Dirac_energy_inverse<Solver>::solve(Vectors c) const -> Vectors
 }
 
 template <class Solver>
-void Dirac_energy_inverse<Solver>::remove_mean(Vectors& v, const Eigen::VectorXd& masses)
+void internal::Dirac_energy_inverse<Solver>::remove_mean(Vectors& v, const Eigen::VectorXd& masses)
 {
   for (auto column : v.colwise()) {
     Quaternion<double> sum{};
@@ -70,7 +70,7 @@ void Dirac_energy_inverse<Solver>::remove_mean(Vectors& v, const Eigen::VectorXd
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Dirac_energy_inverse<Supernodal_cholesky<Quaternion<double>>>;
+extern template class internal::Dirac_energy_inverse<Supernodal_cholesky<Quaternion<double>>>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -53,7 +53,7 @@ void remove_exact_parts(const Surface_ref& surface, const Eigen::VectorXd& w,
 /// Replaces closed forms by orthonormal ones with the same span. Uses their fields, whose inner
 /// products are positive definite despite rounding, unlike sums with negative cotan weights.
 /// \throw Precondition_error if they are linearly dependent, or a number is not finite
-void orthonormalize(const Surface_ref& surface, Eigen::MatrixXd& forms);
+void orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms);
 
 }  // namespace internal
 }  // namespace Conformal_geometry_processing

@@ -53,7 +53,7 @@ CGP_INLINE void require_independent(const Eigen::VectorXd& pivots)
     throw Precondition_error("orthonormalize", "the 1-forms are not linearly independent");
 }
 
-CGP_INLINE void orthonormalize(const Surface_ref& surface, Eigen::MatrixXd& forms)
+CGP_INLINE void orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms)
 {
   if (forms.cols() == 0) return;
   for (int pass = 0; pass < 2; ++pass) {  // the second pass removes the rounding errors of the

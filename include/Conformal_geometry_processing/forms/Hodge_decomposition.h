@@ -14,6 +14,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgForms
 /// the parts of k 1-forms: they sum up to the forms and are pairwise orthogonal
 struct Hodge_parts {
@@ -22,6 +24,8 @@ struct Hodge_parts {
   Eigen::MatrixXd coexact;    ///< |E| x k
   Eigen::MatrixXd harmonic;   ///< |E| x k
 };
+
+}  // namespace internal
 
 /// \ingroup PkgForms
 /// \brief splits 1-forms of a surface into exact, co-exact and harmonic parts, and computes a basis
@@ -59,7 +63,7 @@ class Hodge_decomposition {
   /// \pre `require_surface(mesh)` holds
   /// \throw Precondition_error if the generators are not independent
   Hodge_decomposition(const Surface_ref& surface, const Eigen::MatrixXd& generators,
-                      const Grounded_solver<SolverTraits>& laplacian);
+                      const internal::Grounded_solver<SolverTraits>& laplacian);
 
   const Harmonic_basis& harmonic_basis() const { return m_basis; }
 
@@ -68,10 +72,10 @@ class Hodge_decomposition {
 
   /// \param omega |E| x k, along each edge i -> j, i < j
   /// \throw Solver_error if the solver fails
-  Hodge_parts decompose(const Eigen::MatrixXd& omega) const;
+  internal::Hodge_parts decompose(const Eigen::MatrixXd& omega) const;
 
  private:
-  using Laplacian = std::shared_ptr<const Grounded_solver<SolverTraits>>;
+  using Laplacian = std::shared_ptr<const internal::Grounded_solver<SolverTraits>>;
 
   // A checked mesh; the checks must precede all other members.
   struct Checked_mesh {
@@ -82,7 +86,7 @@ class Hodge_decomposition {
   explicit Hodge_decomposition(const Checked_mesh& c);
   Hodge_decomposition(const Surface_ref& surface, Eigen::MatrixXd generators, Laplacian laplacian);
   static Laplacian factored(const Mesh_view& mesh);
-  static Laplacian not_owned(const Grounded_solver<SolverTraits>& laplacian);
+  static Laplacian not_owned(const internal::Grounded_solver<SolverTraits>& laplacian);
 
   /// u with L u = d0^T w omega
   Eigen::MatrixXd potential(const Eigen::MatrixXd& omega) const;

@@ -28,14 +28,15 @@ Hodge_decomposition<SolverTraits>::Hodge_decomposition(const Mesh_view& mesh,
 template <class SolverTraits>
 Hodge_decomposition<SolverTraits>::Hodge_decomposition(
     const Surface_ref& surface, const Eigen::MatrixXd& generators,
-    const Grounded_solver<SolverTraits>& laplacian)
+    const internal::Grounded_solver<SolverTraits>& laplacian)
     : Hodge_decomposition(surface, generators, not_owned(laplacian))
 {}
 
 template <class SolverTraits>
-Hodge_parts Hodge_decomposition<SolverTraits>::decompose(const Eigen::MatrixXd& omega) const
+internal::Hodge_parts Hodge_decomposition<SolverTraits>::decompose(
+    const Eigen::MatrixXd& omega) const
 {
-  Hodge_parts parts;
+  internal::Hodge_parts parts;
   parts.potential = potential(omega);
   parts.exact = differential(m_surface, parts.potential);
   const Eigen::MatrixXd rest = omega - parts.exact;
@@ -65,7 +66,7 @@ Hodge_decomposition<SolverTraits>::Hodge_decomposition(const Surface_ref& surfac
 {
   Eigen::MatrixXd& forms = m_basis.one_forms = std::move(generators);
   internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
-  internal::orthonormalize(surface, forms);
+  internal::orthonormalize_forms(surface, forms);
   // Removes the solver's error in the exact part, which is large for generators.
   internal::remove_exact_parts(surface, m_weights, *m_laplacian, forms);
   for (Eigen::Index i = 0; i < forms.cols(); ++i)
@@ -76,14 +77,14 @@ template <class SolverTraits>
 auto Hodge_decomposition<SolverTraits>::factored(const Mesh_view& mesh) -> Laplacian
 {
   const auto pattern = vertex_graph(mesh);
-  const auto solver = std::make_shared<Grounded_solver<SolverTraits>>(pattern);
+  const auto solver = std::make_shared<internal::Grounded_solver<SolverTraits>>(pattern);
   solver->factorize(cotan_laplacian(mesh, pattern));
   return solver;
 }
 
 template <class SolverTraits>
-auto Hodge_decomposition<SolverTraits>::not_owned(const Grounded_solver<SolverTraits>& laplacian)
-    -> Laplacian
+auto Hodge_decomposition<SolverTraits>::not_owned(
+    const internal::Grounded_solver<SolverTraits>& laplacian) -> Laplacian
 {
   return {std::shared_ptr<const void>(), &laplacian};
 }

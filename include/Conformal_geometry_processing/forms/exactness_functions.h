@@ -22,10 +22,14 @@ enum class Exactness {
   thesis    ///< solutions of D Z = v [CGP 6.4.5], least squares: leaves a first-order error O(h^2)
 };
 
+namespace internal {
+
 /// \ingroup PkgForms
 /// \brief computes the response y of lambda = 1 to sources c: (D^H M D) y = c in the space of
 /// spins; |V| x k -> |V| x k.
 using Spin_response = std::function<Block<Quaternion<double>>(const Block<Quaternion<double>>&)>;
+
+}  // namespace internal
 
 /// \ingroup PkgForms
 /// \brief the functions z to which rho must be orthogonal so that the edges of the spin transformed
@@ -44,10 +48,11 @@ using Spin_response = std::function<Block<Quaternion<double>>(const Block<Quater
 /// \param on where the values of rho are
 /// \param version `Exactness::thesis` on closed surfaces only
 /// \returns |V| x 3k or |F| x 3k; column 3 i + a belongs to form i and axis a
-Eigen::MatrixXd exactness_functions(const Surface_ref& surface, const Harmonic_basis& basis,
-                                    const Spin_response& respond, Curvature_potential::On on,
-                                    Coefficients coefficients = Coefficients::quaternions,
-                                    Exactness version = Exactness::adjoint);
+Eigen::MatrixXd exactness_functions(
+    const Surface_ref& surface, const Harmonic_basis& basis, const internal::Spin_response& respond,
+    Curvature_potential::On on,
+    internal::Coefficients coefficients = internal::Coefficients::quaternions,
+    Exactness version = Exactness::adjoint);
 
 }  // namespace Conformal_geometry_processing
 

@@ -113,14 +113,12 @@ CGP_INLINE Eigen::MatrixX4d represented_values(const Surface_ref& surface,
 
 }  // namespace internal
 
-CGP_INLINE Eigen::MatrixXd exactness_functions(const Surface_ref& surface,
-                                               const Harmonic_basis& basis,
-                                               const Spin_response& respond,
-                                               Curvature_potential::On on,
-                                               Coefficients coefficients, Exactness version)
+CGP_INLINE Eigen::MatrixXd exactness_functions(
+    const Surface_ref& surface, const Harmonic_basis& basis, const internal::Spin_response& respond,
+    Curvature_potential::On on, internal::Coefficients coefficients, Exactness version)
 {
   const bool is_adjoint = version == Exactness::adjoint;
-  const bool is_real = coefficients == Coefficients::reals;
+  const bool is_real = coefficients == internal::Coefficients::reals;
   Block<Quaternion<double>> c = is_adjoint ? internal::adjoint_sources(surface, basis)
                                            : internal::field_sources(surface, basis);
   if (is_real) c = internal::sources_along_axes(c);

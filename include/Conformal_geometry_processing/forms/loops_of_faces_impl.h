@@ -16,14 +16,14 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE std::vector<Face_loop> loops_of_faces(const Mesh_view& mesh)
+CGP_INLINE std::vector<internal::Face_loop> loops_of_faces(const Mesh_view& mesh)
 {
   const internal::Tree_cotree trees(mesh);
-  std::vector<Face_loop> loops;
+  std::vector<internal::Face_loop> loops;
   for (const int k : trees.leftover_edges()) {
     // The path through the edge to the root of the tree, and the path to the root from the face
     // before.
-    Face_loop there, back;
+    internal::Face_loop there, back;
     trees.for_each_crossing(
         k, [&](int h, int sign) { sign > 0 ? there.push_back(h) : back.push_back(h); });
     for (; !there.empty() && !back.empty() && there.back() == back.back(); there.pop_back())
@@ -36,7 +36,7 @@ CGP_INLINE std::vector<Face_loop> loops_of_faces(const Mesh_view& mesh)
 }
 
 CGP_INLINE Eigen::MatrixXi crossings_modulo_2(const Mesh_view& mesh,
-                                              const std::vector<Face_loop>& loops)
+                                              const std::vector<internal::Face_loop>& loops)
 {
   const auto n = static_cast<Eigen::Index>(loops.size());
   Eigen::MatrixXi crossings = Eigen::MatrixXi::Zero(n, n);
@@ -46,7 +46,7 @@ CGP_INLINE Eigen::MatrixXi crossings_modulo_2(const Mesh_view& mesh,
       is_crossed[static_cast<std::size_t>(mesh.edge(h))] = 1;
     for (Eigen::Index i = 0; i < n; ++i) {
       // Shifted to its left, the loop runs along the edges of its faces on that side.
-      const Face_loop& loop = loops[static_cast<std::size_t>(i)];
+      const internal::Face_loop& loop = loops[static_cast<std::size_t>(i)];
       for (std::size_t k = 0; k < loop.size(); ++k) {
         const int in = mesh.twin(loop[k]), out = loop[(k + 1) % loop.size()];
         if (Mesh_view::next_in_face(in) == out)

@@ -31,7 +31,7 @@ CGP_INLINE Eigen::MatrixXd random_closed_forms(const Mesh_view& mesh, unsigned s
       [&](int k) { return internal::name_of_edge(mesh, k); }, function,
       "#edge of cotan weight zero", "random 1-forms divide by the weights, take tree and cotree");
 
-  const Topology t = topology(mesh);
+  const internal::Topology t = topology(mesh);
   const bool is_closed = t.boundary_loops == 0;
   const int count = 2 * t.genus + (is_closed ? 0 : t.boundary_loops - 1);
   std::mt19937_64 random(seed);

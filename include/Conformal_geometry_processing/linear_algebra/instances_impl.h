@@ -15,18 +15,18 @@
 
 namespace Conformal_geometry_processing {
 
-template class Grounded_solver<Default_solver_traits>;
-template class Dirichlet_solver<double, Default_solver_traits>;
-template class Dirichlet_solver<Quaternion<double>, Default_solver_traits>;
-template class Real_reduced_solver<Supernodal_cholesky<double>>;
-template class Lagged_solver<Supernodal_cholesky<double>>;
-template class Lagged_solver<Supernodal_cholesky<Quaternion<double>>>;
-template class Multigrid_level<float>;
-template class Multigrid_level<Quaternion<float>>;
-template class Multigrid_cycle<float>;
-template class Multigrid_cycle<Quaternion<float>>;
-template class Multigrid_solver<double>;
-template class Multigrid_solver<Quaternion<double>>;
+template class internal::Grounded_solver<Default_solver_traits>;
+template class internal::Dirichlet_solver<double, Default_solver_traits>;
+template class internal::Dirichlet_solver<Quaternion<double>, Default_solver_traits>;
+template class internal::Real_reduced_solver<Supernodal_cholesky<double>>;
+template class internal::Lagged_solver<Supernodal_cholesky<double>>;
+template class internal::Lagged_solver<Supernodal_cholesky<Quaternion<double>>>;
+template class internal::Multigrid_level<float>;
+template class internal::Multigrid_level<Quaternion<float>>;
+template class internal::Multigrid_cycle<float>;
+template class internal::Multigrid_cycle<Quaternion<float>>;
+template class internal::Multigrid_solver<double>;
+template class internal::Multigrid_solver<Quaternion<double>>;
 
 }  // namespace Conformal_geometry_processing
 

@@ -15,9 +15,9 @@ namespace Conformal_geometry_processing {
 /// \brief Measures of conformality of the map between two surfaces of the same connectivity, part
 /// of the report of every transformation of the library.
 struct Conformality {
-  Distribution quasi_conformal;  ///< of Q >= 1 over the area
-  Length_cross_ratio_change length_cross_ratio;
-  Area_distortion scale;  ///< of lengths
+  internal::Distribution quasi_conformal;  ///< of Q >= 1 over the area
+  internal::Length_cross_ratio_change length_cross_ratio;
+  internal::Area_distortion scale;  ///< of lengths
   int flipped_faces = 0;
 };
 

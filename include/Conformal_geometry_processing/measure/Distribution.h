@@ -7,6 +7,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMeasure
 /// \brief Statistics of a quantity on a surface.
 struct Distribution {
@@ -15,9 +17,11 @@ struct Distribution {
   double max = 0;
 };
 
+}  // namespace internal
+
 /// \ingroup PkgMeasure
 /// Returns statistics of values with positive weights, usually areas; O(n log n)
-Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights);
+internal::Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights);
 
 /// \ingroup PkgMeasure
 /// Returns the share of the weight in each of `bins` intervals of equal width from `low` to `high`;

@@ -15,14 +15,15 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights)
+CGP_INLINE internal::Distribution distribution(const Eigen::VectorXd& values,
+                                               const Eigen::VectorXd& weights)
 {
   if (values.size() == 0) return {};
   std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return values[a] < values[b]; });
   const double total = weights.sum();
-  Distribution d;
+  internal::Distribution d;
   d.mean = values.dot(weights) / total;
   d.max = values[order.back()];
   double below = 0;

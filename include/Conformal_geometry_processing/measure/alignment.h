@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMeasure
 /// A similarity of R^3 that aligns one set of points with another
 struct Alignment {
@@ -21,9 +23,11 @@ struct Alignment {
   Points apply(const Points& points) const;
 };
 
+}  // namespace internal
+
 /// \ingroup PkgMeasure
 /// \brief Computes the least-squares similarity from `source` to `target`, both 3 x n.
-Alignment align(const Points& source, const Points& target);
+internal::Alignment align(const Points& source, const Points& target);
 
 }  // namespace Conformal_geometry_processing
 

@@ -15,7 +15,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Points Alignment::apply(const Points& points) const
+CGP_INLINE Points internal::Alignment::apply(const Points& points) const
 {
   return ((scale * rotation) * points).colwise() + translation;
 }
@@ -37,7 +37,7 @@ CGP_INLINE Eigen::Matrix3d best_rotation(const Eigen::Matrix3d& S)
 
 }  // namespace internal
 
-CGP_INLINE Alignment align(const Points& source, const Points& target)
+CGP_INLINE internal::Alignment align(const Points& source, const Points& target)
 {
   const Eigen::Vector3d from = source.rowwise().mean(), to = target.rowwise().mean();
   Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
@@ -47,7 +47,7 @@ CGP_INLINE Alignment align(const Points& source, const Points& target)
     S += p * (target.col(k) - to).transpose();
     size += p.squaredNorm();
   }
-  Alignment a;
+  internal::Alignment a;
   a.rotation = internal::best_rotation(S);
   a.scale = a.rotation.cwiseProduct(S.transpose()).sum() / size;
   a.translation = to - a.scale * (a.rotation * from);

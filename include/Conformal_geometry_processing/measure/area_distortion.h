@@ -14,6 +14,8 @@ namespace Conformal_geometry_processing {
 /// \param positions the new ones, 3 x |V|
 Eigen::VectorXd length_scales(const Mesh_view& mesh, const Points& positions);
 
+namespace internal {
+
 /// \ingroup PkgMeasure
 /// Measures of the area distortion of a map
 struct Area_distortion {
@@ -21,9 +23,11 @@ struct Area_distortion {
   double log_deviation = 0;  ///< standard deviation of the log of the scale, weighted by area
 };
 
+}  // namespace internal
+
 /// \ingroup PkgMeasure
 /// Computes the area distortion from the mesh to the new positions
-Area_distortion area_distortion(const Mesh_view& mesh, const Points& positions);
+internal::Area_distortion area_distortion(const Mesh_view& mesh, const Points& positions);
 
 }  // namespace Conformal_geometry_processing
 

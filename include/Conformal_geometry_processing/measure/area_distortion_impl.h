@@ -22,7 +22,7 @@ CGP_INLINE Eigen::VectorXd length_scales(const Mesh_view& mesh, const Points& po
   return scale;
 }
 
-CGP_INLINE Area_distortion area_distortion(const Mesh_view& mesh, const Points& positions)
+CGP_INLINE internal::Area_distortion area_distortion(const Mesh_view& mesh, const Points& positions)
 {
   const Eigen::VectorXd scale = length_scales(mesh, positions), areas = face_areas(mesh);
   const Eigen::VectorXd u = scale.array().log();

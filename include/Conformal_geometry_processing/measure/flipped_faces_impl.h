@@ -11,7 +11,7 @@ namespace Conformal_geometry_processing {
 
 CGP_INLINE Points neighbourhood_normals(const Mesh_view& mesh)
 {
-  const Points at_vertices = vertex_normals(mesh, Normal_weight::area);
+  const Points at_vertices = vertex_normals(mesh, internal::Normal_weight::area);
   Points normals(3, mesh.size_of_faces());
   for (int f = 0; f < mesh.size_of_faces(); ++f) {
     const auto& v = mesh.corners(f);

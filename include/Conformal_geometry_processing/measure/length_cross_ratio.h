@@ -17,6 +17,8 @@ namespace Conformal_geometry_processing {
 /// length cross-ratios agree; Moebius transformations of the vertices preserve them.
 Eigen::VectorXd log_length_cross_ratios(const Mesh_view& mesh, const Points& positions);
 
+namespace internal {
+
 /// \ingroup PkgMeasure
 /// Deviation of a map from discrete conformality; zero for Moebius transformations
 struct Length_cross_ratio_change {
@@ -24,9 +26,12 @@ struct Length_cross_ratio_change {
   double max = 0;  ///< absolute
 };
 
+}  // namespace internal
+
 /// \ingroup PkgMeasure
 /// Returns the change of the log length cross-ratios from the mesh to the new positions, 3 x |V|
-Length_cross_ratio_change length_cross_ratio_change(const Mesh_view& mesh, const Points& positions);
+internal::Length_cross_ratio_change length_cross_ratio_change(const Mesh_view& mesh,
+                                                              const Points& positions);
 
 }  // namespace Conformal_geometry_processing
 

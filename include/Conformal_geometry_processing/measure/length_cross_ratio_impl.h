@@ -26,8 +26,8 @@ CGP_INLINE Eigen::VectorXd log_length_cross_ratios(const Mesh_view& mesh, const 
   return ratio;
 }
 
-CGP_INLINE Length_cross_ratio_change length_cross_ratio_change(const Mesh_view& mesh,
-                                                               const Points& positions)
+CGP_INLINE internal::Length_cross_ratio_change length_cross_ratio_change(const Mesh_view& mesh,
+                                                                         const Points& positions)
 {
   const Eigen::VectorXd change =
       log_length_cross_ratios(mesh, positions) - log_length_cross_ratios(mesh, mesh.positions());

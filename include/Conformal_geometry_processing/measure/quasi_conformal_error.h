@@ -33,7 +33,7 @@ Eigen::VectorXd quasi_conformal_errors(const Mesh_view& mesh, const Points& posi
 
 /// \ingroup PkgMeasure
 /// Returns statistics of the quasi-conformal errors, weighted by the areas of the old faces
-Distribution quasi_conformal_error(const Mesh_view& mesh, const Points& positions);
+internal::Distribution quasi_conformal_error(const Mesh_view& mesh, const Points& positions);
 
 }  // namespace Conformal_geometry_processing
 

@@ -41,7 +41,8 @@ CGP_INLINE Eigen::VectorXd quasi_conformal_errors(const Mesh_view& mesh, const P
   return Q;
 }
 
-CGP_INLINE Distribution quasi_conformal_error(const Mesh_view& mesh, const Points& positions)
+CGP_INLINE internal::Distribution quasi_conformal_error(const Mesh_view& mesh,
+                                                        const Points& positions)
 {
   return distribution(quasi_conformal_errors(mesh, positions), face_areas(mesh));
 }

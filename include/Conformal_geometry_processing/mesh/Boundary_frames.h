@@ -12,6 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// \brief the right-handed orthonormal frame (T, N, B) of a surface at a vertex of its boundary, in
 /// columns: T along the boundary with the surface on its left, N the normal, B = T x N pointing out
@@ -35,14 +37,17 @@ struct Boundary_frames {
   Eigen::Vector3d binormal(std::size_t k) const { return frames[k].col(2); }
 };
 
+}  // namespace internal
+
 /// \ingroup PkgMesh
 /// the frame of a tangent and a normal, which need not be unit vectors or orthogonal
-Boundary_frame boundary_frame(const Eigen::Vector3d& tangent, const Eigen::Vector3d& normal);
+internal::Boundary_frame boundary_frame(const Eigen::Vector3d& tangent,
+                                        const Eigen::Vector3d& normal);
 
 /// \ingroup PkgMesh
 /// the frames of all boundary vertices; O(|V| + |F|)
 /// \pre `require_surface(mesh)` holds
-Boundary_frames boundary_frames(const Surface_ref& surface);
+internal::Boundary_frames boundary_frames(const Surface_ref& surface);
 
 }  // namespace Conformal_geometry_processing
 

@@ -16,20 +16,20 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Boundary_frame boundary_frame(const Eigen::Vector3d& tangent,
-                                         const Eigen::Vector3d& normal)
+CGP_INLINE internal::Boundary_frame boundary_frame(const Eigen::Vector3d& tangent,
+                                                   const Eigen::Vector3d& normal)
 {
   const Eigen::Vector3d T = stable_normalized(tangent);
   const Eigen::Vector3d N = stable_normalized(normal - normal.dot(T) * T);
-  Boundary_frame frame;
+  internal::Boundary_frame frame;
   frame << T, N, T.cross(N);
   return frame;
 }
 
-CGP_INLINE Boundary_frames boundary_frames(const Surface_ref& surface)
+CGP_INLINE internal::Boundary_frames boundary_frames(const Surface_ref& surface)
 {
-  const Points normals = vertex_normals(surface, Normal_weight::angle);
-  Boundary_frames b;
+  const Points normals = vertex_normals(surface, internal::Normal_weight::angle);
+  internal::Boundary_frames b;
   b.loops = boundary_loops(surface);
   for (const std::vector<int>& loop : b.loops) {
     const std::size_t n = loop.size();

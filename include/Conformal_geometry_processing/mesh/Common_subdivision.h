@@ -12,6 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// \brief Partition of the faces of a mesh by its intrinsic triangulation, and the embedding of the
 /// pieces in space.
@@ -62,6 +64,8 @@ class Common_subdivision {
 
   std::vector<std::vector<Piece>> m_pieces;  // of each intrinsic face
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

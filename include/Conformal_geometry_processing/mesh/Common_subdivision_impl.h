@@ -17,19 +17,21 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Common_subdivision::Common_subdivision(const Mesh_view& mesh,
-                                                  const Intrinsic_triangulation& triangles)
+CGP_INLINE internal::Common_subdivision::Common_subdivision(
+    const Mesh_view& mesh, const internal::Intrinsic_triangulation& triangles)
     : m_pieces(static_cast<std::size_t>(mesh.size_of_faces()))
 {
   for (int f = 0; f < mesh.size_of_faces(); ++f) add_face(mesh, triangles, f);
 }
 
-CGP_INLINE const std::vector<Common_subdivision::Piece>& Common_subdivision::pieces(int face) const
+CGP_INLINE const std::vector<internal::Common_subdivision::Piece>&
+internal::Common_subdivision::pieces(int face) const
 {
   return m_pieces[static_cast<std::size_t>(face)];
 }
 
-CGP_INLINE void Common_subdivision::before_flip(const Intrinsic_triangulation& triangles, int h)
+CGP_INLINE void internal::Common_subdivision::before_flip(
+    const internal::Intrinsic_triangulation& triangles, int h)
 {
   const int t = triangles.twin(h);
   const Eigen::Vector2d i(0, 0), j(triangles.length(h), 0), k = triangles.apex_in_plane(h),
@@ -46,15 +48,15 @@ CGP_INLINE void Common_subdivision::before_flip(const Intrinsic_triangulation& t
   move(b, {j, (k - j).normalized()}, {{0, 0}, {1, 0}});
 }
 
-CGP_INLINE Eigen::Matrix2d Common_subdivision::Frame::rotation() const
+CGP_INLINE Eigen::Matrix2d internal::Common_subdivision::Frame::rotation() const
 {
   Eigen::Matrix2d R;
   R << direction, Eigen::Vector2d(-direction.y(), direction.x());
   return R;
 }
 
-CGP_INLINE Common_subdivision::Frame Common_subdivision::halfedge_in_plane(
-    const Intrinsic_triangulation& triangles, int h)
+CGP_INLINE internal::Common_subdivision::Frame internal::Common_subdivision::halfedge_in_plane(
+    const internal::Intrinsic_triangulation& triangles, int h)
 {
   const int first = h - h % 3;
   const Eigen::Vector2d corners[] = {
@@ -63,8 +65,8 @@ CGP_INLINE Common_subdivision::Frame Common_subdivision::halfedge_in_plane(
   return {from, (to - from).normalized()};
 }
 
-CGP_INLINE void Common_subdivision::move(std::vector<Piece>& pieces, const Frame& from,
-                                         const Frame& to)
+CGP_INLINE void internal::Common_subdivision::move(std::vector<Piece>& pieces, const Frame& from,
+                                                   const Frame& to)
 {
   const Eigen::Matrix2d R = to.rotation() * from.rotation().transpose();
   for (Piece& piece : pieces) {
@@ -73,12 +75,13 @@ CGP_INLINE void Common_subdivision::move(std::vector<Piece>& pieces, const Frame
   }
 }
 
-CGP_INLINE double Common_subdivision::cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+CGP_INLINE double internal::Common_subdivision::cross(const Eigen::Vector2d& a,
+                                                      const Eigen::Vector2d& b)
 {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-CGP_INLINE double Common_subdivision::area(const std::vector<Eigen::Vector2d>& polygon)
+CGP_INLINE double internal::Common_subdivision::area(const std::vector<Eigen::Vector2d>& polygon)
 {
   double twice = 0;
   for (std::size_t s = 2; s < polygon.size(); ++s)
@@ -86,7 +89,7 @@ CGP_INLINE double Common_subdivision::area(const std::vector<Eigen::Vector2d>& p
   return (std::max)(twice / 2, 0.);
 }
 
-CGP_INLINE std::vector<Eigen::Vector2d> Common_subdivision::left_of(
+CGP_INLINE std::vector<Eigen::Vector2d> internal::Common_subdivision::left_of(
     const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& p, const Eigen::Vector2d& q)
 {
   std::vector<Eigen::Vector2d> left;
@@ -100,7 +103,7 @@ CGP_INLINE std::vector<Eigen::Vector2d> Common_subdivision::left_of(
   return left;
 }
 
-CGP_INLINE std::vector<Common_subdivision::Piece> Common_subdivision::left_of(
+CGP_INLINE std::vector<internal::Common_subdivision::Piece> internal::Common_subdivision::left_of(
     const std::vector<Piece>& pieces, const Eigen::Vector2d& p, const Eigen::Vector2d& q)
 {
   std::vector<Piece> left;
@@ -123,8 +126,8 @@ CGP_INLINE std::vector<Common_subdivision::Piece> Common_subdivision::left_of(
 
 // The longest edge determines the direction. A face of area zero has no normal; it is replaced by
 // two of half the weight, one on each side of the edge, so that only the edge has an effect.
-CGP_INLINE void Common_subdivision::add_face(const Mesh_view& mesh,
-                                             const Intrinsic_triangulation& triangles, int f)
+CGP_INLINE void internal::Common_subdivision::add_face(
+    const Mesh_view& mesh, const internal::Intrinsic_triangulation& triangles, int f)
 {
   int longest = 3 * f;
   for (int h = 3 * f; h < 3 * f + 3; ++h)

@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// \brief Collects the failures of the components of a mesh. All components are tried, so that all
 /// failures are reported at once.
@@ -52,6 +54,8 @@ class Component_failures {
   Failure_reasons m_reasons;
   bool m_is_of_data = false;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -12,11 +12,11 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Component_failures::Component_failures(std::size_t size, std::string function)
+CGP_INLINE internal::Component_failures::Component_failures(std::size_t size, std::string function)
     : m_size(size), m_function(std::move(function))
 {}
 
-CGP_INLINE void Component_failures::throw_if_any() const
+CGP_INLINE void internal::Component_failures::throw_if_any() const
 {
   if (m_reasons.size() == 0) return;
   const std::string all =
@@ -26,7 +26,7 @@ CGP_INLINE void Component_failures::throw_if_any() const
   throw Solver_error(m_function, all);
 }
 
-CGP_INLINE std::string Component_failures::name_of(std::size_t c, int first_vertex)
+CGP_INLINE std::string internal::Component_failures::name_of(std::size_t c, int first_vertex)
 {
   return "component " + std::to_string(c) + " (from vertex " + std::to_string(first_vertex) + ")";
 }

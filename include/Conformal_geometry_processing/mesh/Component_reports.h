@@ -8,6 +8,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// The report of an algorithm on one component of a mesh
 template <class Report>
@@ -31,6 +33,8 @@ struct [[nodiscard]] Component_reports {
                        [](const auto& c) { return static_cast<bool>(c.report); });
   }
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -80,19 +80,20 @@ class Delaunay_view {
 
   /// Numbers the edges without the long edges of caps; returns the number of the edge of each
   /// halfedge, -1 for the long edges of caps.
-  std::vector<int> number_edges(const Intrinsic_triangulation& triangles,
-                                const std::vector<int>& caps, const Transported_forms& forms);
+  std::vector<int> number_edges(const internal::Intrinsic_triangulation& triangles,
+                                const std::vector<int>& caps,
+                                const internal::Transported_forms& forms);
 
   /// \param cap the halfedge opposite the angle of a cap, or -1
   /// \param edges of all halfedges
-  void add_face(const Intrinsic_triangulation& triangles, int t, int cap,
+  void add_face(const internal::Intrinsic_triangulation& triangles, int t, int cap,
                 const std::vector<int>& edges,
-                const std::vector<Common_subdivision::Piece>& pieces);
+                const std::vector<internal::Common_subdivision::Piece>& pieces);
 
   /// \param triangle with corners, edges and area
   /// \param p the corners in its plane
   void add_triangle(Sheet triangle, const Eigen::Matrix<double, 2, 3>& p,
-                    const std::vector<Common_subdivision::Piece>& pieces);
+                    const std::vector<internal::Common_subdivision::Piece>& pieces);
 
   Points m_positions;
   int m_size_of_faces;

@@ -26,12 +26,12 @@ CGP_INLINE Delaunay_view::Delaunay_view(const Mesh_view& mesh, double mollificat
       m_loops(Conformal_geometry_processing::boundary_loops(mesh))
 {
   assert(forms.cols() == 0 || forms.rows() == mesh.size_of_edges());
-  const Mollified_lengths mollified = mollified_lengths(mesh, mollification);
+  const internal::Mollified_lengths mollified = mollified_lengths(mesh, mollification);
   m_thin_faces = mollified.thin_faces;
   m_added_length = mollified.added;
-  Intrinsic_triangulation triangles(mesh, mollified.lengths);
-  Common_subdivision subdivision(mesh, triangles);
-  Transported_forms transported(mesh, forms);
+  internal::Intrinsic_triangulation triangles(mesh, mollified.lengths);
+  internal::Common_subdivision subdivision(mesh, triangles);
+  internal::Transported_forms transported(mesh, forms);
   m_flips = flip_to_delaunay(triangles, [&](int h) {
     subdivision.before_flip(triangles, h);
     transported.before_flip(triangles, h);
@@ -42,9 +42,9 @@ CGP_INLINE Delaunay_view::Delaunay_view(const Mesh_view& mesh, double mollificat
     add_face(triangles, t, caps[index(t)], edges, subdivision.pieces(t));
 }
 
-CGP_INLINE std::vector<int> Delaunay_view::number_edges(const Intrinsic_triangulation& triangles,
-                                                        const std::vector<int>& caps,
-                                                        const Transported_forms& forms)
+CGP_INLINE std::vector<int> Delaunay_view::number_edges(
+    const internal::Intrinsic_triangulation& triangles, const std::vector<int>& caps,
+    const internal::Transported_forms& forms)
 {
   std::vector<int> edges(index(triangles.size_of_halfedges()), -1), halfedges;
   for (int h = 0; h < triangles.size_of_halfedges(); ++h) {
@@ -67,9 +67,9 @@ CGP_INLINE std::vector<int> Delaunay_view::number_edges(const Intrinsic_triangul
 
 // The halves of a cap share its height, which joins the apex with itself and has no number. Both
 // other edges of a half are the side of the cap, because the foot of the height is also the apex.
-CGP_INLINE void Delaunay_view::add_face(const Intrinsic_triangulation& triangles, int t, int cap,
-                                        const std::vector<int>& edges,
-                                        const std::vector<Common_subdivision::Piece>& pieces)
+CGP_INLINE void Delaunay_view::add_face(
+    const internal::Intrinsic_triangulation& triangles, int t, int cap,
+    const std::vector<int>& edges, const std::vector<internal::Common_subdivision::Piece>& pieces)
 {
   Eigen::Matrix<double, 2, 3> p;
   p << triangles.apex_in_plane(3 * t), Eigen::Vector2d::Zero(),
@@ -102,8 +102,9 @@ CGP_INLINE void Delaunay_view::add_face(const Intrinsic_triangulation& triangles
   add_triangle(half, right, pieces);
 }
 
-CGP_INLINE void Delaunay_view::add_triangle(Sheet triangle, const Eigen::Matrix<double, 2, 3>& p,
-                                            const std::vector<Common_subdivision::Piece>& pieces)
+CGP_INLINE void Delaunay_view::add_triangle(
+    Sheet triangle, const Eigen::Matrix<double, 2, 3>& p,
+    const std::vector<internal::Common_subdivision::Piece>& pieces)
 {
   triangle.triangle = size_of_triangles();
   Eigen::Matrix<double, 2, 3> edges;

@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// \brief The reasons why components of a mesh failed: each reason once, with the first components
 /// that failed for it and the number of the others.
@@ -41,6 +43,8 @@ class Failure_reasons {
   std::vector<Group> m_groups;
   std::size_t m_size = 0;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

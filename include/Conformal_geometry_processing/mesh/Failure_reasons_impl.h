@@ -12,7 +12,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE void Failure_reasons::add(const std::string& name, const std::string& reason)
+CGP_INLINE void internal::Failure_reasons::add(const std::string& name, const std::string& reason)
 {
   ++m_size;
   auto group = std::find_if(m_groups.begin(), m_groups.end(),
@@ -25,7 +25,7 @@ CGP_INLINE void Failure_reasons::add(const std::string& name, const std::string&
   if (group->size++ < max_names) group->names += name;
 }
 
-CGP_INLINE std::string Failure_reasons::text() const
+CGP_INLINE std::string internal::Failure_reasons::text() const
 {
   std::string text;
   std::size_t told = 0;

@@ -12,6 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// \brief A triangulation given by edge lengths only, with intrinsic edge flips [Fisher et al.
 /// 2007; Bobenko and Springborn 2007].
@@ -69,6 +71,8 @@ class Intrinsic_triangulation {
   std::vector<int> m_corners, m_twins;  // 3 |F|
   std::vector<double> m_lengths;        // 3 |F|, the same for both halfedges of an edge
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -15,8 +15,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Intrinsic_triangulation::Intrinsic_triangulation(const Mesh_view& mesh,
-                                                            const Eigen::VectorXd& lengths)
+CGP_INLINE internal::Intrinsic_triangulation::Intrinsic_triangulation(
+    const Mesh_view& mesh, const Eigen::VectorXd& lengths)
     : m_corners(index(mesh.size_of_halfedges())),
       m_twins(index(mesh.size_of_halfedges())),
       m_lengths(index(mesh.size_of_halfedges()))
@@ -28,7 +28,7 @@ CGP_INLINE Intrinsic_triangulation::Intrinsic_triangulation(const Mesh_view& mes
   }
 }
 
-CGP_INLINE double Intrinsic_triangulation::area(int f) const
+CGP_INLINE double internal::Intrinsic_triangulation::area(int f) const
 {
   std::array<double, 3> l = {length(3 * f), length(3 * f + 1), length(3 * f + 2)};
   std::sort(l.begin(), l.end());
@@ -37,34 +37,34 @@ CGP_INLINE double Intrinsic_triangulation::area(int f) const
   return std::sqrt((std::max)(product, 0.)) / 4;
 }
 
-CGP_INLINE Eigen::Vector2d Intrinsic_triangulation::apex_in_plane(int h) const
+CGP_INLINE Eigen::Vector2d internal::Intrinsic_triangulation::apex_in_plane(int h) const
 {
   const double l = length(h), a = length(Mesh_view::next_in_face(h)),
                b = length(Mesh_view::previous_in_face(h));
   return {(l + (b - a) * (b + a) / l) / 2, 2 * area(h / 3) / l};
 }
 
-CGP_INLINE double Intrinsic_triangulation::angle(int h) const
+CGP_INLINE double internal::Intrinsic_triangulation::angle(int h) const
 {
   const double l = length(h), a = length(Mesh_view::next_in_face(h)),
                b = length(Mesh_view::previous_in_face(h));
   return std::atan2(4 * area(h / 3), a * a + (b - l) * (b + l));
 }
 
-CGP_INLINE double Intrinsic_triangulation::cotangent(int h) const
+CGP_INLINE double internal::Intrinsic_triangulation::cotangent(int h) const
 {
   const double l = length(h), a = length(Mesh_view::next_in_face(h)),
                b = length(Mesh_view::previous_in_face(h));
   return (a * a + (b - l) * (b + l)) / (4 * area(h / 3));
 }
 
-CGP_INLINE double Intrinsic_triangulation::length_of_flipped(int h) const
+CGP_INLINE double internal::Intrinsic_triangulation::length_of_flipped(int h) const
 {
   const Eigen::Vector2d k = apex_in_plane(h), l = apex_in_plane(twin(h));
   return std::hypot(k.x() - (length(h) - l.x()), k.y() + l.y());
 }
 
-CGP_INLINE void Intrinsic_triangulation::flip(int h)
+CGP_INLINE void internal::Intrinsic_triangulation::flip(int h)
 {
   const int t = twin(h), a = h / 3, b = t / 3;
   const double diagonal = length_of_flipped(h);
@@ -89,7 +89,7 @@ CGP_INLINE void Intrinsic_triangulation::flip(int h)
   std::copy(at_b.begin(), at_b.end(), m_corners.begin() + 3 * b);
 }
 
-CGP_INLINE void Intrinsic_triangulation::glue(int h, int twin, double length)
+CGP_INLINE void internal::Intrinsic_triangulation::glue(int h, int twin, double length)
 {
   m_lengths[index(h)] = length;
   m_twins[index(h)] = twin;

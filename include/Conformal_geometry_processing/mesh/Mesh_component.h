@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// \brief A connected component of a mesh as a separate mesh.
 ///
@@ -20,10 +22,12 @@ struct Mesh_component {
   std::vector<int> vertices, faces;  ///< their indices in the whole mesh, ascending
 };
 
+}  // namespace internal
+
 /// \ingroup PkgMesh
 /// Returns the components in the order of their first vertices; an isolated vertex is a component,
 /// too. O(|V| + |E| + |F|)
-std::vector<Mesh_component> mesh_components(const Mesh_view& mesh);
+std::vector<internal::Mesh_component> mesh_components(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
 

@@ -17,13 +17,13 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE std::vector<Mesh_component> mesh_components(const Mesh_view& mesh)
+CGP_INLINE std::vector<internal::Mesh_component> mesh_components(const Mesh_view& mesh)
 {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const std::vector<int> component = connected_components(mesh);
   int count = 0;
   for (const int c : component) count = (std::max)(count, c + 1);
-  std::vector<Mesh_component> parts(at(count));
+  std::vector<internal::Mesh_component> parts(at(count));
   std::vector<Mesh_view::Corners> corners(at(count));
   std::vector<int> number(component.size());  // in its component
   for (int v = 0; v < mesh.size_of_vertices(); ++v) {

@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// \brief Normalized coordinates for all numerical computations: the centre of the bounding box is
 /// the origin, half its diagonal is about 1.
@@ -39,6 +41,8 @@ class Normalized_frame {
   Eigen::Vector3d m_center;
   int m_exponent;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

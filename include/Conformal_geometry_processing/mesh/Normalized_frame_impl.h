@@ -14,7 +14,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Normalized_frame::Normalized_frame(const Points& positions)
+CGP_INLINE internal::Normalized_frame::Normalized_frame(const Points& positions)
 {
   const Eigen::Vector3d low = positions.rowwise().minCoeff();
   const Eigen::Vector3d high = positions.rowwise().maxCoeff();
@@ -23,20 +23,20 @@ CGP_INLINE Normalized_frame::Normalized_frame(const Points& positions)
   m_exponent = radius > 0 ? std::ilogb(radius) : 0;
 }
 
-CGP_INLINE Points Normalized_frame::to_frame(Points positions) const
+CGP_INLINE Points internal::Normalized_frame::to_frame(Points positions) const
 {
   positions.colwise() -= m_center;
   return scaled(std::move(positions), -m_exponent);
 }
 
-CGP_INLINE Points Normalized_frame::from_frame(Points positions) const
+CGP_INLINE Points internal::Normalized_frame::from_frame(Points positions) const
 {
   positions = scaled(std::move(positions), m_exponent);
   positions.colwise() += m_center;
   return positions;
 }
 
-CGP_INLINE Points Normalized_frame::scaled(Points positions, int exponent)
+CGP_INLINE Points internal::Normalized_frame::scaled(Points positions, int exponent)
 {
   for (Eigen::Index i = 0; i < positions.size(); ++i)
     positions.data()[i] = std::ldexp(positions.data()[i], exponent);

@@ -10,6 +10,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// \brief Closed 1-forms on an intrinsic triangulation, updated by its flips: integrals along paths
 /// do not change, because the sum around every triangle is zero.
@@ -34,6 +36,8 @@ class Transported_forms {
   Rows m_values;  // one for each halfedge
   Rows m_sides;   // of the two triangles that a flip changes
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -10,14 +10,16 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Transported_forms::Transported_forms(const Mesh_view& mesh, const Eigen::MatrixXd& forms)
+CGP_INLINE internal::Transported_forms::Transported_forms(const Mesh_view& mesh,
+                                                          const Eigen::MatrixXd& forms)
     : m_values(mesh.size_of_halfedges(), forms.cols()), m_sides(4, forms.cols())
 {
   for (int h = 0; forms.cols() > 0 && h < mesh.size_of_halfedges(); ++h)
     m_values.row(h) = (mesh.from(h) < mesh.to(h) ? 1 : -1) * forms.row(mesh.edge(h));
 }
 
-CGP_INLINE void Transported_forms::before_flip(const Intrinsic_triangulation& triangles, int h)
+CGP_INLINE void internal::Transported_forms::before_flip(
+    const internal::Intrinsic_triangulation& triangles, int h)
 {
   if (size() == 0) return;
   const int t = triangles.twin(h), a = 3 * (h / 3), b = 3 * (t / 3);

@@ -18,7 +18,7 @@ namespace Conformal_geometry_processing {
 /// `Delaunay_view` therefore uses functions that are constant along that height, with a kink at its
 /// foot.
 /// \returns for each triangle the halfedge opposite that angle, or -1
-std::vector<int> boundary_caps(const Intrinsic_triangulation& triangles);
+std::vector<int> boundary_caps(const internal::Intrinsic_triangulation& triangles);
 
 }  // namespace Conformal_geometry_processing
 

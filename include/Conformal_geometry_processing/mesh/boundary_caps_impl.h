@@ -12,7 +12,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE std::vector<int> boundary_caps(const Intrinsic_triangulation& triangles)
+CGP_INLINE std::vector<int> boundary_caps(const internal::Intrinsic_triangulation& triangles)
 {
   const double greatest_angle = 5 * std::acos(-1.) / 6;
   std::vector<int> caps(static_cast<std::size_t>(triangles.size_of_faces()), -1), waiting;

@@ -14,7 +14,7 @@ namespace Conformal_geometry_processing {
 /// cotan weight is not negative; true for boundary edges.
 ///
 /// Tolerates an excess of 1e-10, to avoid infinite flipping due to rounding.
-bool is_delaunay(const Intrinsic_triangulation& triangles, int h);
+bool is_delaunay(const internal::Intrinsic_triangulation& triangles, int h);
 
 /// \ingroup PkgMesh
 /// \brief Flips edges until all are Delaunay [Bobenko and Springborn 2007]. Every flip reduces the
@@ -23,7 +23,7 @@ bool is_delaunay(const Intrinsic_triangulation& triangles, int h);
 /// \param before_flip called with a halfedge of each edge before it is flipped
 /// \returns the number of flips; usually a few per badly shaped triangle
 template <class BeforeFlip>
-int flip_to_delaunay(Intrinsic_triangulation& triangles, BeforeFlip before_flip)
+int flip_to_delaunay(internal::Intrinsic_triangulation& triangles, BeforeFlip before_flip)
 {
   std::deque<int> waiting;
   for (int h = 0; h < triangles.size_of_halfedges(); ++h)
@@ -45,7 +45,7 @@ int flip_to_delaunay(Intrinsic_triangulation& triangles, BeforeFlip before_flip)
 
 /// \ingroup PkgMesh
 /// Flips edges likewise, without a callback
-int flip_to_delaunay(Intrinsic_triangulation& triangles);
+int flip_to_delaunay(internal::Intrinsic_triangulation& triangles);
 
 }  // namespace Conformal_geometry_processing
 

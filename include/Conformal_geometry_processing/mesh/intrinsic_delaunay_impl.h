@@ -10,7 +10,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE bool is_delaunay(const Intrinsic_triangulation& triangles, int h)
+CGP_INLINE bool is_delaunay(const internal::Intrinsic_triangulation& triangles, int h)
 {
   const double pi = std::acos(-1.), tolerance = 1e-10;
   const int t = triangles.twin(h);
@@ -18,7 +18,7 @@ CGP_INLINE bool is_delaunay(const Intrinsic_triangulation& triangles, int h)
   return t < 0 || !(triangles.angle(h) + triangles.angle(t) > pi + tolerance);
 }
 
-CGP_INLINE int flip_to_delaunay(Intrinsic_triangulation& triangles)
+CGP_INLINE int flip_to_delaunay(internal::Intrinsic_triangulation& triangles)
 {
   return flip_to_delaunay(triangles, [](int) {});
 }

@@ -13,6 +13,8 @@ namespace Conformal_geometry_processing {
 /// Returns the lengths of the edges, |E|
 Eigen::VectorXd edge_lengths(const Mesh_view& mesh);
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// Edge lengths without degenerate triangles
 struct Mollified_lengths {
@@ -20,6 +22,8 @@ struct Mollified_lengths {
   double added = 0;         ///< length added to each edge
   int thin_faces = 0;       ///< number of faces that violated the triangle inequality
 };
+
+}  // namespace internal
 
 /// \ingroup PkgMesh
 /// \brief Mollifies the edge lengths: adds the smallest constant to all of them such that in every
@@ -30,7 +34,7 @@ struct Mollified_lengths {
 /// without degenerate triangles are unchanged to the bit. A triangle of three collinear points gets
 /// a height of about the square root of `share` times its length, two coinciding points a distance
 /// of `share`. \param share positive; below about 1e-12, rounding determines the shape of triangles
-Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share);
+internal::Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share);
 
 }  // namespace Conformal_geometry_processing
 

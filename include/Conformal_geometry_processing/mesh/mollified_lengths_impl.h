@@ -20,9 +20,9 @@ CGP_INLINE Eigen::VectorXd edge_lengths(const Mesh_view& mesh)
   return lengths;
 }
 
-CGP_INLINE Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share)
+CGP_INLINE internal::Mollified_lengths mollified_lengths(const Mesh_view& mesh, double share)
 {
-  Mollified_lengths result;
+  internal::Mollified_lengths result;
   result.lengths = edge_lengths(mesh);
   const double slack = share * result.lengths.mean();
   for (int f = 0; f < mesh.size_of_faces(); ++f) {

@@ -8,6 +8,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// the weight of each incident face in the normal of a vertex
 enum class Normal_weight {
@@ -15,6 +17,8 @@ enum class Normal_weight {
   angle,   ///< its angle at the vertex: independent of the triangulation of flat regions
   uniform  ///< 1
 };
+
+}  // namespace internal
 
 /// \ingroup PkgMesh
 /// the unit normals of the faces, 3 x |F|, outward on a counter-clockwise oriented surface
@@ -27,7 +31,8 @@ double corner_angle(const Sheet& sheet, int c);
 
 /// \ingroup PkgMesh
 /// the unit normals of the vertices, 3 x |V|; zero where the faces around a vertex cancel out
-Points vertex_normals(const Surface_ref& surface, Normal_weight weight = Normal_weight::area);
+Points vertex_normals(const Surface_ref& surface,
+                      internal::Normal_weight weight = internal::Normal_weight::area);
 
 }  // namespace Conformal_geometry_processing
 

@@ -29,7 +29,7 @@ CGP_INLINE double corner_angle(const Sheet& sheet, int c)
   return std::atan2(2 * sheet.area, a.dot(b));
 }
 
-CGP_INLINE Points vertex_normals(const Surface_ref& surface, Normal_weight weight)
+CGP_INLINE Points vertex_normals(const Surface_ref& surface, internal::Normal_weight weight)
 {
   Points normals = Points::Zero(3, surface.size_of_vertices());
   for (int s = 0; s < surface.size_of_sheets(); ++s) {
@@ -39,13 +39,13 @@ CGP_INLINE Points vertex_normals(const Surface_ref& surface, Normal_weight weigh
     for (int c = 0; c < 3; ++c) {
       auto sum = normals.col(sheet.corners[static_cast<std::size_t>(c)]);
       switch (weight) {
-        case Normal_weight::area:
+        case internal::Normal_weight::area:
           sum += sheet.share * a;
           break;
-        case Normal_weight::angle:
+        case internal::Normal_weight::angle:
           sum += sheet.share * corner_angle(sheet, c) * n;
           break;
-        case Normal_weight::uniform:
+        case internal::Normal_weight::uniform:
           sum += sheet.share * n;
           break;
       }

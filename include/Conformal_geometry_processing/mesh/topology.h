@@ -15,6 +15,8 @@ namespace Conformal_geometry_processing {
 /// vertices; an isolated vertex is a component of its own. O(|V| + |E|)
 std::vector<int> connected_components(const Mesh_view& mesh);
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// \brief Topological invariants that classify a surface up to homeomorphism.
 struct Topology {
@@ -30,11 +32,13 @@ struct Topology {
   bool is_disk() const { return components == 1 && genus == 0 && boundary_loops == 1; }
 };
 
+}  // namespace internal
+
 /// \ingroup PkgMesh
 /// Computes the topology of an oriented manifold mesh
 /// \pre `require_manifold_edges(mesh)` and `require_manifold_vertices(mesh)` hold, and no vertex is
 /// isolated
-Topology topology(const Mesh_view& mesh);
+internal::Topology topology(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
 

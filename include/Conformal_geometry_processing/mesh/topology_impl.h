@@ -33,9 +33,9 @@ CGP_INLINE std::vector<int> connected_components(const Mesh_view& mesh)
   return component;
 }
 
-CGP_INLINE Topology topology(const Mesh_view& mesh)
+CGP_INLINE internal::Topology topology(const Mesh_view& mesh)
 {
-  Topology t;
+  internal::Topology t;
   t.vertices = mesh.size_of_vertices();
   t.edges = mesh.size_of_edges();
   t.faces = mesh.size_of_faces();

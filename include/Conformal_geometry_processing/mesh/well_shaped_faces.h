@@ -7,14 +7,14 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgMesh
 /// A mesh without its thinnest faces
 struct Well_shaped_faces {
   Mesh_view mesh;    ///< all vertices, and the remaining faces
   double share = 0;  ///< of the remaining faces in the area of the mesh
 };
-
-namespace internal {
 
 /// The relative height of a face: height over longest edge
 struct Face_height {
@@ -32,7 +32,7 @@ struct Face_height {
 /// If the height of a face is less than 5 % of its longest edge, small errors of its corners
 /// determine its shape; as long as such faces are few, their distortion says nothing about a map.
 /// Faces of area zero are always removed. O(|F| log |F|).
-Well_shaped_faces well_shaped_faces(const Mesh_view& mesh);
+internal::Well_shaped_faces well_shaped_faces(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
 

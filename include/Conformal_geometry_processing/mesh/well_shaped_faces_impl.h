@@ -30,7 +30,7 @@ CGP_INLINE Face_height face_height(const Mesh_view& mesh, int f)
 
 }  // namespace internal
 
-CGP_INLINE Well_shaped_faces well_shaped_faces(const Mesh_view& mesh)
+CGP_INLINE internal::Well_shaped_faces well_shaped_faces(const Mesh_view& mesh)
 {
   const double least_height = 0.05, greatest_share = 0.05;
   std::vector<internal::Face_height> thin;

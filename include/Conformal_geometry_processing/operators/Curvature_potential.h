@@ -41,8 +41,8 @@ Curvature_potential no_potential(const Surface_ref& surface);
 /// R = P B for rho on faces and R = B P for rho on vertices, with P = diag(rho): the latter
 /// interpolates the product rho lambda linearly.
 /// \param mesh must outlive the matrix
-Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
-                                                    const Curvature_potential& rho);
+internal::Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
+                                                              const Curvature_potential& rho);
 
 /// \ingroup PkgOperators
 /// \brief the areas that belong to the values of rho, |V| or |F|: integrals over the surface are

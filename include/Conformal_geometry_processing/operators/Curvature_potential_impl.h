@@ -31,10 +31,10 @@ CGP_INLINE Curvature_potential no_potential(const Surface_ref& surface)
   return Curvature_potential::on_vertices(Eigen::VectorXd::Zero(surface.size_of_vertices()));
 }
 
-CGP_INLINE Quaternionic_sparse_matrix<double> potential_matrix(const Mesh_view& mesh,
-                                                               const Curvature_potential& rho)
+CGP_INLINE internal::Quaternionic_sparse_matrix<double> potential_matrix(
+    const Mesh_view& mesh, const Curvature_potential& rho)
 {
-  Quaternionic_sparse_matrix<double> R(mesh.corners(), mesh.size_of_vertices());
+  internal::Quaternionic_sparse_matrix<double> R(mesh.corners(), mesh.size_of_vertices());
   for (int f = 0; f < mesh.size_of_faces(); ++f) {
     const Eigen::Vector3d r = rho.at_corners(mesh.sheet(f));
     for (int c = 0; c < 3; ++c) R.value(f, c) = {r[c] / 3, 0, 0, 0};

@@ -11,7 +11,7 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgOperators
 /// \brief B: |F| x |V|, the mean of the three corners of each face [CGP 5.3]. Dimensionless.
 /// \param mesh must outlive the matrix
-Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh);
+internal::Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
 

@@ -8,9 +8,9 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh)
+CGP_INLINE internal::Quaternionic_sparse_matrix<double> averaging(const Mesh_view& mesh)
 {
-  Quaternionic_sparse_matrix<double> B(mesh.corners(), mesh.size_of_vertices());
+  internal::Quaternionic_sparse_matrix<double> B(mesh.corners(), mesh.size_of_vertices());
   for (int f = 0; f < mesh.size_of_faces(); ++f)
     for (int c = 0; c < 3; ++c) B.value(f, c) = {1. / 3, 0, 0, 0};
   return B;

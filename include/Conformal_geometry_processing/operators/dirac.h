@@ -16,7 +16,7 @@ namespace Conformal_geometry_processing {
 /// Hermitian on a closed surface. In 1/length.
 /// \param mesh must outlive the matrix
 /// \pre no face has area zero
-Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh);
+internal::Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
 

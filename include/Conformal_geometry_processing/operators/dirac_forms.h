@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgOperators
 /// \brief the two forms whose quotient is the *signed* eigenvalue of D - rho, on k vectors V: |V| x
 /// k. Both are k x k and Hermitian.
@@ -19,14 +21,16 @@ struct Dirac_forms {
   Block<Quaternion<double>> mass;   ///< V^H B^H M_F B V; positive definite
 };
 
+}  // namespace internal
+
 /// \ingroup PkgOperators
 /// the forms on the columns of `vectors`; O(sheets), without assembling a matrix
-Dirac_forms dirac_forms(const Surface_ref& surface, const Curvature_potential& rho,
-                        const Block<Quaternion<double>>& vectors);
+internal::Dirac_forms dirac_forms(const Surface_ref& surface, const Curvature_potential& rho,
+                                  const Block<Quaternion<double>>& vectors);
 
 /// \ingroup PkgOperators
 /// \brief H lambda, |V|, where H is the Hermitian part of B^H M_F (D - R): the form `dirac` of
-/// \ref Dirac_forms as an operator. O(sheets), without assembling a matrix.
+/// `Dirac_forms` as an operator. O(sheets), without assembling a matrix.
 Quaternion_vector<double> apply_dirac_form(const Surface_ref& surface,
                                            const Curvature_potential& rho,
                                            const Quaternion_vector<double>& lambda);

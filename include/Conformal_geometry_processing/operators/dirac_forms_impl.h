@@ -27,11 +27,12 @@ CGP_INLINE Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3
 
 }  // namespace internal
 
-CGP_INLINE Dirac_forms dirac_forms(const Surface_ref& surface, const Curvature_potential& rho,
-                                   const Block<Quaternion<double>>& vectors)
+CGP_INLINE internal::Dirac_forms dirac_forms(const Surface_ref& surface,
+                                             const Curvature_potential& rho,
+                                             const Block<Quaternion<double>>& vectors)
 {
   const Eigen::Index k = vectors.cols();
-  Dirac_forms forms{Block<Quaternion<double>>(k, k), Block<Quaternion<double>>(k, k)};
+  internal::Dirac_forms forms{Block<Quaternion<double>>(k, k), Block<Quaternion<double>>(k, k)};
   Block<Quaternion<double>> half(k, k);
   Quaternion_vector<double> average(k), image(k);  // of B, and of M (D - R), on one sheet
   for (int s = 0; s < surface.size_of_sheets(); ++s) {
@@ -82,7 +83,7 @@ CGP_INLINE Quaternion_vector<double> apply_dirac_form(const Surface_ref& surface
 CGP_INLINE double dirac_quotient(const Surface_ref& surface, const Curvature_potential& rho,
                                  const Quaternion_vector<double>& lambda)
 {
-  const Dirac_forms forms = dirac_forms(surface, rho, lambda);
+  const internal::Dirac_forms forms = dirac_forms(surface, rho, lambda);
   return forms.dirac(0, 0).w / forms.mass(0, 0).w;
 }
 

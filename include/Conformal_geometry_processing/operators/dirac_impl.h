@@ -8,9 +8,9 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh)
+CGP_INLINE internal::Quaternionic_sparse_matrix<double> dirac(const Mesh_view& mesh)
 {
-  Quaternionic_sparse_matrix<double> D(mesh.corners(), mesh.size_of_vertices());
+  internal::Quaternionic_sparse_matrix<double> D(mesh.corners(), mesh.size_of_vertices());
   for (int f = 0; f < mesh.size_of_faces(); ++f) {
     const double double_area = mesh.double_area_vector(f).norm();
     for (int c = 0; c < 3; ++c) D.value(f, c) = imaginary(mesh.vector(3 * f + c)) / -double_area;

@@ -65,7 +65,7 @@ CGP_INLINE std::vector<char> without_curvature(const Surface_ref& surface,
 CGP_INLINE Eigen::VectorXd mean_curvature(const Surface_ref& surface)
 {
   const Eigen::VectorXd w = cotan_weights(surface), areas = voronoi_areas(surface);
-  const Points normals = vertex_normals(surface, Normal_weight::angle);
+  const Points normals = vertex_normals(surface, internal::Normal_weight::angle);
   Eigen::MatrixX3d edges(surface.size_of_edges(), 3);
   for (int k = 0; k < surface.size_of_edges(); ++k)
     edges.row(k) =

@@ -16,6 +16,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgParameterization
 /// \brief Finds the map z = a + i b to the plane that minimizes an energy under the constraint that
 /// the sum of |z - mean|^2 over the vertices of some loops is one.
@@ -89,6 +91,8 @@ class Least_energy_map {
   Eigen::VectorXd m_weights;  // |V|: 1 on the loops
   std::string m_function;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

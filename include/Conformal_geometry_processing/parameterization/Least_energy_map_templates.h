@@ -17,40 +17,40 @@
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits>
-Least_energy_map<SolverTraits>::Least_energy_map(const Mesh_view& mesh,
-                                                 const std::vector<Vertex_loop>& loops,
-                                                 std::string function)
+internal::Least_energy_map<SolverTraits>::Least_energy_map(
+    const Mesh_view& mesh, const std::vector<internal::Vertex_loop>& loops, std::string function)
     : m_mesh(mesh),
       m_start(circle_maps(mesh, loops, (std::min)(4, static_cast<int>(loops[0].size()) - 1))),
       m_weights(Eigen::VectorXd::Zero(mesh.size_of_vertices())),
       m_function(std::move(function))
 {
-  for (const Vertex_loop& loop : loops)
+  for (const internal::Vertex_loop& loop : loops)
     for (const int v : loop) m_weights[v] = 1;
 }
 
 template <class SolverTraits>
-Eigen::VectorXcd Least_energy_map<SolverTraits>::find(
-    const Hermitian_sparse_matrix<Complex>& energy, const Subspace_options& options,
+Eigen::VectorXcd internal::Least_energy_map<SolverTraits>::find(
+    const Hermitian_sparse_matrix<Complex>& energy, const internal::Subspace_options& options,
     Parameterization_report& report) const
 {
   typename SolverTraits::template Solver<Complex> solver;
-  Stopwatch watch;
+  internal::Stopwatch watch;
   check("analysis", solver.analyze_with_positions(energy.pattern(), m_mesh.positions()));
   report.seconds.setup = watch.lap();
-  const Centered_mass<Complex> mass(m_weights, Eigen::MatrixXcd::Ones(m_weights.size(), 1));
+  const internal::Centered_mass<Complex> mass(m_weights,
+                                              Eigen::MatrixXcd::Ones(m_weights.size(), 1));
   return eigenvector(energy, solver, mass, m_weights, m_start, options, report);
 }
 
 template <class SolverTraits>
-Eigen::VectorXcd Least_energy_map<SolverTraits>::find(const Hermitian_sparse_matrix<double>& energy,
-                                                      const Subspace_options& options,
-                                                      Parameterization_report& report) const
+Eigen::VectorXcd internal::Least_energy_map<SolverTraits>::find(
+    const Hermitian_sparse_matrix<double>& energy, const internal::Subspace_options& options,
+    Parameterization_report& report) const
 {
   const Eigen::Index n = m_weights.size(), k = m_start.cols();
   typename SolverTraits::template Solver<double> solver;
-  Stopwatch watch;
-  const Ordering order = amd_ordering(*vertex_graph(m_mesh));
+  internal::Stopwatch watch;
+  const internal::Ordering order = amd_ordering(*vertex_graph(m_mesh));
   check("analysis", solver.analyze(energy.pattern(), expanded_ordering(order, 2)));
   report.seconds.setup = watch.lap();
   Eigen::VectorXd weights(2 * n);
@@ -60,14 +60,14 @@ Eigen::VectorXcd Least_energy_map<SolverTraits>::find(const Hermitian_sparse_mat
   start << m_start.real(), -m_start.imag(), m_start.imag(), m_start.real();
   constants.topLeftCorner(n, 1).setOnes();
   constants.bottomRightCorner(n, 1).setOnes();
-  const Centered_mass<double> mass(weights, interleaved(constants));
+  const internal::Centered_mass<double> mass(weights, interleaved(constants));
   const Eigen::VectorXd ab =
       eigenvector(energy, solver, mass, weights, interleaved(start), options, report);
   return Eigen::Map<const Eigen::VectorXcd>(reinterpret_cast<const Complex*>(ab.data()), n);
 }
 
 template <class SolverTraits>
-Eigen::MatrixXd Least_energy_map<SolverTraits>::interleaved(const Eigen::MatrixXd& x)
+Eigen::MatrixXd internal::Least_energy_map<SolverTraits>::interleaved(const Eigen::MatrixXd& x)
 {
   const Eigen::Index n = x.rows() / 2;
   Eigen::MatrixXd y(x.rows(), x.cols());
@@ -79,7 +79,7 @@ Eigen::MatrixXd Least_energy_map<SolverTraits>::interleaved(const Eigen::MatrixX
 }
 
 template <class SolverTraits>
-void Least_energy_map<SolverTraits>::check(const char* step, Solver_status status) const
+void internal::Least_energy_map<SolverTraits>::check(const char* step, Solver_status status) const
 {
   if (status != Solver_status::success)
     throw Solver_error(m_function,
@@ -91,7 +91,7 @@ void Least_energy_map<SolverTraits>::check(const char* step, Solver_status statu
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Least_energy_map<Default_solver_traits>;
+extern template class internal::Least_energy_map<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 #endif

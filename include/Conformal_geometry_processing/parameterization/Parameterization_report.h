@@ -23,8 +23,8 @@ struct [[nodiscard]] Parameterization_report {
   int boundary_loops = 0;
   int normalized_vertices = 0;  ///< number of boundary vertices in the normalization
 
-  Conformality conformality;             ///< of the map from the surface to the plane
-  Distribution uniform_quasi_conformal;  ///< of Q, with equal weights of all faces
+  Conformality conformality;                       ///< of the map from the surface to the plane
+  internal::Distribution uniform_quasi_conformal;  ///< of Q, with equal weights of all faces
 
   /// Wall clock seconds
   struct Seconds {

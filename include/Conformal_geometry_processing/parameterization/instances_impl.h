@@ -10,7 +10,7 @@
 
 namespace Conformal_geometry_processing {
 
-template class Least_energy_map<Default_solver_traits>;
+template class internal::Least_energy_map<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 

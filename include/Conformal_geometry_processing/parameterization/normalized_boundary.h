@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgParameterization
 /// \brief Part of the boundary whose variance is fixed while the energy is minimized.
 enum class Normalized_boundary {
@@ -21,20 +23,23 @@ enum class Normalized_boundary {
 /// A closed curve in a mesh, as its vertices in order
 using Vertex_loop = std::vector<int>;
 
+}  // namespace internal
+
 /// \ingroup PkgParameterization
 /// Returns the arc length of a closed polygon at each of its vertices, and its total length at the
 /// end
-Eigen::VectorXd lengths_along(const Mesh_view& mesh, const Vertex_loop& loop);
+Eigen::VectorXd lengths_along(const Mesh_view& mesh, const internal::Vertex_loop& loop);
 
 /// \ingroup PkgParameterization
 /// \brief Returns the boundary loops in the normalization, the longest one first.
 /// \pre the mesh is a manifold with boundary
-std::vector<Vertex_loop> normalized_loops(const Mesh_view& mesh, Normalized_boundary which);
+std::vector<internal::Vertex_loop> normalized_loops(const Mesh_view& mesh,
+                                                    internal::Normalized_boundary which);
 
 /// \ingroup PkgParameterization
 /// \brief Returns `count` maps of the loops to the plane, zero elsewhere, which wind around the
 /// unit circle once, twice, ..., parameterized by arc length; used as initial maps. |V| x count.
-Eigen::MatrixXcd circle_maps(const Mesh_view& mesh, const std::vector<Vertex_loop>& loops,
+Eigen::MatrixXcd circle_maps(const Mesh_view& mesh, const std::vector<internal::Vertex_loop>& loops,
                              int count);
 
 }  // namespace Conformal_geometry_processing

@@ -17,7 +17,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Eigen::VectorXd lengths_along(const Mesh_view& mesh, const Vertex_loop& loop)
+CGP_INLINE Eigen::VectorXd lengths_along(const Mesh_view& mesh, const internal::Vertex_loop& loop)
 {
   Eigen::VectorXd length = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(loop.size()) + 1);
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -28,10 +28,10 @@ CGP_INLINE Eigen::VectorXd lengths_along(const Mesh_view& mesh, const Vertex_loo
   return length;
 }
 
-CGP_INLINE std::vector<Vertex_loop> normalized_loops(const Mesh_view& mesh,
-                                                     Normalized_boundary which)
+CGP_INLINE std::vector<internal::Vertex_loop> normalized_loops(const Mesh_view& mesh,
+                                                               internal::Normalized_boundary which)
 {
-  std::vector<Vertex_loop> loops = boundary_loops(mesh);
+  std::vector<internal::Vertex_loop> loops = boundary_loops(mesh);
   std::size_t longest = 0;
   double length = 0;
   for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -39,16 +39,16 @@ CGP_INLINE std::vector<Vertex_loop> normalized_loops(const Mesh_view& mesh,
     if (l > length) longest = i, length = l;
   }
   std::swap(loops[0], loops[longest]);
-  if (which == Normalized_boundary::longest_loop) loops.resize(1);
+  if (which == internal::Normalized_boundary::longest_loop) loops.resize(1);
   return loops;
 }
 
 CGP_INLINE Eigen::MatrixXcd circle_maps(const Mesh_view& mesh,
-                                        const std::vector<Vertex_loop>& loops, int count)
+                                        const std::vector<internal::Vertex_loop>& loops, int count)
 {
   Eigen::MatrixXcd z = Eigen::MatrixXcd::Zero(mesh.size_of_vertices(), count);
   const double turn = 2 * std::acos(-1.);
-  for (const Vertex_loop& loop : loops) {
+  for (const internal::Vertex_loop& loop : loops) {
     const Eigen::VectorXd length = lengths_along(mesh, loop);
     for (std::size_t i = 0; i < loop.size(); ++i)
       for (int k = 0; k < count; ++k)

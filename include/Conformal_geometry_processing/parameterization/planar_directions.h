@@ -16,7 +16,7 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgParameterization
 /// \brief Returns the turning angle of the boundary in the surface at each vertex of a loop,
 /// positive to the left: pi minus the angle of the surface there.
-Eigen::VectorXd turning_angles(const Mesh_view& mesh, const Vertex_loop& loop);
+Eigen::VectorXd turning_angles(const Mesh_view& mesh, const internal::Vertex_loop& loop);
 
 /// \ingroup PkgParameterization
 /// \brief Computes tangents of a closed plane curve, as boundary tangents of a disk that is to be

@@ -18,7 +18,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Eigen::VectorXd turning_angles(const Mesh_view& mesh, const Vertex_loop& loop)
+CGP_INLINE Eigen::VectorXd turning_angles(const Mesh_view& mesh, const internal::Vertex_loop& loop)
 {
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(mesh.size_of_vertices());
   for (int f = 0; f < mesh.size_of_faces(); ++f)
@@ -32,7 +32,7 @@ CGP_INLINE Points planar_directions(const Mesh_view& mesh, const std::string& fu
   if (!topology(mesh).is_disk())
     throw Precondition_error(function,
                              "the surface is not a disk (one loop, no handles); a disk is needed");
-  const Vertex_loop loop = boundary_loops(mesh).front();
+  const internal::Vertex_loop loop = boundary_loops(mesh).front();
   const Eigen::VectorXd turn = turning_angles(mesh, loop), length = lengths_along(mesh, loop);
   const Eigen::Index n = turn.size();
   const double missing = 2 * std::acos(-1.) - turn.sum();

@@ -27,21 +27,25 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgParameterization
-/// \brief Normals N in the energy |D psi|^2 of psi = a - b N [CGP 6.1].
-enum class Conformal_normals {
-  of_faces,    ///< the conformal energy itself, see `conformal_energy()`
-  of_vertices  ///< the variant of the thesis, see `vertex_normal_energy()`
-};
-
-/// \ingroup PkgParameterization
 /// Options of `spectral_parameterization()`
 struct Parameterization_options {
-  Conformal_normals normals = Conformal_normals::of_faces;
-  Normal_weight vertex_normals = Normal_weight::angle;  ///< of `Conformal_normals::of_vertices`
-  Normalized_boundary boundary = Normalized_boundary::longest_loop;
+  using Boundary = internal::Normalized_boundary;  ///< which loops are normalized
+
+  /// \brief Normals N in the energy |D psi|^2 of psi = a - b N [CGP 6.1].
+  enum class Normals {
+    of_faces,    ///< the conformal energy itself, see `conformal_energy()`
+    of_vertices  ///< the variant of the thesis, see `vertex_normal_energy()`
+  };
+
+  Normals normals = Normals::of_faces;
+  internal::Normal_weight vertex_normals =
+      internal::Normal_weight::angle;  ///< of `Parameterization_options::Normals::of_vertices`
+  internal::Normalized_boundary boundary = internal::Normalized_boundary::longest_loop;
   double tolerance = 1e-6;  ///< of the relative error of the map in the norm of the energy
   int maximum_number_of_iterations = 100;
 };
+
+namespace internal {
 
 /// \ingroup PkgParameterization
 /// A map to the plane and its quality measures
@@ -49,6 +53,8 @@ struct Parameterization_result {
   Eigen::VectorXcd z;  ///< u + i v for each vertex, in the units of the mesh
   Parameterization_report report;
 };
+
+}  // namespace internal
 
 /// \ingroup PkgParameterization
 /// Requires a boundary
@@ -65,7 +71,7 @@ Eigen::VectorXcd least_energy_map(const Mesh_view& mesh, const std::vector<Verte
   const Subspace_options subspace{options.tolerance, options.maximum_number_of_iterations};
   const auto graph = vertex_graph(mesh);
   Stopwatch watch;
-  if (options.normals == Conformal_normals::of_faces) {
+  if (options.normals == Parameterization_options::Normals::of_faces) {
     const auto energy = conformal_energy(mesh, graph);
     report.seconds.assembly = watch.lap();
     return Least_energy_map<SolverTraits>(mesh, loops, function).find(energy, subspace, report);
@@ -87,18 +93,17 @@ void certify(const Mesh_view& mesh, const Eigen::VectorXcd& z, Parameterization_
 /// origin
 /// \pre the mesh satisfies the requirements of `spectral_parameterization()`
 template <class SolverTraits = Default_solver_traits>
-Parameterization_result spectral_parameterization_of(Mesh_view mesh,
-                                                     const std::vector<Vertex_loop>& loops,
-                                                     const Parameterization_options& options,
-                                                     const std::string& function)
+internal::Parameterization_result spectral_parameterization_of(
+    Mesh_view mesh, const std::vector<internal::Vertex_loop>& loops,
+    const Parameterization_options& options, const std::string& function)
 {
-  const Normalized_frame frame(mesh.positions());
+  const internal::Normalized_frame frame(mesh.positions());
   mesh.set_positions(frame.to_frame(mesh.positions()));
-  Parameterization_result result;
+  internal::Parameterization_result result;
   result.z =
       internal::least_energy_map<SolverTraits>(mesh, loops, options, result.report, function);
   result.z = place_in_plane(mesh, std::move(result.z), loops[0]);
-  Stopwatch watch;
+  internal::Stopwatch watch;
   internal::certify(mesh, result.z, result.report);
   result.report.seconds.certificate = watch.lap();
   result.z *= frame.unit();
@@ -125,7 +130,7 @@ Parameterization_result spectral_parameterization_of(Mesh_view mesh,
 /// \throw Solver_error if the energy cannot be factorized. If the iteration does not converge, the
 /// report says so.
 template <class SolverTraits = Default_solver_traits>
-Parameterization_result spectral_parameterization(
+internal::Parameterization_result spectral_parameterization(
     const Mesh_view& mesh, const Parameterization_options& options = {},
     const std::string& function = "spectral_parameterization")
 {

@@ -14,6 +14,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgSpin
 /// \brief the space of conformal shapes near a surface: the hypersurface of the half-densities rho
 /// |df| for which the Dirac equation has the eigenvalue zero [CGP 4.5.1].
@@ -59,6 +61,8 @@ class Conformal_shape_space {
   const Mesh_view& m_mesh;
   Dirac_system<SolverTraits> m_system;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -18,15 +18,16 @@
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits>
-Conformal_shape_space<SolverTraits>::Conformal_shape_space(const Mesh_view& mesh,
-                                                           const std::string& function)
+internal::Conformal_shape_space<SolverTraits>::Conformal_shape_space(const Mesh_view& mesh,
+                                                                     const std::string& function)
     : m_mesh(checked(mesh, function)), m_system(mesh, {}, function)
 {
   m_system.prepare_response();
 }
 
 template <class SolverTraits>
-Eigen::VectorXd Conformal_shape_space<SolverTraits>::response(const Eigen::VectorXd& phi) const
+Eigen::VectorXd internal::Conformal_shape_space<SolverTraits>::response(
+    const Eigen::VectorXd& phi) const
 {
   const Eigen::VectorXd tangent = without_mean(phi);
   Quaternion_vector<double> source(tangent.size());
@@ -40,22 +41,22 @@ Eigen::VectorXd Conformal_shape_space<SolverTraits>::response(const Eigen::Vecto
 }
 
 template <class SolverTraits>
-Eigen::VectorXd Conformal_shape_space<SolverTraits>::shape_operator(
+Eigen::VectorXd internal::Conformal_shape_space<SolverTraits>::shape_operator(
     const Eigen::VectorXd& phi) const
 {
   return 2 / std::sqrt(m_system.areas().sum()) * response(phi);
 }
 
 template <class SolverTraits>
-double Conformal_shape_space<SolverTraits>::second_order(const Eigen::VectorXd& phi) const
+double internal::Conformal_shape_space<SolverTraits>::second_order(const Eigen::VectorXd& phi) const
 {
   return -m_system.areas().cwiseProduct(without_mean(phi)).dot(response(phi)) /
          m_system.areas().sum();
 }
 
 template <class SolverTraits>
-const Mesh_view& Conformal_shape_space<SolverTraits>::checked(const Mesh_view& mesh,
-                                                              const std::string& function)
+const Mesh_view& internal::Conformal_shape_space<SolverTraits>::checked(const Mesh_view& mesh,
+                                                                        const std::string& function)
 {
   require_surface(mesh, function);
   require_closed(mesh, function);
@@ -63,7 +64,8 @@ const Mesh_view& Conformal_shape_space<SolverTraits>::checked(const Mesh_view& m
 }
 
 template <class SolverTraits>
-Eigen::VectorXd Conformal_shape_space<SolverTraits>::without_mean(const Eigen::VectorXd& phi) const
+Eigen::VectorXd internal::Conformal_shape_space<SolverTraits>::without_mean(
+    const Eigen::VectorXd& phi) const
 {
   return phi.array() + first_order(phi);
 }
@@ -73,7 +75,7 @@ Eigen::VectorXd Conformal_shape_space<SolverTraits>::without_mean(const Eigen::V
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Conformal_shape_space<Default_solver_traits>;
+extern template class internal::Conformal_shape_space<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 #endif

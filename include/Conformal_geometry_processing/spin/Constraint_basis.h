@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgSpin
 /// \brief an orthonormal basis of the functions on the vertices that a direction must be orthogonal
 /// to, with the inner product sum_i M_V,i a_i b_i [CGP 6.4.4].
@@ -42,6 +44,8 @@ class Constraint_basis {
   Eigen::VectorXd m_areas;  // |V|
   Eigen::MatrixXd m_basis;  // |V| x rank
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -12,11 +12,11 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Constraint_basis::Constraint_basis(Eigen::VectorXd areas)
+CGP_INLINE internal::Constraint_basis::Constraint_basis(Eigen::VectorXd areas)
     : m_areas(std::move(areas)), m_basis(m_areas.size(), 0)
 {}
 
-CGP_INLINE void Constraint_basis::add(const Eigen::MatrixXd& functions)
+CGP_INLINE void internal::Constraint_basis::add(const Eigen::MatrixXd& functions)
 {
   const Eigen::MatrixXd group = weighted_orthonormalization(functions, m_areas);
   Eigen::MatrixXd both(m_basis.rows(), m_basis.cols() + group.cols());
@@ -24,7 +24,7 @@ CGP_INLINE void Constraint_basis::add(const Eigen::MatrixXd& functions)
   m_basis = weighted_orthonormalization(both, m_areas);
 }
 
-CGP_INLINE Eigen::VectorXd Constraint_basis::project_out(Eigen::VectorXd v) const
+CGP_INLINE Eigen::VectorXd internal::Constraint_basis::project_out(Eigen::VectorXd v) const
 {
   return Conformal_geometry_processing::project_out(m_basis, m_areas, std::move(v));
 }

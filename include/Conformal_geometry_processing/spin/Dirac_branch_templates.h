@@ -33,7 +33,7 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::solve(const Curvature_potent
   const Found found = find({rho, 0, options.tolerance}, options, s, go_further, true);
   if (!accept(found, options.tolerance, s) && !s.cancelled)
     continue_from_identity(rho, options, found, s, go_further);
-  if (options.problem == Eigenproblem::generalized && s.converged)
+  if (options.problem == Dirac_options::Eigenproblem::generalized && s.converged)
     solve_generalized_dirac(m_system, rho, options, s, go_further);
   s.eigenvalue = dirac_quotient(m_system.surface(), rho, s.lambda);
   s.overlap = m_system.overlap(s.lambda, one);
@@ -172,7 +172,8 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::finish(const Curvature_poten
   const bool is_among_them = is_continued_by(smallest, s);
   if (is_among_them) accept(smallest, options.tolerance, s);
   if (is_among_them && s.residual <= options.tolerance) {
-    if (options.problem == Eigenproblem::generalized) m_system.set_potential(rho, s.seconds);
+    if (options.problem == Dirac_options::Eigenproblem::generalized)
+      m_system.set_potential(rho, s.seconds);
     return;
   }
   s.converged = false;

@@ -8,22 +8,20 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// the discrete eigenvalue problem for (D - rho) lambda = gamma lambda
-enum class Eigenproblem {
-  standard,    ///< X lambda = mu M_V lambda [CGP (5.3)]; always applicable
-  generalized  ///< X lambda = gamma B^H M_F (D - R) lambda [CGP (5.2)]; rho on faces
-};
-
-/// \ingroup PkgSpin
-/// the eigenvector of D - rho that is taken if directions are prescribed at a boundary
-enum class Branch {
-  nearest,  ///< the nearest to the spins that turn the boundary least and are harmonic inside
-  smallest  ///< the one whose eigenvalue has the smallest modulus
-};
-
-/// \ingroup PkgSpin
 /// options of `solve_dirac_equation()`
 struct Dirac_options {
+  /// the eigenvector of D - rho that is taken if directions are prescribed at a boundary
+  enum class Branch {
+    nearest,  ///< the nearest to the spins that turn the boundary least and are harmonic inside
+    smallest  ///< the one whose eigenvalue has the smallest modulus
+  };
+
+  /// the discrete eigenvalue problem for (D - rho) lambda = gamma lambda
+  enum class Eigenproblem {
+    standard,    ///< X lambda = mu M_V lambda [CGP (5.3)]; always applicable
+    generalized  ///< X lambda = gamma B^H M_F (D - R) lambda [CGP (5.2)]; rho on faces
+  };
+
   Eigenproblem problem = Eigenproblem::standard;
   double tolerance = 1e-8;  ///< upper bound of `Dirac_solution::residual`
   int max_iterations = 200;
@@ -35,6 +33,8 @@ struct Dirac_options {
   double kernel_tolerance = 0;
   Branch branch = Branch::nearest;
 };
+
+namespace internal {
 
 /// \ingroup PkgSpin
 /// \brief the numbers that verify a solution of the Dirac equation.
@@ -68,9 +68,11 @@ struct Dirac_solution : Dirac_evidence {
   Seconds seconds;                   ///< of each stage
 };
 
-/// \relates Dirac_evidence
+}  // namespace internal
+
+/// \ingroup PkgSpin
 /// the evidence for the surface scaled by `unit`: divides the numbers in 1/length by `unit`
-Dirac_evidence in_units(Dirac_evidence evidence, double unit);
+internal::Dirac_evidence in_units(internal::Dirac_evidence evidence, double unit);
 
 }  // namespace Conformal_geometry_processing
 

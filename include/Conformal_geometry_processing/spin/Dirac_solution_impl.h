@@ -10,7 +10,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Dirac_evidence in_units(Dirac_evidence evidence, double unit)
+CGP_INLINE internal::Dirac_evidence in_units(internal::Dirac_evidence evidence, double unit)
 {
   for (double* number : {&evidence.eigenvalue, &evidence.gap, &evidence.spectral_shift,
                          &evidence.generalized_eigenvalue})

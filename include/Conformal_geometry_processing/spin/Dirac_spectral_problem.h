@@ -19,6 +19,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgSpin
 /// \brief finds the eigenvalues nearest to a shift s, and eigenfunctions, of D - rho, on closed
 /// surfaces and on surfaces with boundary where D is self-adjoint [CGP (5.2), 5.8.2].
@@ -108,6 +110,8 @@ class Dirac_spectral_problem {
   Curvature_potential m_rho;  // with the shift, in the frame
   Vectors m_constants;        // in the kernel of D - rho, and excluded
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -24,9 +24,8 @@
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits>
-Dirac_spectral_problem<SolverTraits>::Dirac_spectral_problem(const Mesh_view& mesh,
-                                                             const Boundary_condition& condition,
-                                                             const std::string& function)
+internal::Dirac_spectral_problem<SolverTraits>::Dirac_spectral_problem(
+    const Mesh_view& mesh, const Boundary_condition& condition, const std::string& function)
     : m_function(function),
       m_frame(checked(mesh, condition, function).positions()),
       m_mesh(m_frame.to_frame(mesh.positions()), mesh.corners()),
@@ -35,15 +34,15 @@ Dirac_spectral_problem<SolverTraits>::Dirac_spectral_problem(const Mesh_view& me
 {}
 
 template <class SolverTraits>
-Dirac_spectrum Dirac_spectral_problem<SolverTraits>::find(const Curvature_potential& rho, int count,
-                                                          const Dirac_spectrum_options& options,
-                                                          const Go_further& go_further)
+internal::Dirac_spectrum internal::Dirac_spectral_problem<SolverTraits>::find(
+    const Curvature_potential& rho, int count, const internal::Dirac_spectrum_options& options,
+    const Go_further& go_further)
 {
   require_input(rho, count, options.shift);
   set_potential({rho.on, (rho.values.array() + options.shift).matrix() * m_frame.unit()});
-  Dirac_spectrum s;
+  internal::Dirac_spectrum s;
   s.size_of_constants = static_cast<int>((std::min<Eigen::Index>)(count, m_constants.cols()));
-  Krylov_result r;
+  internal::Krylov_result r;
   r.converged = true;
   std::vector<Pair> pairs;
   if (count > s.size_of_constants) {
@@ -61,9 +60,8 @@ Dirac_spectrum Dirac_spectral_problem<SolverTraits>::find(const Curvature_potent
 }
 
 template <class SolverTraits>
-const Mesh_view& Dirac_spectral_problem<SolverTraits>::checked(const Mesh_view& mesh,
-                                                               const Boundary_condition& condition,
-                                                               const std::string& function)
+const Mesh_view& internal::Dirac_spectral_problem<SolverTraits>::checked(
+    const Mesh_view& mesh, const Boundary_condition& condition, const std::string& function)
 {
   require_surface(mesh, function);
   require_condition(mesh, condition, function);
@@ -76,8 +74,8 @@ const Mesh_view& Dirac_spectral_problem<SolverTraits>::checked(const Mesh_view& 
 }
 
 template <class SolverTraits>
-void Dirac_spectral_problem<SolverTraits>::require_input(const Curvature_potential& rho, int count,
-                                                         double shift) const
+void internal::Dirac_spectral_problem<SolverTraits>::require_input(const Curvature_potential& rho,
+                                                                   int count, double shift) const
 {
   const bool on_faces = rho.on == Curvature_potential::On::faces;
   const int size = on_faces ? m_mesh.size_of_faces() : m_mesh.size_of_vertices();
@@ -88,11 +86,11 @@ void Dirac_spectral_problem<SolverTraits>::require_input(const Curvature_potenti
 }
 
 template <class SolverTraits>
-Krylov_result Dirac_spectral_problem<SolverTraits>::iterate(const Pencil& pencil, int wanted,
-                                                            const Dirac_spectrum_options& options,
-                                                            const Go_further& go_further) const
+internal::Krylov_result internal::Dirac_spectral_problem<SolverTraits>::iterate(
+    const internal::Pencil& pencil, int wanted, const internal::Dirac_spectrum_options& options,
+    const Go_further& go_further) const
 {
-  Krylov_options krylov;
+  internal::Krylov_options krylov;
   krylov.wanted = wanted;
   krylov.tolerance = options.tolerance;
   krylov.max_restarts = options.max_restarts;
@@ -105,17 +103,18 @@ Krylov_result Dirac_spectral_problem<SolverTraits>::iterate(const Pencil& pencil
 }
 
 template <class SolverTraits>
-auto Dirac_spectral_problem<SolverTraits>::pair(const Quaternion_vector<double>& v,
-                                                double residual) const -> Pair
+auto internal::Dirac_spectral_problem<SolverTraits>::pair(const Quaternion_vector<double>& v,
+                                                          double residual) const -> Pair
 {
-  const Dirac_forms forms = internal::forms_in_space(m_system, m_rho, v);
+  const internal::Dirac_forms forms = internal::forms_in_space(m_system, m_rho, v);
   const double form = forms.dirac(0, 0).w;
   return {form / forms.mass(0, 0).w, energy(v) / form, residual, v};
 }
 
 template <class SolverTraits>
-auto Dirac_spectral_problem<SolverTraits>::with_those_at_the_shift(
-    const Krylov_result& r, const Dirac_spectrum_options& options) const -> std::vector<Pair>
+auto internal::Dirac_spectral_problem<SolverTraits>::with_those_at_the_shift(
+    const internal::Krylov_result& r, const internal::Dirac_spectrum_options& options) const
+    -> std::vector<Pair>
 {
   std::vector<Pair> pairs = at_the_shift(r, options);
   const std::size_t count = pairs.size();
@@ -131,13 +130,13 @@ auto Dirac_spectral_problem<SolverTraits>::with_those_at_the_shift(
 }
 
 template <class SolverTraits>
-auto Dirac_spectral_problem<SolverTraits>::at_the_shift(const Krylov_result& r,
-                                                        const Dirac_spectrum_options& options) const
+auto internal::Dirac_spectral_problem<SolverTraits>::at_the_shift(
+    const internal::Krylov_result& r, const internal::Dirac_spectrum_options& options) const
     -> std::vector<Pair>
 {
   double nearest = std::numeric_limits<double>::infinity();
   for (double theta : r.values) nearest = (std::min)(nearest, std::abs(1 / theta));
-  Dirac_spectrum_options rough = options;
+  internal::Dirac_spectrum_options rough = options;
   rough.tolerance = (std::max)(1e-3, options.tolerance);
   const int most = static_cast<int>(r.values.size());
   int count = 0;
@@ -148,7 +147,7 @@ auto Dirac_spectral_problem<SolverTraits>::at_the_shift(const Krylov_result& r,
   }
   std::vector<Pair> pairs;
   if (count == 0) return pairs;
-  const Krylov_result exact =
+  const internal::Krylov_result exact =
       iterate(internal::pencil_of_masses(m_system, m_constants), count, options);
   const Vectors separated = rayleigh_ritz_of_dirac(
       exact.vectors, internal::forms_in_space(m_system, m_rho, exact.vectors));
@@ -158,8 +157,8 @@ auto Dirac_spectral_problem<SolverTraits>::at_the_shift(const Krylov_result& r,
 }
 
 template <class SolverTraits>
-int Dirac_spectral_problem<SolverTraits>::count_below(double bound,
-                                                      const Krylov_result& standard) const
+int internal::Dirac_spectral_problem<SolverTraits>::count_below(
+    double bound, const internal::Krylov_result& standard) const
 {
   int count = 0;
   for (Eigen::Index k = 0; k < standard.values.size(); ++k) {
@@ -170,26 +169,28 @@ int Dirac_spectral_problem<SolverTraits>::count_below(double bound,
 }
 
 template <class SolverTraits>
-double Dirac_spectral_problem<SolverTraits>::energy(const Quaternion_vector<double>& v) const
+double internal::Dirac_spectral_problem<SolverTraits>::energy(
+    const Quaternion_vector<double>& v) const
 {
   return inner_product(v, m_system.matrix() * v).w;
 }
 
 template <class SolverTraits>
-void Dirac_spectral_problem<SolverTraits>::set_potential(Curvature_potential rho)
+void internal::Dirac_spectral_problem<SolverTraits>::set_potential(Curvature_potential rho)
 {
   m_rho = std::move(rho);
   const double negligible = 1e-12 * std::sqrt(m_system.unit());
   const bool is_zero = m_rho.values.cwiseAbs().maxCoeff() <= negligible;
   m_constants =
       is_zero ? internal::constants_in_space(m_system) : Vectors(m_system.areas().size(), 0);
-  Dirac_evidence::Seconds seconds;
+  internal::Dirac_evidence::Seconds seconds;
   m_system.set_potential(m_rho, seconds, 1e-9);
 }
 
 template <class SolverTraits>
-void Dirac_spectral_problem<SolverTraits>::fill(const std::vector<Pair>& pairs, double shift,
-                                                Dirac_spectrum& s) const
+void internal::Dirac_spectral_problem<SolverTraits>::fill(const std::vector<Pair>& pairs,
+                                                          double shift,
+                                                          internal::Dirac_spectrum& s) const
 {
   const Eigen::Index constants = s.size_of_constants,
                      size = constants + static_cast<Eigen::Index>(pairs.size());
@@ -212,7 +213,7 @@ void Dirac_spectral_problem<SolverTraits>::fill(const std::vector<Pair>& pairs, 
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Dirac_spectral_problem<Default_solver_traits>;
+extern template class internal::Dirac_spectral_problem<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgSpin
 /// which eigenvalues of D - rho are computed, and how accurately
 struct Dirac_spectrum_options {
@@ -51,12 +53,14 @@ struct Multiple_eigenvalue {
   int multiplicity;
 };
 
+}  // namespace internal
+
 /// \ingroup PkgSpin
 /// \brief merges eigenvalues that differ from the next one by less than a given distance;
 /// ascending.
 /// \param resolution more than the discretisation separates multiple eigenvalues by
-std::vector<Multiple_eigenvalue> with_multiplicities(const Eigen::VectorXd& eigenvalues,
-                                                     double resolution);
+std::vector<internal::Multiple_eigenvalue> with_multiplicities(const Eigen::VectorXd& eigenvalues,
+                                                               double resolution);
 
 }  // namespace Conformal_geometry_processing
 

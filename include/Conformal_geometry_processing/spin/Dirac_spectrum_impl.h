@@ -13,15 +13,15 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE std::vector<Multiple_eigenvalue> with_multiplicities(const Eigen::VectorXd& eigenvalues,
-                                                                double resolution)
+CGP_INLINE std::vector<internal::Multiple_eigenvalue> with_multiplicities(
+    const Eigen::VectorXd& eigenvalues, double resolution)
 {
   Eigen::VectorXd sorted = eigenvalues;
   std::sort(sorted.begin(), sorted.end());
-  std::vector<Multiple_eigenvalue> groups;
+  std::vector<internal::Multiple_eigenvalue> groups;
   for (Eigen::Index i = 0; i < sorted.size(); ++i) {
     if (i == 0 || sorted[i] - sorted[i - 1] >= resolution) groups.push_back({0, 0});
-    Multiple_eigenvalue& group = groups.back();
+    internal::Multiple_eigenvalue& group = groups.back();
     group.value += (sorted[i] - group.value) / ++group.multiplicity;
   }
   return groups;

@@ -22,6 +22,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgSpin
 /// \brief the discrete operator D - rho of a surface in least-squares form, X = (D - R)^H M (D -
 /// R), on a space of spins, with the factor of X [CGP (5.3), Alg. 2].
@@ -159,6 +161,8 @@ class Dirac_system {
   std::unique_ptr<Positions> m_positions;
   double m_shift = 0;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -29,9 +29,9 @@
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits>
-Dirac_system<SolverTraits>::Dirac_system(const Surface_ref& surface,
-                                         const Boundary_condition& condition,
-                                         const std::string& function)
+internal::Dirac_system<SolverTraits>::Dirac_system(const Surface_ref& surface,
+                                                   const Boundary_condition& condition,
+                                                   const std::string& function)
     : m_function(function),
       m_surface(surface),
       m_is_closed(boundary_loops(surface).empty()),
@@ -52,39 +52,40 @@ Dirac_system<SolverTraits>::Dirac_system(const Surface_ref& surface,
 }
 
 template <class SolverTraits>
-void Dirac_system<SolverTraits>::update_geometry()
+void internal::Dirac_system<SolverTraits>::update_geometry()
 {
   m_areas = vertex_areas(m_surface);
   if (m_directions) m_directions->update_geometry();
 }
 
 template <class SolverTraits>
-Coefficients Dirac_system<SolverTraits>::coefficients() const
+internal::Coefficients internal::Dirac_system<SolverTraits>::coefficients() const
 {
-  return m_directions ? Coefficients::reals : Coefficients::quaternions;
+  return m_directions ? internal::Coefficients::reals : internal::Coefficients::quaternions;
 }
 
 template <class SolverTraits>
-double Dirac_system<SolverTraits>::unit() const
+double internal::Dirac_system<SolverTraits>::unit() const
 {
   const double pi = std::acos(-1.);
   return 4 * pi / m_areas.sum();
 }
 
 template <class SolverTraits>
-void Dirac_system<SolverTraits>::assemble(const Curvature_potential& rho,
-                                          Dirac_evidence::Seconds& seconds)
+void internal::Dirac_system<SolverTraits>::assemble(const Curvature_potential& rho,
+                                                    internal::Dirac_evidence::Seconds& seconds)
 {
-  Stopwatch watch;
+  internal::Stopwatch watch;
   assemble_dirac_energy(m_surface, rho, m_X);
   seconds.assembly += watch.lap();
 }
 
 template <class SolverTraits>
-void Dirac_system<SolverTraits>::set_potential(const Curvature_potential& rho,
-                                               Dirac_evidence::Seconds& seconds, double least)
+void internal::Dirac_system<SolverTraits>::set_potential(const Curvature_potential& rho,
+                                                         internal::Dirac_evidence::Seconds& seconds,
+                                                         double least)
 {
-  Stopwatch watch;
+  internal::Stopwatch watch;
   assemble_dirac_energy(m_surface, rho, m_X);
   seconds.assembly += watch.lap();
   m_shift = least * unit();
@@ -99,18 +100,18 @@ void Dirac_system<SolverTraits>::set_potential(const Curvature_potential& rho,
 }
 
 template <class SolverTraits>
-void Dirac_system<SolverTraits>::set_potential(const Curvature_potential& rho,
-                                               const Eigen::VectorXd& shift,
-                                               Dirac_evidence::Seconds& seconds)
+void internal::Dirac_system<SolverTraits>::set_potential(const Curvature_potential& rho,
+                                                         const Eigen::VectorXd& shift,
+                                                         internal::Dirac_evidence::Seconds& seconds)
 {
   assemble(rho, seconds);
-  Stopwatch watch;
+  internal::Stopwatch watch;
   check("factorization", factorize(shift));
   seconds.factorization += watch.lap();
 }
 
 template <class SolverTraits>
-auto Dirac_system<SolverTraits>::solve(const Vectors& b) const -> Vectors
+auto internal::Dirac_system<SolverTraits>::solve(const Vectors& b) const -> Vectors
 {
   Vectors x;
   check("solution", m_directions ? m_reduced.solve(b, x) : m_solver.solve(b, x));
@@ -118,9 +119,9 @@ auto Dirac_system<SolverTraits>::solve(const Vectors& b) const -> Vectors
 }
 
 template <class SolverTraits>
-void Dirac_system<SolverTraits>::prepare_response()
+void internal::Dirac_system<SolverTraits>::prepare_response()
 {
-  Dirac_evidence::Seconds seconds;
+  internal::Dirac_evidence::Seconds seconds;
   const Curvature_potential none = no_potential(m_surface);
   if (m_is_closed || m_directions)
     set_potential(none, seconds, 1e-6);
@@ -129,13 +130,14 @@ void Dirac_system<SolverTraits>::prepare_response()
 }
 
 template <class SolverTraits>
-auto Dirac_system<SolverTraits>::response(const Vectors& c) const -> Vectors
+auto internal::Dirac_system<SolverTraits>::response(const Vectors& c) const -> Vectors
 {
-  return m_is_closed ? Dirac_energy_inverse<Solver>(m_X, m_areas, m_solver)(c) : solve(c);
+  return m_is_closed ? internal::Dirac_energy_inverse<Solver>(m_X, m_areas, m_solver)(c) : solve(c);
 }
 
 template <class SolverTraits>
-auto Dirac_system<SolverTraits>::noise(Eigen::Index columns, unsigned seed) const -> Vectors
+auto internal::Dirac_system<SolverTraits>::noise(Eigen::Index columns, unsigned seed) const
+    -> Vectors
 {
   const Vectors b = block_operator(m_areas)(random_quaternions(m_areas.size(), columns, seed));
   if (m_directions) return solve(b);
@@ -145,41 +147,42 @@ auto Dirac_system<SolverTraits>::noise(Eigen::Index columns, unsigned seed) cons
 }
 
 template <class SolverTraits>
-auto Dirac_system<SolverTraits>::projected(Vectors v) const -> Vectors
+auto internal::Dirac_system<SolverTraits>::projected(Vectors v) const -> Vectors
 {
   return m_directions ? m_directions->basis().project(std::move(v)) : v;
 }
 
 template <class SolverTraits>
-void Dirac_system<SolverTraits>::release()
+void internal::Dirac_system<SolverTraits>::release()
 {
   release_factor(m_solver);
   m_reduced.release();
 }
 
 template <class SolverTraits>
-double Dirac_system<SolverTraits>::squared_norm(const Quaternion_vector<double>& a) const
+double internal::Dirac_system<SolverTraits>::squared_norm(const Quaternion_vector<double>& a) const
 {
   return inner_product(a, m_areas, a).w;
 }
 
 template <class SolverTraits>
-double Dirac_system<SolverTraits>::overlap(const Quaternion_vector<double>& a,
-                                           const Quaternion_vector<double>& b) const
+double internal::Dirac_system<SolverTraits>::overlap(const Quaternion_vector<double>& a,
+                                                     const Quaternion_vector<double>& b) const
 {
   return norm(reduced_to(coefficients(), inner_product(a, m_areas, b))) /
          std::sqrt(squared_norm(a) * squared_norm(b));
 }
 
 template <class SolverTraits>
-double Dirac_system<SolverTraits>::overlap_with_identity(const Quaternion_vector<double>& a) const
+double internal::Dirac_system<SolverTraits>::overlap_with_identity(
+    const Quaternion_vector<double>& a) const
 {
   const auto one = Quaternion_vector<double>::Constant(a.size(), {1, 0, 0, 0}).eval();
   return norm(inner_product(a, m_areas, one)) / std::sqrt(squared_norm(a) * m_areas.sum());
 }
 
 template <class SolverTraits>
-Quaternion_vector<double> Dirac_system<SolverTraits>::normalized(
+Quaternion_vector<double> internal::Dirac_system<SolverTraits>::normalized(
     Quaternion_vector<double> lambda) const
 {
   if (m_directions)
@@ -190,14 +193,14 @@ Quaternion_vector<double> Dirac_system<SolverTraits>::normalized(
 }
 
 template <class SolverTraits>
-void Dirac_system<SolverTraits>::check(const char* step, Solver_status status) const
+void internal::Dirac_system<SolverTraits>::check(const char* step, Solver_status status) const
 {
   if (status != Solver_status::success)
     throw Solver_error(m_function, std::string(step) + " of X failed: " + to_string(status));
 }
 
 template <class SolverTraits>
-Solver_status Dirac_system<SolverTraits>::factorize(const Eigen::VectorXd& shift)
+Solver_status internal::Dirac_system<SolverTraits>::factorize(const Eigen::VectorXd& shift)
 {
   return m_directions ? m_reduced.factorize(m_X, shift, m_directions->basis())
                       : m_solver.factorize(m_X, shift);
@@ -208,7 +211,7 @@ Solver_status Dirac_system<SolverTraits>::factorize(const Eigen::VectorXd& shift
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Dirac_system<Default_solver_traits>;
+extern template class internal::Dirac_system<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -41,7 +41,8 @@ Eigensolver_result Directions_search<SolverTraits>::nearest_to_guide(
     const Go_further& go_further) const
 {
   // The guide may be an eigenvector itself, which gives no information about others.
-  const bool is_one_enough = options.kernel_tolerance == 0 && options.branch == Branch::nearest;
+  const bool is_one_enough =
+      options.kernel_tolerance == 0 && options.branch == Dirac_options::Branch::nearest;
   const int columns = 4;
   Eigensolver_result r =
       smallest(guide(), 1, is_one_enough ? options.tolerance : 1e-2, options, s, go_further);
@@ -103,7 +104,7 @@ int Directions_search<SolverTraits>::column(const Eigensolver_result& r,
                                             const Dirac_options& options, double bound) const
 {
   int nearest = 0;
-  if (options.branch == Branch::smallest) return nearest;
+  if (options.branch == Dirac_options::Branch::smallest) return nearest;
   const bool has_solution = singular_value(r, 0) <= bound;
   for (int c = 1; c < r.vectors.cols() && (!has_solution || singular_value(r, c) <= bound); ++c)
     if (m_system.overlap(r.vectors.col(c), guide()) >

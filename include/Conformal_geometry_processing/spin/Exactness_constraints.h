@@ -14,6 +14,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgSpin
 /// \brief the functions that rho must be orthogonal to on a surface with handles or holes so that
 /// the edges of the transformed surface stay exact, that is close up around them, and the defect of
@@ -36,6 +38,8 @@ struct Exactness_constraints {
   double period_defect(const Eigen::MatrixX3d& edges) const;
 };
 
+}  // namespace internal
+
 /// \ingroup PkgSpin
 /// \brief computes the constraints of a surface.
 ///
@@ -49,11 +53,10 @@ struct Exactness_constraints {
 /// \param version empty: no functions are computed. With a boundary, always the adjoint
 /// \throw Solver_error if a factorization fails, or a solve
 template <class SolverTraits>
-Exactness_constraints exactness_constraints(Dirac_system<SolverTraits>& system,
-                                            const Grounded_solver<SolverTraits>& laplacian,
-                                            const Eigen::MatrixXd& generators,
-                                            Curvature_potential::On on,
-                                            std::optional<Exactness> version);
+internal::Exactness_constraints exactness_constraints(
+    internal::Dirac_system<SolverTraits>& system,
+    const internal::Grounded_solver<SolverTraits>& laplacian, const Eigen::MatrixXd& generators,
+    Curvature_potential::On on, std::optional<Exactness> version);
 
 }  // namespace Conformal_geometry_processing
 

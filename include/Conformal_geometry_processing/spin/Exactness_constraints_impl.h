@@ -12,15 +12,16 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Constraint_basis Exactness_constraints::basis() const
+CGP_INLINE internal::Constraint_basis internal::Exactness_constraints::basis() const
 {
-  Constraint_basis basis(areas);
+  internal::Constraint_basis basis(areas);
   if (!constants_have_effect) basis.add(Eigen::VectorXd::Ones(areas.size()));
   basis.add(functions);
   return basis;
 }
 
-CGP_INLINE double Exactness_constraints::period_defect(const Eigen::MatrixX3d& edges) const
+CGP_INLINE double internal::Exactness_constraints::period_defect(
+    const Eigen::MatrixX3d& edges) const
 {
   if (forms.size() == 0) return 0;
   // Uses |w|, because w is negative opposite large angles and then defines no norm.

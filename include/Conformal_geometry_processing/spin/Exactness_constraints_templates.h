@@ -15,14 +15,13 @@
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits>
-Exactness_constraints exactness_constraints(Dirac_system<SolverTraits>& system,
-                                            const Grounded_solver<SolverTraits>& laplacian,
-                                            const Eigen::MatrixXd& generators,
-                                            Curvature_potential::On on,
-                                            std::optional<Exactness> version)
+internal::Exactness_constraints exactness_constraints(
+    internal::Dirac_system<SolverTraits>& system,
+    const internal::Grounded_solver<SolverTraits>& laplacian, const Eigen::MatrixXd& generators,
+    Curvature_potential::On on, std::optional<Exactness> version)
 {
   const Surface_ref& surface = system.surface();
-  Exactness_constraints c;
+  internal::Exactness_constraints c;
   c.on = on;
   c.constants_have_effect = !system.is_self_adjoint();
   c.areas = curvature_areas(surface, on);
@@ -43,9 +42,10 @@ Exactness_constraints exactness_constraints(Dirac_system<SolverTraits>& system,
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template Exactness_constraints exactness_constraints<Default_solver_traits>(
-    Dirac_system<Default_solver_traits>&, const Grounded_solver<Default_solver_traits>&,
-    const Eigen::MatrixXd&, Curvature_potential::On, std::optional<Exactness>);
+extern template internal::Exactness_constraints exactness_constraints<Default_solver_traits>(
+    internal::Dirac_system<Default_solver_traits>&,
+    const internal::Grounded_solver<Default_solver_traits>&, const Eigen::MatrixXd&,
+    Curvature_potential::On, std::optional<Exactness>);
 
 }  // namespace Conformal_geometry_processing
 #endif

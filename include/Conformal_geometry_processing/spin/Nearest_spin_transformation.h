@@ -85,8 +85,9 @@ class Nearest_spin_transformation {
 
   /// \brief the conformal deformation.
   /// \throw Solver_error if a factorization fails. Failure to converge is a field of the report.
-  Nearest_spin_result transform(const Dirac_options& options = {},
-                                const Go_further& go_further = Always_go_further());
+  Nearest_spin_result transform(
+      const Dirac_options& options = {},
+      const internal::Go_further& go_further = internal::Always_go_further());
 
   /// \brief the surface of (1 - t) lambda + t mu, which is conformal only for t = 0.
   /// \param nearest result of `transform()`

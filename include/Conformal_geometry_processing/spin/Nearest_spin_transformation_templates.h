@@ -64,7 +64,7 @@ void Nearest_spin_transformation<SolverTraits, EigensolverTraits>::scale_lengths
 
 template <class SolverTraits, class EigensolverTraits>
 Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>::transform(
-    const Dirac_options& options, const Go_further& go_further)
+    const Dirac_options& options, const internal::Go_further& go_further)
 {
   Spin_result found = m_transformation.transform(m_rho, options, go_further);
   if (found.report.cancelled) return {std::move(found), 0};
@@ -80,7 +80,7 @@ Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>
   align_spins(spins);
   for (Eigen::Index v = 0; v < spins.size(); ++v) spins[v] = spins[v] * (1 - t) + m_mu[v] * t;
   Spin_result between = m_transformation.integrate(std::move(spins));
-  static_cast<Dirac_evidence&>(between.report) = nearest.report;
+  static_cast<internal::Dirac_evidence&>(between.report) = nearest.report;
   between.report.converged = nearest.report.converged && between.positions.allFinite();
   return placed(std::move(between));
 }
@@ -139,7 +139,7 @@ Nearest_spin_transformation<SolverTraits, EigensolverTraits>::transformation_opt
   Spin_transformation_options own;
   own.exactness = options.exactness;
   own.mollification = options.mollification;
-  const Boundary_frames frames =
+  const internal::Boundary_frames frames =
       options.mollification ? boundary_frames(Delaunay_view(target, *options.mollification))
                             : boundary_frames(target);
   if (frames.vertices.empty()) return own;
@@ -166,7 +166,7 @@ Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>
 {
   Nearest_spin_result result{std::move(found), 0};
   if (!result.report.converged) return result;
-  const Alignment a = align(result.positions, m_target);
+  const internal::Alignment a = align(result.positions, m_target);
   result.positions = a.apply(result.positions);
   result.distance = a.rms;
   return result;

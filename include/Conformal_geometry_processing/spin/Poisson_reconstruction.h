@@ -50,7 +50,7 @@ class Poisson_reconstruction {
   void update_geometry();
 
   /// the solver for the Laplacian
-  const Grounded_solver<SolverTraits>& solver() const { return m_solver; }
+  const internal::Grounded_solver<SolverTraits>& solver() const { return m_solver; }
 
   /// returns f, 3 x |V|: the unique minimiser with mean zero
   /// \param edges |E| x 3, edge k runs from `surface.ends(k)[0]` to `surface.ends(k)[1]`
@@ -67,7 +67,7 @@ class Poisson_reconstruction {
   Surface_ref m_surface;
   Eigen::VectorXd m_weights;  // |E|
   Hermitian_sparse_matrix<double> m_L;
-  Grounded_solver<SolverTraits> m_solver;
+  internal::Grounded_solver<SolverTraits> m_solver;
 };
 
 }  // namespace Conformal_geometry_processing

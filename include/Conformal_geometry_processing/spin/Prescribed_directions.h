@@ -17,6 +17,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgSpin
 /// \brief the space of spins that turn a direction of the boundary frames into prescribed
 /// directions, with a smooth member, the guide, to which solutions are compared.
@@ -82,6 +84,8 @@ class Prescribed_directions {
   Reduced_basis<double> m_basis;
   Quaternion_vector<double> m_guide;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -19,17 +19,17 @@
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits>
-void Prescribed_directions<SolverTraits>::update_geometry()
+void internal::Prescribed_directions<SolverTraits>::update_geometry()
 {
   m_frames = boundary_frames(m_surface);
   update();
 }
 
 template <class SolverTraits>
-Eigen::VectorXd Prescribed_directions<SolverTraits>::errors(const Surface_ref& surface,
-                                                            const Points& targets) const
+Eigen::VectorXd internal::Prescribed_directions<SolverTraits>::errors(const Surface_ref& surface,
+                                                                      const Points& targets) const
 {
-  const Boundary_frames frames = boundary_frames(surface);
+  const internal::Boundary_frames frames = boundary_frames(surface);
   Eigen::VectorXd angles(targets.cols());
   for (Eigen::Index k = 0; k < angles.size(); ++k) {
     const Eigen::Vector3d U = frames.frames[static_cast<std::size_t>(k)] * m_coefficients;
@@ -40,14 +40,14 @@ Eigen::VectorXd Prescribed_directions<SolverTraits>::errors(const Surface_ref& s
 }
 
 template <class SolverTraits>
-Points Prescribed_directions<SolverTraits>::normalized(Points v)
+Points internal::Prescribed_directions<SolverTraits>::normalized(Points v)
 {
   for (Eigen::Index k = 0; k < v.cols(); ++k) v.col(k) = stable_normalized(v.col(k));
   return v;
 }
 
 template <class SolverTraits>
-Points Prescribed_directions<SolverTraits>::sources() const
+Points internal::Prescribed_directions<SolverTraits>::sources() const
 {
   Points U(3, static_cast<Eigen::Index>(m_frames.frames.size()));
   for (std::size_t k = 0; k < m_frames.frames.size(); ++k)
@@ -56,15 +56,15 @@ Points Prescribed_directions<SolverTraits>::sources() const
 }
 
 template <class SolverTraits>
-void Prescribed_directions<SolverTraits>::update()
+void internal::Prescribed_directions<SolverTraits>::update()
 {
   const Points U = sources();
   if (!m_has_targets) m_targets = U;
-  std::vector<Reduced_basis<double>::Plane> planes;
+  std::vector<internal::Reduced_basis<double>::Plane> planes;
   const Quaternion<double> turn = best_turn(U, m_targets);
   for (Eigen::Index k = 0; k < U.cols(); ++k) {
     const Eigen::Vector3d N = m_frames.normal(static_cast<std::size_t>(k));
-    const Reduced_basis<double>::Plane rest =
+    const internal::Reduced_basis<double>::Plane rest =
         boundary_plane(spin(turn, U.col(k)), m_targets.col(k), spin(turn, N));
     planes.push_back({turn * rest[0], turn * rest[1]});
   }
@@ -81,7 +81,7 @@ void Prescribed_directions<SolverTraits>::update()
 }
 
 template <class SolverTraits>
-Block<Quaternion<double>> Prescribed_directions<SolverTraits>::harmonic_extension(
+Block<Quaternion<double>> internal::Prescribed_directions<SolverTraits>::harmonic_extension(
     const std::vector<Quaternion<double>>& rotors)
 {
   const Eigen::Index n = m_surface.size_of_vertices();
@@ -101,7 +101,7 @@ Block<Quaternion<double>> Prescribed_directions<SolverTraits>::harmonic_extensio
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Prescribed_directions<Default_solver_traits>;
+extern template class internal::Prescribed_directions<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -19,6 +19,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgSpin
 /// \brief spins and positions of a surface whose boundary is mapped to a given curve with given
 /// normals [CGP 6.3.2].
@@ -82,6 +84,8 @@ class Prescribed_positions {
   Dirichlet_solver<Quaternion<double>, SolverTraits> m_lambda;
   Dirichlet_solver<double, SolverTraits> m_positions;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

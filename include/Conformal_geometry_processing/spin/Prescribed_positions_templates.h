@@ -21,7 +21,7 @@
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits>
-Quaternion_vector<double> Prescribed_positions<SolverTraits>::spins(
+Quaternion_vector<double> internal::Prescribed_positions<SolverTraits>::spins(
     const Hermitian_sparse_matrix<Quaternion<double>>& X) const
 {
   const Block<Quaternion<double>> zero =
@@ -32,7 +32,7 @@ Quaternion_vector<double> Prescribed_positions<SolverTraits>::spins(
 }
 
 template <class SolverTraits>
-double Prescribed_positions<SolverTraits>::residual(
+double internal::Prescribed_positions<SolverTraits>::residual(
     const Hermitian_sparse_matrix<Quaternion<double>>& X,
     const Quaternion_vector<double>& lambda) const
 {
@@ -48,7 +48,7 @@ double Prescribed_positions<SolverTraits>::residual(
 }
 
 template <class SolverTraits>
-Points Prescribed_positions<SolverTraits>::positions(const Eigen::MatrixX3d& edges)
+Points internal::Prescribed_positions<SolverTraits>::positions(const Eigen::MatrixX3d& edges)
 {
   const Eigen::VectorXd weights = cotan_weights(m_surface);
   const auto L = cotan_laplacian(m_surface);
@@ -60,7 +60,7 @@ Points Prescribed_positions<SolverTraits>::positions(const Eigen::MatrixX3d& edg
 }
 
 template <class SolverTraits>
-std::vector<Quaternion<double>> Prescribed_positions<SolverTraits>::spins(
+std::vector<Quaternion<double>> internal::Prescribed_positions<SolverTraits>::spins(
     const Boundary_condition& condition, const std::string& function) const
 {
   std::vector<Quaternion<double>> spins;
@@ -81,11 +81,9 @@ std::vector<Quaternion<double>> Prescribed_positions<SolverTraits>::spins(
 }
 
 template <class SolverTraits>
-Quaternion<double> Prescribed_positions<SolverTraits>::spin_at(const Boundary_condition& condition,
-                                                               std::size_t first,
-                                                               const std::vector<int>& loop,
-                                                               std::size_t k,
-                                                               const std::string& function) const
+Quaternion<double> internal::Prescribed_positions<SolverTraits>::spin_at(
+    const Boundary_condition& condition, std::size_t first, const std::vector<int>& loop,
+    std::size_t k, const std::string& function) const
 {
   const std::size_t n = loop.size(), next = (k + 1) % n, previous = (k + n - 1) % n;
   const auto target = [&](std::size_t i) -> Eigen::Vector3d {
@@ -95,7 +93,7 @@ Quaternion<double> Prescribed_positions<SolverTraits>::spin_at(const Boundary_co
   const auto length = [&](const auto& p) {
     return (p(next) - p(k)).norm() + (p(k) - p(previous)).norm();
   };
-  const Boundary_frame frame = boundary_frame(
+  const internal::Boundary_frame frame = boundary_frame(
       target(next) - target(previous), condition.normals.col(static_cast<Eigen::Index>(first + k)));
   if (!(frame.determinant() > 0.5))
     throw Precondition_error(function, "the curve folds back, or has its normal along it, at " +
@@ -108,7 +106,7 @@ Quaternion<double> Prescribed_positions<SolverTraits>::spin_at(const Boundary_co
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Prescribed_positions<Default_solver_traits>;
+extern template class internal::Prescribed_positions<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -9,22 +9,18 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
-/// why a surface with prescribed boundary data is not reliable
-enum class Boundary_fault {
-  none,
-  not_realizable,  ///< no conformal surface has the data: the singular value of D - rho does not
-                   ///< tend to 0
-  does_not_close,  ///< the edges do not close up
-  degenerate       ///< lambda nearly vanishes somewhere
-};
-
-/// \relates Spin_report
-const char* to_string(Boundary_fault fault);
-
-/// \ingroup PkgSpin
 /// \brief the numbers that verify a spin transformation. The realised change of curvature is rho +
 /// gamma. If the transformation was cancelled, nothing has been written.
-struct [[nodiscard]] Spin_report : Dirac_evidence {
+struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
+  /// why a surface with prescribed boundary data is not reliable
+  enum class Boundary_fault {
+    none,
+    not_realizable,  ///< no conformal surface has the data: the singular value of D - rho does not
+                     ///< tend to 0
+    does_not_close,  ///< the edges do not close up
+    degenerate       ///< lambda nearly vanishes somewhere
+  };
+
   int steps = 1;             ///< number of steps, for a surface with handles that stays closed
   double reached = 1;        ///< completed share of the path to rho, in [0, 1]
   double missing_share = 0;  ///< norm of the part of rho that was left out because the surface
@@ -55,7 +51,7 @@ struct [[nodiscard]] Spin_report : Dirac_evidence {
   double min_spin_ratio = 0;    ///< min |lambda| / max |lambda|; near zero if the map degenerates
 
   /// wall clock seconds
-  struct Seconds : Dirac_evidence::Seconds {
+  struct Seconds : internal::Dirac_evidence::Seconds {
     double setup = 0;           ///< pattern, ordering, symbolic analysis: once per mesh
     double reconstruction = 0;  ///< includes the factorization of the Laplacian the first time
     double certificate = 0;
@@ -65,6 +61,9 @@ struct [[nodiscard]] Spin_report : Dirac_evidence {
   /// boundary data could be realised
   explicit operator bool() const;
 };
+
+/// \relates Spin_report
+const char* to_string(Spin_report::Boundary_fault fault);
 
 namespace internal {
 

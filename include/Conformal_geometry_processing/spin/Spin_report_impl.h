@@ -10,16 +10,16 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE const char* to_string(Boundary_fault fault)
+CGP_INLINE const char* to_string(Spin_report::Boundary_fault fault)
 {
   switch (fault) {
-    case Boundary_fault::not_realizable:
+    case Spin_report::Boundary_fault::not_realizable:
       return "no surface conformally equivalent to this one has this curvature and this boundary";
-    case Boundary_fault::does_not_close:
+    case Spin_report::Boundary_fault::does_not_close:
       return "the edges of the new surface do not fit together";
-    case Boundary_fault::degenerate:
+    case Spin_report::Boundary_fault::degenerate:
       return "the new surface shrinks to a point somewhere";
-    case Boundary_fault::none:
+    case Spin_report::Boundary_fault::none:
       break;
   }
   return "none";
@@ -27,7 +27,7 @@ CGP_INLINE const char* to_string(Boundary_fault fault)
 
 CGP_INLINE Spin_report::operator bool() const
 {
-  return converged && !cancelled && boundary_fault == Boundary_fault::none;
+  return converged && !cancelled && boundary_fault == Spin_report::Boundary_fault::none;
 }
 
 namespace internal {
@@ -48,8 +48,8 @@ CGP_INLINE void append(Spin_report::Mollification& all, const Spin_report::Molli
 
 CGP_INLINE void append(Spin_report& all, const Spin_report& next)
 {
-  const Dirac_evidence before = all;
-  static_cast<Dirac_evidence&>(all) = next;
+  const internal::Dirac_evidence before = all;
+  static_cast<internal::Dirac_evidence&>(all) = next;
   all.residual = (std::max)(before.residual, next.residual);
   if (all.steps > 0) all.gap = (std::min)(before.gap, next.gap);
   if (all.steps > 0) all.overlap = (std::min)(before.overlap, next.overlap);

@@ -105,8 +105,8 @@ class Spin_transformation {
   const internal::Framed_surface& domain() const { return m_stage->domain; }
 
   /// the Dirac operator of the surface, in the frame of the computation
-  const Dirac_system<SolverTraits>& system() const { return m_stage->system; }
-  Dirac_system<SolverTraits>& system() { return m_stage->system; }
+  const internal::Dirac_system<SolverTraits>& system() const { return m_stage->system; }
+  internal::Dirac_system<SolverTraits>& system() { return m_stage->system; }
 
   /// \brief finds positions from edge vectors, in the frame of the computation.
   /// \throw Solver_error if the Laplacian cannot be factored
@@ -114,7 +114,7 @@ class Spin_transformation {
 
   /// \brief the constraints that keep the surface exact, in the frame; computed on first use.
   /// \throw Solver_error if a factorization fails, or a solve
-  const Exactness_constraints& exactness(Curvature_potential::On on);
+  const internal::Exactness_constraints& exactness(Curvature_potential::On on);
 
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   void require_potential(const Curvature_potential& rho) const;
@@ -130,17 +130,17 @@ class Spin_transformation {
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   /// \throw Solver_error if a factorization fails. Failure to converge is a field of the report.
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
-                        const Go_further& go_further = Always_go_further()) &;
+                        const internal::Go_further& go_further = internal::Always_go_further()) &;
 
   /// the last transformation by this object: needs less memory, because the two factors do not
   /// exist at the same time
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
-                        const Go_further& go_further = Always_go_further()) &&;
+                        const internal::Go_further& go_further = internal::Always_go_further()) &&;
 
   /// \brief a single transformation by the given rho, whether the edges stay exact or not.
   /// \throw as `transform()`
   Spin_result step(const Curvature_potential& rho, const Dirac_options& options = {},
-                   const Go_further& go_further = Always_go_further());
+                   const internal::Go_further& go_further = internal::Always_go_further());
 
   /// \brief computes the surface with given spins, whether they solve a Dirac equation or not.
   ///
@@ -156,17 +156,18 @@ class Spin_transformation {
   struct Stage {
     Stage(const Mesh_view& mesh, const Spin_transformation& of);
 
-    Stopwatch watch;  // started before all other members
+    internal::Stopwatch watch;  // started before all other members
     internal::Framed_surface domain;
-    Dirac_system<SolverTraits> system;
+    internal::Dirac_system<SolverTraits> system;
     std::optional<Poisson_reconstruction<SolverTraits>> poisson;
     bool is_poisson_old = false;  // the surface has moved since the Laplacian was assembled
-    std::optional<Exactness_constraints> exactness;
+    std::optional<internal::Exactness_constraints> exactness;
     double seconds;
   };
 
   /// converts positions to the frame; directions do not change
-  static Boundary_condition in_frame(Boundary_condition condition, const Normalized_frame& frame);
+  static Boundary_condition in_frame(Boundary_condition condition,
+                                     const internal::Normalized_frame& frame);
   void require_size(Eigen::Index size, const std::string& what) const;
 
   /// whether there are loops around handles or holes, which have to close
@@ -174,7 +175,7 @@ class Spin_transformation {
 
   /// lambda, with its part of the report
   Spin_result solve(const Curvature_potential& rho, Dirac_options options,
-                    const Go_further& go_further);
+                    const internal::Go_further& go_further);
 
   /// Computes positions from lambda, with the area and the centroid of the mesh, and the
   /// certificate.

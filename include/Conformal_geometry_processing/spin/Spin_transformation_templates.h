@@ -87,8 +87,8 @@ Spin_transformation<SolverTraits, EigensolverTraits>::reconstruction()
 }
 
 template <class SolverTraits, class EigensolverTraits>
-const Exactness_constraints& Spin_transformation<SolverTraits, EigensolverTraits>::exactness(
-    Curvature_potential::On on)
+const internal::Exactness_constraints&
+Spin_transformation<SolverTraits, EigensolverTraits>::exactness(Curvature_potential::On on)
 {
   auto& found = m_stage->exactness;
   if (!found || found->on != on)
@@ -107,7 +107,8 @@ void Spin_transformation<SolverTraits, EigensolverTraits>::require_potential(
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
-    const Curvature_potential& rho, const Dirac_options& options, const Go_further& go_further) &
+    const Curvature_potential& rho, const Dirac_options& options,
+    const internal::Go_further& go_further) &
 {
   require_potential(rho);
   if (!m_options.exactness || !has_loops()) return step(rho, options, go_further);
@@ -127,7 +128,8 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
-    const Curvature_potential& rho, const Dirac_options& options, const Go_further& go_further) &&
+    const Curvature_potential& rho, const Dirac_options& options,
+    const internal::Go_further& go_further) &&
 {
   require_potential(rho);
   if (m_options.exactness && has_loops())
@@ -140,7 +142,8 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::step(
-    const Curvature_potential& rho, const Dirac_options& options, const Go_further& go_further)
+    const Curvature_potential& rho, const Dirac_options& options,
+    const internal::Go_further& go_further)
 {
   require_potential(rho);
   Spin_result result = solve(rho, options, go_further);
@@ -163,7 +166,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::integrate(
 
 template <class SolverTraits, class EigensolverTraits>
 Boundary_condition Spin_transformation<SolverTraits, EigensolverTraits>::in_frame(
-    Boundary_condition condition, const Normalized_frame& frame)
+    Boundary_condition condition, const internal::Normalized_frame& frame)
 {
   if (condition.kind == Boundary_condition::Kind::positions)
     condition.targets = frame.to_frame(std::move(condition.targets));
@@ -189,15 +192,15 @@ bool Spin_transformation<SolverTraits, EigensolverTraits>::has_loops() const
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::solve(
-    const Curvature_potential& rho, Dirac_options options, const Go_further& go_further)
+    const Curvature_potential& rho, Dirac_options options, const internal::Go_further& go_further)
 {
   const double unit = domain().unit();
   options.kernel_tolerance *= unit;
-  Dirac_solution s = solve_dirac_equation<EigensolverTraits>(system(), {rho.on, rho.values * unit},
-                                                             options, go_further);
+  internal::Dirac_solution s = solve_dirac_equation<EigensolverTraits>(
+      system(), {rho.on, rho.values * unit}, options, go_further);
   Spin_result result;
-  static_cast<Dirac_evidence&>(result.report) = in_units(s, unit);
-  static_cast<Dirac_evidence::Seconds&>(result.report.seconds) = s.seconds;
+  static_cast<internal::Dirac_evidence&>(result.report) = in_units(s, unit);
+  static_cast<internal::Dirac_evidence::Seconds&>(result.report.seconds) = s.seconds;
   result.report.seconds.setup = m_stage->seconds;
   result.report.mollification = domain().mollification();
   result.lambda = std::move(s.lambda);
@@ -207,7 +210,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::solve(
 template <class SolverTraits, class EigensolverTraits>
 void Spin_transformation<SolverTraits, EigensolverTraits>::reconstruct(Spin_result& result)
 {
-  Stopwatch watch;
+  internal::Stopwatch watch;
   Spin_report& r = result.report;
   auto* const positions = system().positions();
   const Eigen::MatrixX3d edges = transformed_edges(system().surface(), result.lambda);
@@ -227,7 +230,7 @@ template <class SolverTraits, class EigensolverTraits>
 void Spin_transformation<SolverTraits, EigensolverTraits>::judge_boundary(const Points& f,
                                                                           Spin_report& report) const
 {
-  const Dirac_system<SolverTraits>& dirac = system();
+  const internal::Dirac_system<SolverTraits>& dirac = system();
   if (dirac.is_closed()) return;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (dirac.directions()) {

@@ -24,7 +24,8 @@ double greatest_misfit(const Surface_ref& surface);
 ///
 /// \param sigma in 1/length; zero if it is a true eigenvalue and not a misfit
 /// \param report contains the measured quantities
-Boundary_fault boundary_fault(const Surface_ref& surface, double sigma, const Spin_report& report);
+Spin_report::Boundary_fault boundary_fault(const Surface_ref& surface, double sigma,
+                                           const Spin_report& report);
 
 }  // namespace Conformal_geometry_processing
 

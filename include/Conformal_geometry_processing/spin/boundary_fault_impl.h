@@ -19,17 +19,17 @@ CGP_INLINE double greatest_misfit(const Surface_ref& surface)
   return (std::max)(0.05, 3 * mean_edge_length(surface) / radius) / radius;
 }
 
-CGP_INLINE Boundary_fault boundary_fault(const Surface_ref& surface, double sigma,
-                                         const Spin_report& report)
+CGP_INLINE Spin_report::Boundary_fault boundary_fault(const Surface_ref& surface, double sigma,
+                                                      const Spin_report& report)
 {
   const double pi = std::acos(-1.), radius = std::sqrt(face_areas(surface).sum() / pi);
   const double h = mean_edge_length(surface) / radius, small_gap = 0.01, great_misfit = 0.15;
   const double closing = report.closure_residual;
   if (sigma > greatest_misfit(surface) && (closing > small_gap || sigma * radius > great_misfit))
-    return Boundary_fault::not_realizable;
-  if (closing > (std::max)(0.02, 3 * h * h)) return Boundary_fault::does_not_close;
-  if (report.min_spin_ratio < 0.02) return Boundary_fault::degenerate;
-  return Boundary_fault::none;
+    return Spin_report::Boundary_fault::not_realizable;
+  if (closing > (std::max)(0.02, 3 * h * h)) return Spin_report::Boundary_fault::does_not_close;
+  if (report.min_spin_ratio < 0.02) return Spin_report::Boundary_fault::degenerate;
+  return Spin_report::Boundary_fault::none;
 }
 
 }  // namespace Conformal_geometry_processing

@@ -21,8 +21,9 @@ namespace Conformal_geometry_processing {
 /// about the given axis.
 /// \param axis not parallel to U; need not be orthogonal to it
 /// \pre U and V are unit vectors
-Reduced_basis<double>::Plane boundary_plane(const Eigen::Vector3d& U, const Eigen::Vector3d& V,
-                                            const Eigen::Vector3d& axis);
+internal::Reduced_basis<double>::Plane boundary_plane(const Eigen::Vector3d& U,
+                                                      const Eigen::Vector3d& V,
+                                                      const Eigen::Vector3d& axis);
 
 /// \ingroup PkgSpin
 /// \brief chooses the signs of quaternions along loops so that the rotation from one to the next is
@@ -42,8 +43,8 @@ std::vector<char> make_continuous(const std::vector<std::vector<int>>& loops,
 ///
 /// [CGP 6.3.2] leaves |lambda|^2 undetermined, which would cause a constant error in the positions.
 /// The signs may jump; see `make_continuous()`.
-Quaternion<double> boundary_spin(const Boundary_frame& source, const Boundary_frame& target,
-                                 double ratio);
+Quaternion<double> boundary_spin(const internal::Boundary_frame& source,
+                                 const internal::Boundary_frame& target, double ratio);
 
 }  // namespace Conformal_geometry_processing
 

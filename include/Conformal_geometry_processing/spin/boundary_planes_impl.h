@@ -14,9 +14,9 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Reduced_basis<double>::Plane boundary_plane(const Eigen::Vector3d& U,
-                                                       const Eigen::Vector3d& V,
-                                                       const Eigen::Vector3d& axis)
+CGP_INLINE internal::Reduced_basis<double>::Plane boundary_plane(const Eigen::Vector3d& U,
+                                                                 const Eigen::Vector3d& V,
+                                                                 const Eigen::Vector3d& axis)
 {
   const double almost_antipodal = 1e-8;
   Quaternion<double> q = rotor(U, V);
@@ -44,8 +44,8 @@ CGP_INLINE std::vector<char> make_continuous(const std::vector<std::vector<int>>
   return closes;
 }
 
-CGP_INLINE Quaternion<double> boundary_spin(const Boundary_frame& source,
-                                            const Boundary_frame& target, double ratio)
+CGP_INLINE Quaternion<double> boundary_spin(const internal::Boundary_frame& source,
+                                            const internal::Boundary_frame& target, double ratio)
 {
   return spin_of(Eigen::Matrix3d(target * source.transpose()), ratio);
 }

@@ -15,7 +15,7 @@ namespace Conformal_geometry_processing {
 ///
 /// Kept directions admit 1 and, if they are all parallel, as the binormals of a cylinder are, the
 /// rotations about them.
-Vector<Quaternion<double>> constant_spins(const Reduced_basis<double>& basis);
+Vector<Quaternion<double>> constant_spins(const internal::Reduced_basis<double>& basis);
 
 }  // namespace Conformal_geometry_processing
 

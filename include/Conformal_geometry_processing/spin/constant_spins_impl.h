@@ -11,7 +11,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Vector<Quaternion<double>> constant_spins(const Reduced_basis<double>& basis)
+CGP_INLINE Vector<Quaternion<double>> constant_spins(const internal::Reduced_basis<double>& basis)
 {
   const int n = basis.rows().size();
   Block<Quaternion<double>> units(n, 4);

@@ -10,16 +10,16 @@
 
 namespace Conformal_geometry_processing {
 
-template class Dirac_energy_inverse<Supernodal_cholesky<Quaternion<double>>>;
-template class Prescribed_directions<Default_solver_traits>;
-template class Prescribed_positions<Default_solver_traits>;
-template class Dirac_system<Default_solver_traits>;
+template class internal::Dirac_energy_inverse<Supernodal_cholesky<Quaternion<double>>>;
+template class internal::Prescribed_directions<Default_solver_traits>;
+template class internal::Prescribed_positions<Default_solver_traits>;
+template class internal::Dirac_system<Default_solver_traits>;
 template class internal::Dirac_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class internal::Dirac_branch<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class internal::Directions_search<Default_solver_traits>;
-template Dirac_solution solve_dirac_equation<Lobpcg_eigensolver_traits>(
-    Dirac_system<Default_solver_traits>&, const Curvature_potential&, const Dirac_options&,
-    const Go_further&);
+template internal::Dirac_solution solve_dirac_equation<Lobpcg_eigensolver_traits>(
+    internal::Dirac_system<Default_solver_traits>&, const Curvature_potential&,
+    const Dirac_options&, const internal::Go_further&);
 
 }  // namespace Conformal_geometry_processing
 

@@ -35,9 +35,9 @@ void require_on_faces(const Curvature_potential& rho);
 /// rejected
 /// \pre `require_on_faces(rho)` holds
 template <class SolverTraits>
-void solve_generalized_dirac(const Dirac_system<SolverTraits>& system,
+void solve_generalized_dirac(const internal::Dirac_system<SolverTraits>& system,
                              const Curvature_potential& rho, const Dirac_options& options,
-                             Dirac_solution& s, const Go_further& go_further)
+                             internal::Dirac_solution& s, const internal::Go_further& go_further)
 {
   const double gamma = dirac_quotient(system.surface(), rho, s.lambda);
   if (s.spectral_shift != 0 || gamma == 0 || s.energy <= 0) return;

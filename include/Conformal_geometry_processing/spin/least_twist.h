@@ -24,8 +24,8 @@ using Boundary_plane = Reduced_basis<double>::Plane;
 /// and everything between. O(n).
 /// \param planes orthonormal bases; (q, -q V) with V on the same side of all, as
 /// `boundary_plane()` makes them
-std::vector<Quaternion<double>> least_twist(const std::vector<Reduced_basis<double>::Plane>& planes,
-                                            const Quaternion<double>& q);
+std::vector<Quaternion<double>> least_twist(
+    const std::vector<internal::Reduced_basis<double>::Plane>& planes, const Quaternion<double>& q);
 
 }  // namespace Conformal_geometry_processing
 

@@ -44,7 +44,7 @@ CGP_INLINE double angle_to_nearest(const std::vector<Boundary_plane>& planes,
 }  // namespace internal
 
 CGP_INLINE std::vector<Quaternion<double>> least_twist(
-    const std::vector<Reduced_basis<double>::Plane>& planes, const Quaternion<double>& q)
+    const std::vector<internal::Reduced_basis<double>::Plane>& planes, const Quaternion<double>& q)
 {
   const std::size_t n = planes.size();
   std::vector<double> angles;

@@ -35,12 +35,12 @@ bool is_surely_unmixed(double gamma, double mu);
 /// sign, such as those of a double eigenvalue on a symmetric surface, need no separation, because
 /// their combinations are eigenvectors of D - rho as well.
 /// \param forms forms of two vectors
-bool has_mixed_signs(const Dirac_forms& forms);
+bool has_mixed_signs(const internal::Dirac_forms& forms);
 
 /// \ingroup PkgSpin
 /// the eigenvalues of D - rho in the span of two vectors, ascending, where <B v_1, M_F B v_2> is
 /// small
-std::array<double, 2> signed_eigenvalues(const Dirac_forms& forms);
+std::array<double, 2> signed_eigenvalues(const internal::Dirac_forms& forms);
 
 /// \ingroup PkgSpin
 /// \brief whether X has mixed two eigenvectors of D - rho such that a shift by one of their
@@ -50,13 +50,13 @@ std::array<double, 2> signed_eigenvalues(const Dirac_forms& forms);
 /// from b^2 - a^2 to (|a| + |b|)^2, by the factor (|b| + |a|) / (|b| - |a|). If |a| is already
 /// small relative to |b|, an apparent mixture is an error of a coarse mesh.
 /// \param forms forms of two vectors
-bool separation_pays(const Dirac_forms& forms);
+bool separation_pays(const internal::Dirac_forms& forms);
 
 /// \ingroup PkgSpin
 /// the vectors in the span of `vectors` that diagonalise the signed form: Rayleigh-Ritz for D - rho
 /// itself; |V| x k, normalised to <B v, M_F B v> = 1, ascending in their signed eigenvalue
 Block<Quaternion<double>> rayleigh_ritz_of_dirac(const Block<Quaternion<double>>& vectors,
-                                                 const Dirac_forms& forms);
+                                                 const internal::Dirac_forms& forms);
 
 }  // namespace Conformal_geometry_processing
 

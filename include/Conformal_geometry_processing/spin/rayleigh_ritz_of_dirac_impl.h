@@ -21,7 +21,7 @@ CGP_INLINE bool is_surely_unmixed(double gamma, double mu)
   return mu - gamma * gamma <= internal::visible_mixture * internal::visible_mixture * mu;
 }
 
-CGP_INLINE bool has_mixed_signs(const Dirac_forms& forms)
+CGP_INLINE bool has_mixed_signs(const internal::Dirac_forms& forms)
 {
   const auto& S = forms.dirac;
   const double a = S(0, 0).w / forms.mass(0, 0).w, b = S(1, 1).w / forms.mass(1, 1).w;
@@ -30,7 +30,7 @@ CGP_INLINE bool has_mixed_signs(const Dirac_forms& forms)
   return are_opposite && 2 * s > internal::visible_mixture * std::abs(a - b);
 }
 
-CGP_INLINE std::array<double, 2> signed_eigenvalues(const Dirac_forms& forms)
+CGP_INLINE std::array<double, 2> signed_eigenvalues(const internal::Dirac_forms& forms)
 {
   const auto& S = forms.dirac;
   const double a = S(0, 0).w / forms.mass(0, 0).w, b = S(1, 1).w / forms.mass(1, 1).w;
@@ -39,7 +39,7 @@ CGP_INLINE std::array<double, 2> signed_eigenvalues(const Dirac_forms& forms)
   return {mean - radius, mean + radius};
 }
 
-CGP_INLINE bool separation_pays(const Dirac_forms& forms)
+CGP_INLINE bool separation_pays(const internal::Dirac_forms& forms)
 {
   if (!has_mixed_signs(forms)) return false;
   const auto [a, b] = signed_eigenvalues(forms);
@@ -47,7 +47,7 @@ CGP_INLINE bool separation_pays(const Dirac_forms& forms)
 }
 
 CGP_INLINE Block<Quaternion<double>> rayleigh_ritz_of_dirac(
-    const Block<Quaternion<double>>& vectors, const Dirac_forms& forms)
+    const Block<Quaternion<double>>& vectors, const internal::Dirac_forms& forms)
 {
   const auto mass = hermitian_jacobi(forms.mass);
   Block<Quaternion<double>> C = mass.vectors;  // C^H mass C = 1

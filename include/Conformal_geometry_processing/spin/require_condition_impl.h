@@ -25,7 +25,7 @@ CGP_INLINE void require_condition(const Surface_ref& surface, const Boundary_con
 {
   using Kind = Boundary_condition::Kind;
   if (condition.kind == Kind::free) return;
-  const Boundary_frames boundary = boundary_frames(surface);
+  const internal::Boundary_frames boundary = boundary_frames(surface);
   const std::vector<int>& vertices = boundary.vertices;
   const auto count = static_cast<Eigen::Index>(vertices.size());
   if (count == 0)

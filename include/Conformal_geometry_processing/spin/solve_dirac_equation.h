@@ -37,10 +37,10 @@ namespace Conformal_geometry_processing {
 /// \throw Solver_error if a factorization fails. Failure to converge is not an error but a field of
 /// the result.
 template <class EigensolverTraits = Lobpcg_eigensolver_traits, class SolverTraits>
-Dirac_solution solve_dirac_equation(Dirac_system<SolverTraits>& system,
-                                    const Curvature_potential& rho,
-                                    const Dirac_options& options = {},
-                                    const Go_further& go_further = Always_go_further());
+internal::Dirac_solution solve_dirac_equation(
+    internal::Dirac_system<SolverTraits>& system, const Curvature_potential& rho,
+    const Dirac_options& options = {},
+    const internal::Go_further& go_further = internal::Always_go_further());
 
 }  // namespace Conformal_geometry_processing
 

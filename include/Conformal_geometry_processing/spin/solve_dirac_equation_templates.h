@@ -60,12 +60,14 @@ void solve_with_free_boundary(Dirac_system<SolverTraits>& system, const Curvatur
 }  // namespace internal
 
 template <class EigensolverTraits, class SolverTraits>
-Dirac_solution solve_dirac_equation(Dirac_system<SolverTraits>& system,
-                                    const Curvature_potential& rho, const Dirac_options& options,
-                                    const Go_further& go_further)
+internal::Dirac_solution solve_dirac_equation(internal::Dirac_system<SolverTraits>& system,
+                                              const Curvature_potential& rho,
+                                              const Dirac_options& options,
+                                              const internal::Go_further& go_further)
 {
-  if (options.problem == Eigenproblem::generalized) internal::require_generalized(system, rho);
-  Dirac_solution s;
+  if (options.problem == Dirac_options::Eigenproblem::generalized)
+    internal::require_generalized(system, rho);
+  internal::Dirac_solution s;
   if (system.is_closed() || system.directions()) system.set_potential(rho, s.seconds);
   if (system.is_closed()) {
     internal::Dirac_branch<SolverTraits, EigensolverTraits>(system).solve(rho, options, s,
@@ -92,9 +94,9 @@ Dirac_solution solve_dirac_equation(Dirac_system<SolverTraits>& system,
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template Dirac_solution solve_dirac_equation<Lobpcg_eigensolver_traits>(
-    Dirac_system<Default_solver_traits>&, const Curvature_potential&, const Dirac_options&,
-    const Go_further&);
+extern template internal::Dirac_solution solve_dirac_equation<Lobpcg_eigensolver_traits>(
+    internal::Dirac_system<Default_solver_traits>&, const Curvature_potential&,
+    const Dirac_options&, const internal::Go_further&);
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -10,8 +10,8 @@
 
 namespace Conformal_geometry_processing {
 
-template class Dirac_spectral_problem<Default_solver_traits>;
-template class Conformal_shape_space<Default_solver_traits>;
+template class internal::Dirac_spectral_problem<Default_solver_traits>;
+template class internal::Conformal_shape_space<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 

@@ -14,6 +14,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgSpin
 /// \brief the regular homotopy class of an immersed closed surface: a number modulo 2 for each
 /// generating loop, and the crossings of the loops.
@@ -36,6 +38,8 @@ struct Spin_structure {
   friend bool operator!=(const Spin_structure& a, const Spin_structure& b) { return !(a == b); }
 };
 
+}  // namespace internal
+
 /// \ingroup PkgSpin
 /// \brief whether the frame (direction, normal, their product) turns an even number of times along
 /// a loop of faces.
@@ -43,13 +47,13 @@ struct Spin_structure {
 /// A loop of rotations of space by one full turn cannot be contracted, one by two full turns can.
 /// Around a point of the plane the frame turns once; therefore a loop has the value 1 if the frame
 /// turns an even number of times, and 0, like a contractible loop, otherwise.
-bool turns_evenly(const Mesh_view& mesh, const Face_loop& loop);
+bool turns_evenly(const Mesh_view& mesh, const internal::Face_loop& loop);
 
 /// \ingroup PkgSpin
 /// \brief the spin structure of a closed surface. O(|V| + |F|) plus the lengths of its loops.
 /// \pre the surface is closed, `require_surface(mesh)` holds, and no two neighbouring faces are
 /// folded onto each other
-Spin_structure spin_structure(const Mesh_view& mesh);
+internal::Spin_structure spin_structure(const Mesh_view& mesh);
 
 /// \ingroup PkgSpin
 /// \throw Precondition_error if a closed surface and its deformation have different spin

@@ -16,7 +16,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE bool turns_evenly(const Mesh_view& mesh, const Face_loop& loop)
+CGP_INLINE bool turns_evenly(const Mesh_view& mesh, const internal::Face_loop& loop)
 {
   const auto middle = [&](int h) -> Eigen::Vector3d {
     return (mesh.position(mesh.from(h)) + mesh.position(mesh.to(h))) / 2;
@@ -37,11 +37,12 @@ CGP_INLINE bool turns_evenly(const Mesh_view& mesh, const Face_loop& loop)
   return turned.w > 0;
 }
 
-CGP_INLINE Spin_structure spin_structure(const Mesh_view& mesh)
+CGP_INLINE internal::Spin_structure spin_structure(const Mesh_view& mesh)
 {
-  Spin_structure s;
-  const std::vector<Face_loop> loops = loops_of_faces(mesh);
-  for (const Face_loop& loop : loops) s.values.push_back(turns_evenly(mesh, loop) ? 1 : 0);
+  internal::Spin_structure s;
+  const std::vector<internal::Face_loop> loops = loops_of_faces(mesh);
+  for (const internal::Face_loop& loop : loops)
+    s.values.push_back(turns_evenly(mesh, loop) ? 1 : 0);
   s.crossings = crossings_modulo_2(mesh, loops);
   return s;
 }
@@ -50,7 +51,7 @@ CGP_INLINE void require_same_spin_structure(const Mesh_view& mesh, const Points&
                                             const std::string& function)
 {
   const Mesh_view deformed(positions, mesh.corners());
-  for (const Face_loop& loop : loops_of_faces(mesh))
+  for (const internal::Face_loop& loop : loops_of_faces(mesh))
     if (turns_evenly(mesh, loop) != turns_evenly(deformed, loop))
       throw Precondition_error(
           function, "the surfaces are of different spin structure: around the loop of " +
@@ -60,7 +61,7 @@ CGP_INLINE void require_same_spin_structure(const Mesh_view& mesh, const Points&
                         "leads from one to the other");
 }
 
-CGP_INLINE int Spin_structure::arf_invariant() const
+CGP_INLINE int internal::Spin_structure::arf_invariant() const
 {
   // Combines the loops to consecutive pairs that cross each other and no other loops: the invariant
   // is the sum of the products of their values. The value of a sum of two loops is the sum of their

@@ -14,9 +14,10 @@
 namespace Conformal_geometry_processing {
 
 template class Poisson_reconstruction<Default_solver_traits>;
-template Exactness_constraints exactness_constraints<Default_solver_traits>(
-    Dirac_system<Default_solver_traits>&, const Grounded_solver<Default_solver_traits>&,
-    const Eigen::MatrixXd&, Curvature_potential::On, std::optional<Exactness>);
+template internal::Exactness_constraints exactness_constraints<Default_solver_traits>(
+    internal::Dirac_system<Default_solver_traits>&,
+    const internal::Grounded_solver<Default_solver_traits>&, const Eigen::MatrixXd&,
+    Curvature_potential::On, std::optional<Exactness>);
 template class Spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class Nearest_spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 

@@ -17,8 +17,8 @@ namespace Conformal_geometry_processing {
 CGP_INLINE Points turned_binormals(const Mesh_view& from, const Mesh_view& to,
                                    const Mesh_view& start, double t)
 {
-  const Boundary_frames F = boundary_frames(from), G = boundary_frames(to),
-                        S = boundary_frames(start);
+  const internal::Boundary_frames F = boundary_frames(from), G = boundary_frames(to),
+                                  S = boundary_frames(start);
   Points turned(3, static_cast<Eigen::Index>(S.vertices.size()));
   for (std::size_t k = 0; k < S.vertices.size(); ++k) {
     const Eigen::Vector3d end = F.frames[k].transpose() * G.binormal(k);

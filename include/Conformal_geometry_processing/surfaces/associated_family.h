@@ -12,6 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgSurfaces
 /// A member of the associated family, and its closure residual
 struct Associated_surface {
@@ -19,6 +21,8 @@ struct Associated_surface {
   double closure_residual = 0;  ///< relative; tends to zero if the surface is minimal and simply
                                 ///< connected
 };
+
+}  // namespace internal
 
 /// \ingroup PkgSurfaces
 /// \brief The associated family of a minimal surface, its isometric deformations:
@@ -41,7 +45,7 @@ class Associated_family {
   Associated_family& operator=(const Associated_family&) = delete;
 
   /// \param theta in radians; pi gives the point reflection of the surface
-  Associated_surface operator()(double theta) const;
+  internal::Associated_surface operator()(double theta) const;
 
  private:
   Mesh_view m_mesh;

@@ -20,12 +20,12 @@ template <class SolverTraits>
 Associated_family<SolverTraits>::Associated_family(const Mesh_view& mesh,
                                                    const std::string& function)
     : m_mesh((require_surface(mesh, function), mesh)),
-      m_normals(vertex_normals(mesh, Normal_weight::angle)),
+      m_normals(vertex_normals(mesh, internal::Normal_weight::angle)),
       m_reconstruction(m_mesh, vertex_graph(m_mesh))
 {}
 
 template <class SolverTraits>
-Associated_surface Associated_family<SolverTraits>::operator()(double theta) const
+internal::Associated_surface Associated_family<SolverTraits>::operator()(double theta) const
 {
   Quaternion_vector<double> lambda(m_mesh.size_of_vertices());
   for (int v = 0; v < m_mesh.size_of_vertices(); ++v) {
@@ -33,7 +33,7 @@ Associated_surface Associated_family<SolverTraits>::operator()(double theta) con
     lambda[v] = {std::cos(theta / 2), n.x(), n.y(), n.z()};
   }
   const Eigen::MatrixX3d edges = transformed_edges(m_mesh, lambda);
-  Associated_surface surface;
+  internal::Associated_surface surface;
   surface.positions = m_reconstruction.positions(edges);
   surface.closure_residual = m_reconstruction.residual(surface.positions, edges);
   return surface;

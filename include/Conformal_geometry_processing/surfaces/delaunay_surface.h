@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgSurfaces
 /// \brief The meridian of a surface of revolution with constant mean curvature, as a function of
 /// its conformal length u: distances from the axis, and heights.
@@ -39,6 +41,8 @@ class Delaunay_meridian {
 
   double m_bulge, m_H, m_force, m_period;
 };
+
+}  // namespace internal
 
 /// \ingroup PkgSurfaces
 /// \brief Creates a piece of a Delaunay surface, an unduloid or a nodoid, with axis z and constant

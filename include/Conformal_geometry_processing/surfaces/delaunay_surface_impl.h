@@ -30,7 +30,8 @@ CGP_INLINE double quarter_period(double complementary)
 
 }  // namespace internal
 
-CGP_INLINE Delaunay_meridian::Delaunay_meridian(double neck, double bulge) : m_bulge(bulge)
+CGP_INLINE internal::Delaunay_meridian::Delaunay_meridian(double neck, double bulge)
+    : m_bulge(bulge)
 {
   if (!(neck > -bulge && neck <= bulge && neck != 0 && std::isfinite(bulge)))
     throw Precondition_error("Delaunay_meridian",
@@ -42,7 +43,7 @@ CGP_INLINE Delaunay_meridian::Delaunay_meridian(double neck, double bulge) : m_b
   m_period = 2 * internal::quarter_period(std::abs(neck) / bulge) / (m_H * bulge);
 }
 
-CGP_INLINE Eigen::Matrix2Xd Delaunay_meridian::points(int n, int count) const
+CGP_INLINE Eigen::Matrix2Xd internal::Delaunay_meridian::points(int n, int count) const
 {
   const int parts = 1 + static_cast<int>(2000. / n);
   const double h = m_period / n / parts;
@@ -55,14 +56,15 @@ CGP_INLINE Eigen::Matrix2Xd Delaunay_meridian::points(int n, int count) const
   return result;
 }
 
-CGP_INLINE Eigen::Vector3d Delaunay_meridian::derivative(const Eigen::Vector3d& s) const
+CGP_INLINE Eigen::Vector3d internal::Delaunay_meridian::derivative(const Eigen::Vector3d& s) const
 {
   const double x = s[0], slope = m_force + m_H * x * x;
   return {s[1], x * (1 - 2 * m_H * slope), slope};
 }
 
 // A Runge-Kutta step: the relative error of a period is below 1e-10.
-CGP_INLINE Eigen::Vector3d Delaunay_meridian::after(const Eigen::Vector3d& s, double h) const
+CGP_INLINE Eigen::Vector3d internal::Delaunay_meridian::after(const Eigen::Vector3d& s,
+                                                              double h) const
 {
   const Eigen::Vector3d a = derivative(s), b = derivative(s + h / 2 * a),
                         c = derivative(s + h / 2 * b), d = derivative(s + h * c);
@@ -71,7 +73,7 @@ CGP_INLINE Eigen::Vector3d Delaunay_meridian::after(const Eigen::Vector3d& s, do
 
 CGP_INLINE Mesh_view delaunay_surface(double neck, double bulge, int m, int n, int periods)
 {
-  const Delaunay_meridian meridian(neck, bulge);
+  const internal::Delaunay_meridian meridian(neck, bulge);
   if (m < 3 || n < 1 || periods < 1)
     throw Precondition_error(
         "delaunay_surface", std::to_string(periods) + " periods of a grid of " + std::to_string(m) +

@@ -29,7 +29,7 @@ Spin_result dirac_disk(const Mesh_view& mesh, double wanted, Dirac_options optio
 {
   Spin_transformation<SolverTraits> transformation(mesh, {Boundary_condition::binormals()},
                                                    function);
-  options.branch = Branch::smallest;
+  options.branch = Dirac_options::Branch::smallest;
   const auto rho =
       Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), wanted));
   return std::move(transformation).transform(rho, options);

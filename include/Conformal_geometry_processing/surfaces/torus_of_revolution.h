@@ -9,8 +9,12 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// A closed polygon in the half plane beside the axis: positive distances from it, and heights
 using Profile = Eigen::Matrix2Xd;
+
+}  // namespace internal
 
 /// \ingroup PkgSurfaces
 /// \brief Returns the lengths of the edges of a profile divided by their distances from the axis:
@@ -20,14 +24,14 @@ using Profile = Eigen::Matrix2Xd;
 /// the modulus i b, where 2 pi b or 2 pi / b is the sum.
 /// \throw Precondition_error if there are fewer than three points, or one is not finite or not at a
 /// positive distance
-Eigen::VectorXd conformal_lengths(const Profile& profile);
+Eigen::VectorXd conformal_lengths(const internal::Profile& profile);
 
 /// \ingroup PkgSurfaces
 /// \brief Moves a profile away from or towards the axis such that its torus has the modulus i b,
 /// where the longer direction is around the axis if b > 1.
 /// \throw Precondition_error if the profile is unsuitable, as for `conformal_lengths()`, or b is
 /// not positive and finite
-Profile profile_of_class(Profile profile, double b);
+internal::Profile profile_of_class(internal::Profile profile, double b);
 
 /// \ingroup PkgSurfaces
 /// \brief Creates the torus that a profile sweeps about the axis z, with faces that are, up to
@@ -36,7 +40,7 @@ Profile profile_of_class(Profile profile, double b);
 /// \param m, n number of vertices around the axis, and around the tube
 /// \throw Precondition_error if the profile is unsuitable, as for `conformal_lengths()`, or m or n
 /// are below three
-Mesh_view torus_of_revolution(const Profile& profile, int m, int n);
+Mesh_view torus_of_revolution(const internal::Profile& profile, int m, int n);
 
 }  // namespace Conformal_geometry_processing
 

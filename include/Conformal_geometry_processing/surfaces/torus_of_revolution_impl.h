@@ -28,7 +28,7 @@ CGP_INLINE void require_profile(const Profile& profile, const std::string& funct
 
 }  // namespace internal
 
-CGP_INLINE Eigen::VectorXd conformal_lengths(const Profile& profile)
+CGP_INLINE Eigen::VectorXd conformal_lengths(const internal::Profile& profile)
 {
   internal::require_profile(profile, "conformal_lengths");
   const Eigen::Index n = profile.cols();
@@ -41,7 +41,7 @@ CGP_INLINE Eigen::VectorXd conformal_lengths(const Profile& profile)
   return lengths;
 }
 
-CGP_INLINE Profile profile_of_class(Profile profile, double b)
+CGP_INLINE internal::Profile profile_of_class(internal::Profile profile, double b)
 {
   internal::require_profile(profile, "profile_of_class");
   if (!(b > 0 && std::isfinite(b)))
@@ -65,9 +65,9 @@ CGP_INLINE Profile profile_of_class(Profile profile, double b)
   return profile;
 }
 
-CGP_INLINE Mesh_view torus_of_revolution(const Profile& profile, int m, int n)
+CGP_INLINE Mesh_view torus_of_revolution(const internal::Profile& profile, int m, int n)
 {
-  const Profile p = evenly_spaced<2>(profile, conformal_lengths(profile), n);
+  const internal::Profile p = evenly_spaced<2>(profile, conformal_lengths(profile), n);
   const double turn = 8 * std::atan(1.);
   return torus_grid(m, n, 0, [&](int i, int j) {
     const double u = turn * i / m;

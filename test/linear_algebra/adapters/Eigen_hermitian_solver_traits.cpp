@@ -9,7 +9,7 @@
 namespace cgp_test {
 
 using Traits = CGP::Eigen_hermitian_solver_traits;
-using Real_traits = CGP::Eigen_real_hermitian_solver_traits;
+using Real_traits = CGP::internal::Eigen_real_hermitian_solver_traits;
 using Solvers =
     testing::Types<Traits::Solver<double>, Traits::Solver<Quaternion<double>>,
                    Real_traits::Solver<double>, Real_traits::Solver<Quaternion<double>>>;

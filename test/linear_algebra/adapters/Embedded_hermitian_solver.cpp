@@ -32,7 +32,8 @@ template <class Entry>
 struct Failing_backend {
   using Matrix = Eigen::SparseMatrix<Entry, Eigen::ColMajor, int>;
 
-  static Solver_status find_ordering(const CGP::Sparse_pattern& pattern, CGP::Ordering& order)
+  static Solver_status find_ordering(const CGP::Sparse_pattern& pattern,
+                                     CGP::internal::Ordering& order)
   {
     order.resize(at(pattern.size()));
     std::iota(order.begin(), order.end(), 0);

@@ -25,12 +25,12 @@ class Embedded_matrix : public testing::Test {
  protected:
   using Scalar = typename Case::Scalar;
   using Embedding = typename Case::Embedding;
-  using Matrix = CGP::Embedded_matrix<Scalar, Embedding>;
+  using Matrix = CGP::internal::Embedded_matrix<Scalar, Embedding>;
 
   // Entry by entry from the definition: row k of the result is row order[k] of A.
   static void expect_lower_triangle(const Matrix& embedded,
                                     const CGP::Hermitian_sparse_matrix<Scalar>& A,
-                                    const CGP::Ordering& order)
+                                    const CGP::internal::Ordering& order)
   {
     const int w = Embedding::width;
     for (int j = 0; j < A.size(); ++j)
@@ -43,8 +43,9 @@ class Embedded_matrix : public testing::Test {
   }
 };
 
-using Cases = testing::Types<Case<double, CGP::Number_embedding<double>>,
-                             Case<Q, CGP::Complex_embedding<Q>>, Case<Q, CGP::Real_embedding<Q>>>;
+using Cases = testing::Types<Case<double, CGP::internal::Number_embedding<double>>,
+                             Case<Q, CGP::internal::Complex_embedding<Q>>,
+                             Case<Q, CGP::internal::Real_embedding<Q>>>;
 TYPED_TEST_SUITE(Embedded_matrix, Cases);
 
 }  // namespace
@@ -52,7 +53,7 @@ TYPED_TEST_SUITE(Embedded_matrix, Cases);
 TYPED_TEST(Embedded_matrix, is_the_lower_triangle_in_factor_order)
 {
   const Pattern pattern = random_pattern(15, 1);
-  const CGP::Ordering order = random_permutation(15, 2);
+  const CGP::internal::Ordering order = random_permutation(15, 2);
   typename TestFixture::Matrix embedded(*pattern, CGP::inverse_permutation(order));
   for (const std::uint64_t seed : {3u, 4u}) {
     const auto A = random_hermitian<typename TestFixture::Scalar>(pattern, seed);
@@ -64,7 +65,7 @@ TYPED_TEST(Embedded_matrix, is_the_lower_triangle_in_factor_order)
 TYPED_TEST(Embedded_matrix, adds_the_shift_to_the_diagonal)
 {
   const Pattern pattern = random_pattern(15, 5);
-  const CGP::Ordering order = random_permutation(15, 6);
+  const CGP::internal::Ordering order = random_permutation(15, 6);
   const auto A = random_hermitian<typename TestFixture::Scalar>(pattern, 7);
   const Eigen::VectorXd shift = random_numbers(15, 8);
   typename TestFixture::Matrix embedded(*pattern, CGP::inverse_permutation(order));

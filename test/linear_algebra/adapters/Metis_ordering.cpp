@@ -18,7 +18,7 @@ using namespace cgp_test;
 TEST(Metis_ordering, permutes_the_vertices_of_any_graph)
 {
   for (const Named_graph& graph : graphs_of_all_kinds()) {
-    const CGP::Ordering order = CGP::metis_ordering(pattern_of(graph.size, graph.edges));
+    const CGP::internal::Ordering order = CGP::metis_ordering(pattern_of(graph.size, graph.edges));
     EXPECT_EQ(static_cast<int>(order.size()), graph.size) << graph.name;
     EXPECT_EQ(CGP::inverse_permutation(order).size(), order.size()) << graph.name;
   }
@@ -29,8 +29,8 @@ TEST(Metis_ordering, fills_in_less_than_minimum_degree_and_about_as_much_as_the_
   for (int frequency : {20, 41}) {
     const Mesh_view mesh = geodesic_sphere(frequency);
     const CGP::Sparse_pattern pattern = pattern_of(mesh);
-    const auto operations = [&](const CGP::Ordering& order) {
-      return CGP::Supernodal_structure(pattern, order).operations();
+    const auto operations = [&](const CGP::internal::Ordering& order) {
+      return CGP::internal::Supernodal_structure(pattern, order).operations();
     };
     const double by_metis = operations(CGP::metis_ordering(pattern));
     const double by_sweep = operations(CGP::sweep_nested_dissection(pattern, mesh.positions()));
@@ -44,7 +44,7 @@ TEST(Metis_ordering, is_the_same_twice_whatever_has_been_drawn_from_rand)
 {
   const CGP::Sparse_pattern pattern = pattern_of(geodesic_sphere(30));
   std::srand(2);
-  const CGP::Ordering first = CGP::metis_ordering(pattern);
+  const CGP::internal::Ordering first = CGP::metis_ordering(pattern);
   std::srand(3);
   std::rand();
   EXPECT_EQ(CGP::metis_ordering(pattern), first);

@@ -39,7 +39,7 @@ TEST(Petsc_handle, of_nothing_does_nothing)
 
 TEST(Petsc_hermitian_solver, is_in_the_wrong_state_before_petsc_runs)
 {
-  CGP::Petsc_hermitian_solver<double> solver;
+  CGP::internal::Petsc_hermitian_solver<double> solver;
   EXPECT_EQ(solver.analyze(*random_pattern(20, 1)), CGP::Solver_status::wrong_state);
   EXPECT_TRUE(solver.ordering().empty());
 }
@@ -47,7 +47,7 @@ TEST(Petsc_hermitian_solver, is_in_the_wrong_state_before_petsc_runs)
 TEST(Slepc_eigensolver_traits, refuses_to_work_before_petsc_runs)
 {
   const auto A = random_definite<Quaternion<double>>(random_pattern(20, 1), 2);
-  const CGP::Petsc_hermitian_solver<Quaternion<double>> unused;
+  const CGP::internal::Petsc_hermitian_solver<Quaternion<double>> unused;
   EXPECT_THROW(CGP::Slepc_eigensolver_traits()(A, CGP::Vector<double>::Ones(20), unused,
                                                random_block<Quaternion<double>>(20, 1, 3)),
                CGP::Solver_error);

@@ -16,7 +16,7 @@ using Traits = CGP::Petsc_hermitian_solver_traits;
 
 // The iteration ends at a residual of 1e-13; condition numbers are below 100.
 template <class Scalar>
-inline constexpr double error_of_solution<CGP::Petsc_hermitian_solver<Scalar>> = 1e-11;
+inline constexpr double error_of_solution<CGP::internal::Petsc_hermitian_solver<Scalar>> = 1e-11;
 
 using Solvers = testing::Types<Traits::Solver<double>, Traits::Solver<Quaternion<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Petsc, Hermitian_solver, Solvers);
@@ -43,7 +43,7 @@ TYPED_TEST(Petsc_hermitian_solver, reports_an_iteration_that_breaks_down)
   ASSERT_EQ(this->solver.factorize(this->A, this->no_shift), Solver_status::success);
   auto b = random_block<typename TypeParam::Scalar>(this->n, 1, 9);
   CGP::Block<typename TypeParam::Scalar> x;
-  b(3, 0) = CGP::Scalar_traits<typename TypeParam::Scalar>::from_real(
+  b(3, 0) = CGP::internal::Scalar_traits<typename TypeParam::Scalar>::from_real(
       std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(this->solver.solve(b, x), Solver_status::numerical_issue);
 }

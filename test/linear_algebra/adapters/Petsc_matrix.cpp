@@ -32,7 +32,7 @@ class Petsc_matrix : public testing::Test {
   }
 
   Pattern pattern = random_pattern(n, 1);
-  CGP::Petsc_matrix<Scalar> distributed{*pattern, random_permutation(n, 2)};
+  CGP::internal::Petsc_matrix<Scalar> distributed{*pattern, random_permutation(n, 2)};
 };
 
 using Scalars = testing::Types<double, Quaternion<double>>;

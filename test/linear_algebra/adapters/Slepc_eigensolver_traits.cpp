@@ -33,13 +33,13 @@ CGP::Eigensolver_options options_for(double tolerance, int wanted, double scale 
 struct Problem {
   explicit Problem(const Mesh_view& mesh_) : mesh(mesh_), dirac(mesh)
   {
-    CGP::Dirac_evidence::Seconds seconds;
+    CGP::internal::Dirac_evidence::Seconds seconds;
     dirac.set_potential(CGP::Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh)),
                         seconds);
     start = random_block<Q>(mesh.size_of_vertices(), 2, 5);
   }
 
-  template <class Eigensolver_traits, class GoFurther = CGP::Always_go_further>
+  template <class Eigensolver_traits, class GoFurther = CGP::internal::Always_go_further>
   CGP::Eigensolver_result solve(const CGP::Eigensolver_options& options,
                                 GoFurther go_further = {}) const
   {
@@ -48,7 +48,7 @@ struct Problem {
   }
 
   Mesh_view mesh;
-  CGP::Dirac_system<> dirac;
+  CGP::internal::Dirac_system<> dirac;
   CGP::Block<Q> start;
 };
 

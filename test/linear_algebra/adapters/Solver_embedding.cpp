@@ -10,8 +10,9 @@ using Q = CGP::Quaternion<double>;
 
 template <class Embedding>
 class Embedding_of_numbers : public testing::Test {};
-using Embeddings = testing::Types<CGP::Number_embedding<double>, CGP::Complex_embedding<double>,
-                                  CGP::Real_embedding<double>>;
+using Embeddings =
+    testing::Types<CGP::internal::Number_embedding<double>,
+                   CGP::internal::Complex_embedding<double>, CGP::internal::Real_embedding<double>>;
 TYPED_TEST_SUITE(Embedding_of_numbers, Embeddings);
 
 TYPED_TEST(Embedding_of_numbers, lets_them_stand_for_themselves)
@@ -38,12 +39,12 @@ void expect_left_multiplication()
 
 TEST(Complex_embedding, lets_quaternions_act_on_pairs_of_complex_numbers)
 {
-  static_assert(CGP::Complex_embedding<Q>::width == 2);
-  expect_left_multiplication<CGP::Complex_embedding<Q>>();
+  static_assert(CGP::internal::Complex_embedding<Q>::width == 2);
+  expect_left_multiplication<CGP::internal::Complex_embedding<Q>>();
 }
 
 TEST(Real_embedding, lets_quaternions_act_on_their_four_components)
 {
-  static_assert(CGP::Real_embedding<Q>::width == 4);
-  expect_left_multiplication<CGP::Real_embedding<Q>>();
+  static_assert(CGP::internal::Real_embedding<Q>::width == 4);
+  expect_left_multiplication<CGP::internal::Real_embedding<Q>>();
 }

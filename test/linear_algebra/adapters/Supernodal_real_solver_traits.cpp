@@ -10,7 +10,7 @@
 namespace cgp_test {
 namespace {
 
-using Traits = CGP::Supernodal_real_solver_traits;
+using Traits = CGP::internal::Supernodal_real_solver_traits;
 using Solvers = testing::Types<Traits::Solver<double>, Traits::Solver<Quaternion<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Supernodal_real, Hermitian_solver, Solvers);
 

@@ -50,14 +50,14 @@ TEST(Scale_column, scales_just_that_one)
 TEST(Reduced_to, keeps_quaternions_or_their_real_part)
 {
   const Q q{1, 2, 3, 4};
-  EXPECT_EQ(CGP::reduced_to(CGP::Coefficients::quaternions, q), q);
-  EXPECT_EQ(CGP::reduced_to(CGP::Coefficients::reals, q), (Q{1, 0, 0, 0}));
+  EXPECT_EQ(CGP::reduced_to(CGP::internal::Coefficients::quaternions, q), q);
+  EXPECT_EQ(CGP::reduced_to(CGP::internal::Coefficients::reals, q), (Q{1, 0, 0, 0}));
 }
 
 TEST(Gram_matrix, over_the_reals_holds_the_inner_products_of_the_components)
 {
   const auto A = random_block<Q>(9, 2, 1), B = random_block<Q>(9, 3, 2);
-  const auto G = CGP::gram_matrix(A, B, CGP::Coefficients::reals);
+  const auto G = CGP::gram_matrix(A, B, CGP::internal::Coefficients::reals);
   const Eigen::MatrixXd expected = real_columns(A).transpose() * real_columns(B);
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 3; ++j) {

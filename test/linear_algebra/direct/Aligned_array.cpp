@@ -22,7 +22,7 @@ bool is_aligned(const void* p)
 TEST(Aligned_array, begins_at_a_cache_line_whatever_its_size)
 {
   for (const std::int64_t size : {1, 3, 1000, 100000, 3000000}) {
-    CGP::Aligned_array<double> a;
+    CGP::internal::Aligned_array<double> a;
     a.resize(size);
     ASSERT_EQ(a.size(), size);
     EXPECT_TRUE(is_aligned(a.data()));
@@ -34,7 +34,7 @@ TEST(Aligned_array, begins_at_a_cache_line_whatever_its_size)
 
 TEST(Aligned_array, keeps_memory_and_values_when_the_size_stays)
 {
-  CGP::Aligned_array<float> a;
+  CGP::internal::Aligned_array<float> a;
   a.resize(100);
   a.data()[99] = 7;
   const float* const before = a.data();
@@ -45,7 +45,7 @@ TEST(Aligned_array, keeps_memory_and_values_when_the_size_stays)
 
 TEST(Aligned_array, of_no_numbers_is_empty)
 {
-  CGP::Aligned_array<double> a;
+  CGP::internal::Aligned_array<double> a;
   EXPECT_EQ(a.data(), nullptr);
   a.resize(5);
   a.resize(0);
@@ -55,7 +55,7 @@ TEST(Aligned_array, of_no_numbers_is_empty)
 
 TEST(Aligned_array, that_cannot_be_allocated_throws_and_holds_nothing)
 {
-  CGP::Aligned_array<double> a;
+  CGP::internal::Aligned_array<double> a;
   a.resize(5);
   EXPECT_THROW(a.resize(std::int64_t(1) << 56), std::bad_alloc);
   EXPECT_EQ(a.size(), 0);

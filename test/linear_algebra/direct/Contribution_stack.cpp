@@ -13,9 +13,9 @@
 namespace cgp_test {
 namespace {
 
-using CGP::Contribution_stack;
-using CGP::Elimination_tasks;
-using CGP::Supernodal_structure;
+using CGP::internal::Contribution_stack;
+using CGP::internal::Elimination_tasks;
+using CGP::internal::Supernodal_structure;
 
 struct Numbers {
   const Supernodal_structure& S;
@@ -50,7 +50,7 @@ TEST(Contribution_stack, of_a_long_path_are_as_few_as_two_updates)
 {
   std::vector<std::pair<int, int>> edges;
   for (int i = 0; i + 1 < 200; ++i) edges.push_back({i, i + 1});
-  CGP::Ordering order(200);
+  CGP::internal::Ordering order(200);
   std::iota(order.begin(), order.end(), 0);
   const Supernodal_structure S(*pattern_of_edges(200, edges), order);
   EXPECT_EQ(Contribution_stack(S, Numbers{S}).size(), 2);

@@ -25,9 +25,9 @@ Eigen::MatrixXd some_definite_matrix(int n)
 }
 
 // Entries above the diagonal must be ignored.
-CGP::Dense_cholesky lower_part(const Eigen::MatrixXd& A)
+CGP::internal::Dense_cholesky lower_part(const Eigen::MatrixXd& A)
 {
-  CGP::Dense_cholesky cholesky;
+  CGP::internal::Dense_cholesky cholesky;
   const int n = static_cast<int>(A.rows());
   cholesky.set_zero(n);
   for (int j = 0; j < n; ++j)
@@ -42,7 +42,7 @@ TEST(Dense_cholesky, has_the_factor_of_a_matrix)
   on_every_unit([&] {
     for (int n : {1, 3, 8, 9, 21, 50}) {
       const Eigen::MatrixXd A = some_definite_matrix(n);
-      CGP::Dense_cholesky cholesky = lower_part(A);
+      CGP::internal::Dense_cholesky cholesky = lower_part(A);
       ASSERT_TRUE(cholesky.factorize());
       Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n, n);
       for (int j = 0; j < n; ++j)
@@ -57,7 +57,7 @@ TEST(Dense_cholesky, solves)
   on_every_unit([&] {
     for (int n : {1, 3, 8, 9, 21, 50}) {
       const Eigen::MatrixXd A = some_definite_matrix(n);
-      CGP::Dense_cholesky cholesky = lower_part(A);
+      CGP::internal::Dense_cholesky cholesky = lower_part(A);
       ASSERT_TRUE(cholesky.factorize());
       const Eigen::VectorXd b = random_numbers(n, 5);
       Eigen::VectorXd x = b;
@@ -80,7 +80,7 @@ TEST(Dense_cholesky, tells_indefinite_matrices)
 
 TEST(Dense_cholesky, of_no_rows_has_nothing_to_do)
 {
-  CGP::Dense_cholesky cholesky;
+  CGP::internal::Dense_cholesky cholesky;
   cholesky.set_zero(0);
   EXPECT_TRUE(cholesky.factorize());
   Eigen::VectorXd none;
@@ -91,7 +91,7 @@ TEST(Dense_cholesky, of_no_rows_has_nothing_to_do)
 
 TEST(Dense_cholesky, gives_its_memory_back)
 {
-  CGP::Dense_cholesky cholesky = lower_part(some_definite_matrix(8));
+  CGP::internal::Dense_cholesky cholesky = lower_part(some_definite_matrix(8));
   EXPECT_GT(cholesky.bytes(), 0);
   cholesky.release();
   EXPECT_EQ(cholesky.bytes(), 0);

@@ -31,7 +31,7 @@ template <class Traits_and_scalar>
 class Dirichlet_solver : public testing::Test {
  protected:
   using Scalar = typename Traits_and_scalar::second_type;
-  using Solver = CGP::Dirichlet_solver<Scalar, typename Traits_and_scalar::first_type>;
+  using Solver = CGP::internal::Dirichlet_solver<Scalar, typename Traits_and_scalar::first_type>;
   using Vectors = CGP::Block<Scalar>;
 
   /// A x = b on the free rows, x = values on the others, by dense matrices
@@ -125,6 +125,6 @@ TYPED_TEST(Dirichlet_solver, refuses_to_solve_before_it_has_factored)
 TEST(Dirichlet_solver_sharing, refuses_a_solver_that_has_none)
 {
   const CGP::Default_solver_traits::Solver<double> other;
-  EXPECT_THROW(CGP::Dirichlet_solver<double>(random_pattern(n, 1), given, other),
+  EXPECT_THROW(CGP::internal::Dirichlet_solver<double>(random_pattern(n, 1), given, other),
                CGP::Solver_error);
 }

@@ -13,8 +13,8 @@
 namespace cgp_test {
 namespace {
 
-using CGP::Elimination_tasks;
-using CGP::Supernodal_structure;
+using CGP::internal::Elimination_tasks;
+using CGP::internal::Supernodal_structure;
 
 double work(const Supernodal_structure& S, int begin, int end)
 {
@@ -75,7 +75,7 @@ TEST(Elimination_tasks, run_up_the_tree_and_down_again)
     std::mutex mutex;
     std::vector<int> ups, downs;  // the first supernodes, in the order of time
     const auto note = [&](std::vector<int>& list) {
-      return [&](const Elimination_tasks::Task& task, CGP::Task_pool&) {
+      return [&](const Elimination_tasks::Task& task, CGP::internal::Task_pool&) {
         const std::lock_guard<std::mutex> lock(mutex);
         list.push_back(task.begin);
       };

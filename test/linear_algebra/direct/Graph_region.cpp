@@ -8,7 +8,7 @@
 #include "linear_algebra/graphs.h"
 
 using namespace cgp_test;
-using CGP::Side;
+using CGP::internal::Side;
 
 TEST(Graph_region, has_every_edge_once_and_positions_in_the_unit_cube)
 {

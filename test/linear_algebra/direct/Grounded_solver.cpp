@@ -17,7 +17,7 @@
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
-using Solver = CGP::Grounded_solver<CGP::Eigen_hermitian_solver_traits>;
+using Solver = CGP::internal::Grounded_solver<CGP::Eigen_hermitian_solver_traits>;
 
 namespace {
 
@@ -67,7 +67,7 @@ TEST(Grounded_solver, follows_new_values)
 TEST(Grounded_solver, shares_an_ordering)
 {
   const auto L = random_laplacian(random_pattern(n, 1), 2);
-  const CGP::Ordering order = random_permutation(n, 9);
+  const CGP::internal::Ordering order = random_permutation(n, 9);
   Solver solver(L.shared_pattern(), order);
   EXPECT_EQ(solver.ordering(), order);
   solver.factorize(L);
@@ -93,7 +93,7 @@ TEST(Grounded_solver, does_not_care_about_the_unit_of_the_values)
 TEST(Grounded_solver, refuses_a_pattern_or_an_ordering_that_does_not_fit)
 {
   EXPECT_THROW(Solver(std::make_shared<CGP::Sparse_pattern>()), CGP::Solver_error);
-  EXPECT_THROW(Solver(random_pattern(n, 1), CGP::Ordering{0, 1}), CGP::Solver_error);
+  EXPECT_THROW(Solver(random_pattern(n, 1), CGP::internal::Ordering{0, 1}), CGP::Solver_error);
   Solver solver(random_pattern(n, 1));
   EXPECT_THROW(solver.factorize(random_laplacian(random_pattern(n, 2), 3)), CGP::Solver_error);
 }

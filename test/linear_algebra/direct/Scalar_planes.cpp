@@ -22,10 +22,10 @@ TYPED_TEST_SUITE(Scalar_planes, Scalars);
 
 TYPED_TEST(Scalar_planes, are_the_components)
 {
-  using Planes = CGP::Scalar_planes<TypeParam>;
+  using Planes = CGP::internal::Scalar_planes<TypeParam>;
   double parts[Planes::size];
   Planes::get(this->m_a, parts);
-  EXPECT_EQ(parts[0], CGP::Scalar_traits<TypeParam>::real(this->m_a));
+  EXPECT_EQ(parts[0], CGP::internal::Scalar_traits<TypeParam>::real(this->m_a));
   EXPECT_TRUE(Planes::put(parts) == this->m_a);
   EXPECT_EQ(sizeof(parts), sizeof(TypeParam));
 }
@@ -33,9 +33,9 @@ TYPED_TEST(Scalar_planes, are_the_components)
 TEST(Scalar_planes, of_floats_are_components_too)
 {
   float parts[4];
-  CGP::Scalar_planes<float>::get(2.5f, parts);
-  EXPECT_EQ(CGP::Scalar_planes<float>::put(parts), 2.5f);
-  CGP::Scalar_planes<Quaternion<float>>::get({1, 2, 3, 4}, parts);
+  CGP::internal::Scalar_planes<float>::get(2.5f, parts);
+  EXPECT_EQ(CGP::internal::Scalar_planes<float>::put(parts), 2.5f);
+  CGP::internal::Scalar_planes<Quaternion<float>>::get({1, 2, 3, 4}, parts);
   for (int q = 0; q < 4; ++q) EXPECT_EQ(parts[q], float(q + 1));
 }
 

@@ -244,7 +244,7 @@ TYPED_TEST(Supernodal_cholesky, leaves_the_solution_alone_where_the_right_hand_s
   for (const int columns : {1, 6}) {
     auto b = random_block<Scalar>(30, columns, 23);
     b(7, columns - 1) =
-        CGP::Scalar_traits<Scalar>::from_real(std::numeric_limits<double>::quiet_NaN());
+        CGP::internal::Scalar_traits<Scalar>::from_real(std::numeric_limits<double>::quiet_NaN());
     CGP::Block<Scalar> x = random_block<Scalar>(30, columns, 24);
     const Eigen::MatrixXd before = real_columns(x);
     EXPECT_EQ(this->solver.solve(b, x), Solver_status::numerical_issue);
@@ -261,7 +261,7 @@ TYPED_TEST(Supernodal_cholesky, keeps_the_vector_unit_that_it_was_analyzed_with)
     ASSERT_EQ(this->solver.analyze(A.pattern()), Solver_status::success);
     ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
     const Eigen::MatrixXd expected = solution(this->solver, b);
-    for (const CGP::Vector_unit other : units_here()) {
+    for (const CGP::internal::Vector_unit other : units_here()) {
       const On_unit setting(other);
       EXPECT_EQ(solution(this->solver, b), expected);
       ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);

@@ -24,16 +24,16 @@ template <class Kind>
 class Supernodal_factor : public testing::Test {
  protected:
   using Scalar = typename Kind::Scalar;
-  using Factor = CGP::Supernodal_factor<Scalar, typename Kind::Real>;
+  using Factor = CGP::internal::Supernodal_factor<Scalar, typename Kind::Real>;
 
-  static Factor factor_of(const Pattern& pattern, const CGP::Ordering& order)
+  static Factor factor_of(const Pattern& pattern, const CGP::internal::Ordering& order)
   {
-    return Factor(std::make_shared<CGP::Supernodal_structure>(*pattern, order));
+    return Factor(std::make_shared<CGP::internal::Supernodal_structure>(*pattern, order));
   }
 
   static CGP::Block<Scalar> unpacked(const Factor& factor)
   {
-    const CGP::Supernodal_structure& S = factor.structure();
+    const CGP::internal::Supernodal_structure& S = factor.structure();
     const int n = S.size_of_columns();
     CGP::Block<Scalar> L = CGP::Block<Scalar>::Constant(n, n, Scalar{});
     for (int s = 0; s < S.size(); ++s)
@@ -45,7 +45,7 @@ class Supernodal_factor : public testing::Test {
   }
 
   static CGP::Block<Scalar> permuted(const CGP::Hermitian_sparse_matrix<Scalar>& A,
-                                     const CGP::Ordering& order)
+                                     const CGP::internal::Ordering& order)
   {
     CGP::Block<Scalar> P(A.size(), A.size());
     for (int j = 0; j < A.size(); ++j)
@@ -53,7 +53,7 @@ class Supernodal_factor : public testing::Test {
     return P;
   }
 
-  static void expect_factor(const Pattern& pattern, const CGP::Ordering& order)
+  static void expect_factor(const Pattern& pattern, const CGP::internal::Ordering& order)
   {
     const auto A = random_definite<Scalar>(pattern, 5);
     const Eigen::VectorXd shift = random_numbers(A.size(), 6).cwiseAbs();
@@ -117,7 +117,7 @@ TYPED_TEST(Supernodal_factor, names_the_vertex_of_a_pivot_that_is_not_positive)
 
 // A dense matrix is a chain of large fronts, done in pieces; a mesh has a tree with many branches.
 template <class Kind>
-std::vector<std::pair<Pattern, CGP::Ordering>> large_graphs()
+std::vector<std::pair<Pattern, CGP::internal::Ordering>> large_graphs()
 {
   constexpr int planes = Kind::planes, n = 520 / planes + 150;
   const Mesh_view mesh = geodesic_sphere(planes == 1 ? 30 : planes == 2 ? 24 : 16);
@@ -186,9 +186,9 @@ TYPED_TEST(Supernodal_factor, leaves_the_schur_complement_to_kept_vertices)
       const int n = pattern->size(), kept = (n + 2) / 3;
       const auto A = random_definite<Number>(pattern, 16);
       typename TestFixture::Factor factor(
-          std::make_shared<CGP::Supernodal_structure>(*pattern, order, kept));
+          std::make_shared<CGP::internal::Supernodal_structure>(*pattern, order, kept));
       ASSERT_EQ(factor.factorize(A, {}), -1);
-      const CGP::Supernodal_structure& S = factor.structure();
+      const CGP::internal::Supernodal_structure& S = factor.structure();
       const CGP::Block<Number> P = this->permuted(A, S.order());
       CGP::Block<Number> complement = P.bottomRightCorner(kept, kept);
       for (int s = 0; s < S.size(); ++s)

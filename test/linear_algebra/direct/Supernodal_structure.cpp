@@ -11,7 +11,7 @@
 namespace cgp_test {
 namespace {
 
-using CGP::Supernodal_structure;
+using CGP::internal::Supernodal_structure;
 
 TEST(Supernodal_structure, reorders_without_more_fill)
 {

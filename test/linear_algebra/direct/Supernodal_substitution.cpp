@@ -43,23 +43,23 @@ class Supernodal_substitution : public testing::Test {
  protected:
   using Scalar = typename Kind::Scalar;
   using Real = typename Kind::Real;
-  using Factor = CGP::Supernodal_factor<Scalar, Real>;
-  using Substitution = CGP::Supernodal_substitution<Scalar, Real, Kind::numbers>;
+  using Factor = CGP::internal::Supernodal_factor<Scalar, Real>;
+  using Substitution = CGP::internal::Supernodal_substitution<Scalar, Real, Kind::numbers>;
   static constexpr int planes = Kind::planes;
 
   // As many right-hand sides as fill the numbers per row, compared with dense elimination.
-  static void expect_solution(const Pattern& pattern, const CGP::Ordering& order)
+  static void expect_solution(const Pattern& pattern, const CGP::internal::Ordering& order)
   {
     const auto A = random_definite<Scalar>(pattern, 5);
-    Factor factor(std::make_shared<CGP::Supernodal_structure>(*pattern, order));
+    Factor factor(std::make_shared<CGP::internal::Supernodal_structure>(*pattern, order));
     ASSERT_EQ(factor.factorize(A, {}), -1);
-    const CGP::Ordering& rows = factor.structure().order();
+    const CGP::internal::Ordering& rows = factor.structure().order();
     const auto b = random_block<Scalar>(A.size(), Substitution::columns, 6);
     std::vector<Real> numbers;
     for (int i : rows)
       for (int c = 0; c < Substitution::columns; ++c) {
         double parts[planes];
-        CGP::Scalar_planes<Scalar>::get(b(i, c), parts);
+        CGP::internal::Scalar_planes<Scalar>::get(b(i, c), parts);
         for (double part : parts) numbers.push_back(static_cast<Real>(part));
       }
     Substitution(factor).solve(numbers.data());
@@ -69,7 +69,7 @@ class Supernodal_substitution : public testing::Test {
       for (int c = 0; c < Substitution::columns; ++c, from += planes) {
         double parts[planes];
         for (int q = 0; q < planes; ++q) parts[q] = from[q];
-        x(i, c) = CGP::Scalar_planes<Scalar>::put(parts);
+        x(i, c) = CGP::internal::Scalar_planes<Scalar>::put(parts);
       }
     const Eigen::MatrixXd expected = dense(A).llt().solve(real_columns(b));
     EXPECT_LE((real_columns(x) - expected).norm(), Kind::precision * expected.norm());
@@ -97,7 +97,7 @@ TYPED_TEST(Supernodal_substitution, gives_the_same_bits_for_any_number_of_thread
   on_every_unit([&] {
     const Mesh_view mesh = geodesic_sphere(TypeParam::planes == 4 ? 34 : 60);
     const Pattern pattern = CGP::vertex_graph(mesh);
-    typename TestFixture::Factor factor(std::make_shared<CGP::Supernodal_structure>(
+    typename TestFixture::Factor factor(std::make_shared<CGP::internal::Supernodal_structure>(
         *pattern, CGP::sweep_nested_dissection(*pattern, mesh.positions())));
     ASSERT_EQ(factor.factorize(random_definite<typename TypeParam::Scalar>(pattern, 8), {}), -1);
     std::vector<typename TypeParam::Real> b(at(TypeParam::numbers * pattern->size()));
@@ -125,10 +125,10 @@ TYPED_TEST(Supernodal_substitution, goes_through_kept_rows_in_two_halves)
     const int n = 48, kept = 17, columns = TestFixture::Substitution::columns;
     const Pattern pattern = random_pattern(n, 9);
     const auto A = random_definite<Number>(pattern, 10);
-    typename TestFixture::Factor factor(
-        std::make_shared<CGP::Supernodal_structure>(*pattern, random_permutation(n, 11), kept));
+    typename TestFixture::Factor factor(std::make_shared<CGP::internal::Supernodal_structure>(
+        *pattern, random_permutation(n, 11), kept));
     ASSERT_EQ(factor.factorize(A, {}), -1);
-    const CGP::Ordering& order = factor.structure().order();
+    const CGP::internal::Ordering& order = factor.structure().order();
 
     const auto x = random_block<Number>(n, columns, 12);  // in the order of elimination
     CGP::Block<Number> P(n, n);

@@ -18,7 +18,7 @@ namespace CGP = Conformal_geometry_processing;
 
 class Task_pool : public testing::TestWithParam<int> {
  protected:
-  CGP::Task_pool pool{GetParam()};
+  CGP::internal::Task_pool pool{GetParam()};
 };
 INSTANTIATE_TEST_SUITE_P(With_threads, Task_pool, testing::Values(1, 2, 5));
 
@@ -96,7 +96,7 @@ TEST_P(Task_pool, hands_an_exception_of_a_loop_to_the_caller)
 
 TEST(Task_pool_of_two, has_a_second_thread_that_helps_with_the_loop_of_the_only_task)
 {
-  CGP::Task_pool pool(2);
+  CGP::internal::Task_pool pool(2);
   std::mutex mutex;
   std::set<std::thread::id> threads;
   pool.run({0}, [&](int) {

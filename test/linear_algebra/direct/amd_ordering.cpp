@@ -13,7 +13,7 @@
 namespace cgp_test {
 namespace {
 
-int factor_entries(const CGP::Sparse_pattern& pattern, const CGP::Ordering& order)
+int factor_entries(const CGP::Sparse_pattern& pattern, const CGP::internal::Ordering& order)
 {
   const std::vector<int> count = counts(eliminated(pattern, order));
   return std::accumulate(count.begin(), count.end(), 0);
@@ -40,7 +40,7 @@ TEST(Amd_ordering, has_no_fill_on_stars_and_little_on_trees)
 TEST(Amd_ordering, fills_less_than_half_of_what_the_rows_of_a_grid_do)
 {
   const Pattern grid = grid_pattern(24, 24);
-  CGP::Ordering rows(24 * 24);
+  CGP::internal::Ordering rows(24 * 24);
   std::iota(rows.begin(), rows.end(), 0);
   EXPECT_LT(factor_entries(*grid, CGP::amd_ordering(*grid)), factor_entries(*grid, rows) / 2);
 }

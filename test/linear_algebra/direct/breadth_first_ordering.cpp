@@ -16,7 +16,8 @@ using namespace cgp_test;
 TEST(Breadth_first_ordering, permutes_the_vertices_of_any_graph)
 {
   for (const Named_graph& graph : graphs_of_all_kinds()) {
-    const CGP::Ordering order = CGP::breadth_first_ordering(pattern_of(graph.size, graph.edges));
+    const CGP::internal::Ordering order =
+        CGP::breadth_first_ordering(pattern_of(graph.size, graph.edges));
     EXPECT_EQ(static_cast<int>(order.size()), graph.size) << graph.name;
     EXPECT_EQ(CGP::inverse_permutation(order).size(), order.size()) << graph.name;
   }
@@ -25,13 +26,13 @@ TEST(Breadth_first_ordering, permutes_the_vertices_of_any_graph)
 TEST(Breadth_first_ordering, walks_along_a_path_from_its_end)
 {
   EXPECT_EQ(CGP::breadth_first_ordering(pattern_of(5, {{2, 0}, {0, 4}, {4, 1}, {1, 3}})),
-            (CGP::Ordering{3, 1, 4, 0, 2}));
+            (CGP::internal::Ordering{3, 1, 4, 0, 2}));
 }
 
 TEST(Breadth_first_ordering, visits_one_component_after_the_other)
 {
   EXPECT_EQ(CGP::breadth_first_ordering(pattern_of(5, {{0, 3}, {1, 4}})),
-            (CGP::Ordering{3, 0, 4, 1, 2}));
+            (CGP::internal::Ordering{3, 0, 4, 1, 2}));
 }
 
 TEST(Breadth_first_ordering, keeps_neighbours_near_whatever_the_numbers_of_the_mesh)

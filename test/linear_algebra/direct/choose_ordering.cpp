@@ -14,9 +14,9 @@ using namespace cgp_test;
 
 namespace {
 
-double operations(const CGP::Sparse_pattern& pattern, const CGP::Ordering& order)
+double operations(const CGP::Sparse_pattern& pattern, const CGP::internal::Ordering& order)
 {
-  return CGP::Supernodal_structure(pattern, order).operations();
+  return CGP::internal::Supernodal_structure(pattern, order).operations();
 }
 
 }  // namespace
@@ -37,7 +37,8 @@ TEST(Choose_ordering, takes_dissection_where_it_pays)
       operations(pattern, CGP::sweep_nested_dissection(pattern, mesh.positions()));
   const double by_degree = operations(pattern, CGP::amd_ordering(pattern));
   ASSERT_LT(by_dissection, by_degree);
-  CGP::Ordering_costs costs;  // dissection is expected to cost what 100 factorizations save
+  CGP::internal::Ordering_costs
+      costs;  // dissection is expected to cost what 100 factorizations save
   costs.seconds_per_vertex =
       100 * costs.expected_saving * by_degree * costs.seconds_per_operation / pattern.size();
   const auto chosen = [&](int factorizations) {
@@ -70,7 +71,7 @@ TEST(Choose_ordering, dissects_large_meshes_at_once)
 {
   const Mesh_view mesh = geodesic_sphere(20);
   const CGP::Sparse_pattern pattern = pattern_of(mesh);
-  CGP::Ordering_costs costs;
+  CGP::internal::Ordering_costs costs;
   costs.large = 0;
   costs.seconds_per_vertex = 1;  // else it would not be tried
   EXPECT_EQ(operations(pattern, CGP::choose_ordering(pattern, &mesh.positions(), 1, costs)),
@@ -80,7 +81,7 @@ TEST(Choose_ordering, dissects_large_meshes_at_once)
 TEST(Choose_ordering, tries_minimum_degree_on_large_meshes_where_positions_mislead)
 {
   const Mesh_view mesh = geodesic_sphere(16);
-  CGP::Ordering_costs costs;
+  CGP::internal::Ordering_costs costs;
   costs.large = 0;
   const Eigen::Matrix3Xd nonsense = random_positions(mesh.size_of_vertices(), 3);
   const CGP::Sparse_pattern pattern = pattern_of(mesh);

@@ -11,8 +11,8 @@
 namespace cgp_test {
 namespace {
 
-using CGP::Graph_rows;
-using CGP::Permuted_graph;
+using CGP::internal::Graph_rows;
+using CGP::internal::Permuted_graph;
 
 TEST(Permuted_graph, holds_every_edge_once_below_the_diagonal_with_its_place_in_the_pattern)
 {
@@ -35,11 +35,11 @@ TEST(Permuted_graph, holds_every_edge_once_below_the_diagonal_with_its_place_in_
 TEST(Permuted_graph, is_renumbered_as_if_it_were_made_of_the_other_ordering)
 {
   const Pattern pattern = grid_pattern(4, 5);
-  const CGP::Ordering order = random_permutation(20, 3);
+  const CGP::internal::Ordering order = random_permutation(20, 3);
   const Permuted_graph graph(*pattern, CGP::inverse_permutation(order));
   const std::vector<int> post =
       CGP::postorder(CGP::elimination_tree(Graph_rows(graph)), std::vector<int>(20, 0));
-  CGP::Ordering second;
+  CGP::internal::Ordering second;
   for (int k : post) second.push_back(order[at(k)]);
   const Permuted_graph renumbered(graph, CGP::inverse_permutation(post));
   const Permuted_graph expected(*pattern, CGP::inverse_permutation(second));
@@ -119,7 +119,7 @@ TEST(Column_counts, are_those_of_the_eliminated_graph)
   for (const auto& [name, pattern, order] : ordered_graphs()) {
     SCOPED_TRACE(name);
     const std::vector<int> parent = parents(eliminated(*pattern, order));
-    CGP::Ordering postordered;
+    CGP::internal::Ordering postordered;
     for (int k : CGP::postorder(parent, std::vector<int>(parent.size(), 0)))
       postordered.push_back(order[at(k)]);
     const Factor_rows rows = eliminated(*pattern, postordered);

@@ -32,7 +32,7 @@ TEST(Expanded_pattern, of_nothing_is_empty)
 
 TEST(Expanded_ordering, keeps_the_rows_of_a_block_together)
 {
-  EXPECT_EQ(CGP::expanded_ordering({2, 0, 1}, 2), (CGP::Ordering{4, 5, 0, 1, 2, 3}));
+  EXPECT_EQ(CGP::expanded_ordering({2, 0, 1}, 2), (CGP::internal::Ordering{4, 5, 0, 1, 2, 3}));
 }
 
 TEST(Expanded_graph, serves_matrices_that_are_only_real_linear)
@@ -43,7 +43,7 @@ TEST(Expanded_graph, serves_matrices_that_are_only_real_linear)
       std::make_shared<const CGP::Sparse_pattern>(CGP::expanded_pattern(*blocks, 4));
   const auto A = random_definite<double>(pattern, 3);
   CGP::Supernodal_cholesky<double> solver;
-  const CGP::Ordering order = CGP::amd_ordering(*blocks);
+  const CGP::internal::Ordering order = CGP::amd_ordering(*blocks);
   ASSERT_EQ(solver.analyze(*pattern, CGP::expanded_ordering(order, 4)),
             CGP::Solver_status::success);
   ASSERT_EQ(solver.factorize(A, {}), CGP::Solver_status::success);

@@ -11,13 +11,13 @@ using namespace cgp_test;
 
 namespace {
 
-CGP::Graph_region region_of(int n, const Edges& edges)
+CGP::internal::Graph_region region_of(int n, const Edges& edges)
 {
   return CGP::graph_region(pattern_of(n, edges), Eigen::Matrix3Xd::Zero(3, n));
 }
 
 // Whether each vertex has the least degree when it is eliminated, by sets of neighbours.
-void expect_minimum_degree(const CGP::Graph_region& region, const std::vector<int>& order)
+void expect_minimum_degree(const CGP::internal::Graph_region& region, const std::vector<int>& order)
 {
   const int n = region.size();
   std::vector<std::set<int>> neighbours(at(n));
@@ -46,7 +46,7 @@ void expect_minimum_degree(const CGP::Graph_region& region, const std::vector<in
 
 TEST(Minimum_degree_with_halo, eliminates_a_vertex_of_least_degree_every_time)
 {
-  CGP::Minimum_degree_with_halo minimum_degree;
+  CGP::internal::Minimum_degree_with_halo minimum_degree;
   for (int n : {0, 1, 2, 63, 64, 65, 130, 200}) {
     const auto region = region_of(n, n < 2 ? Edges() : random_edges(n, 2 * n, 7));
     expect_minimum_degree(region, minimum_degree(region));
@@ -55,7 +55,7 @@ TEST(Minimum_degree_with_halo, eliminates_a_vertex_of_least_degree_every_time)
 
 TEST(Minimum_degree_with_halo, counts_the_halo_as_neighbours)
 {
-  CGP::Minimum_degree_with_halo minimum_degree;
+  CGP::internal::Minimum_degree_with_halo minimum_degree;
   for (int n : {3, 60, 64, 100}) {
     auto region = region_of(n, random_edges(n, 2 * n, 9));
     Random random(11);
@@ -72,7 +72,7 @@ TEST(Minimum_degree_with_halo, names_the_vertices_of_the_whole_graph)
 {
   auto region = region_of(3, star_edges(3));
   region.vertices = {40, 50, 60};
-  CGP::Minimum_degree_with_halo minimum_degree;
+  CGP::internal::Minimum_degree_with_halo minimum_degree;
   std::vector<int> order = minimum_degree(region);
   std::sort(order.begin(), order.end());
   EXPECT_EQ(order, region.vertices);

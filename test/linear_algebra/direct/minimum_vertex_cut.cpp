@@ -8,8 +8,8 @@
 #include "linear_algebra/graphs.h"
 
 using namespace cgp_test;
-using CGP::Side;
-using CGP::Terminal_graph;
+using CGP::internal::Side;
+using CGP::internal::Terminal_graph;
 
 namespace {
 

@@ -13,7 +13,7 @@ TEST(Stopwatch, measures_each_lap_from_the_last_one)
 {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  Conformal_geometry_processing::Stopwatch watch;
+  Conformal_geometry_processing::internal::Stopwatch watch;
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   const double first = watch.lap();
   const double second = watch.lap();

@@ -8,7 +8,7 @@
 #include "linear_algebra/graphs.h"
 
 using namespace cgp_test;
-using CGP::Side;
+using CGP::internal::Side;
 
 namespace {
 
@@ -19,7 +19,7 @@ int size_of(const std::vector<Side>& sides, Side side)
 
 std::vector<Side> sides_of(int n, const Edges& edges, const Eigen::Matrix3Xd& positions)
 {
-  return CGP::Sweep_cut()(CGP::graph_region(pattern_of(n, edges), positions));
+  return CGP::internal::Sweep_cut()(CGP::graph_region(pattern_of(n, edges), positions));
 }
 
 }  // namespace

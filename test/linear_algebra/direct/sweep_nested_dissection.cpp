@@ -15,9 +15,9 @@ using namespace cgp_test;
 
 namespace {
 
-double operations(const CGP::Sparse_pattern& pattern, const CGP::Ordering& order)
+double operations(const CGP::Sparse_pattern& pattern, const CGP::internal::Ordering& order)
 {
-  return CGP::Supernodal_structure(pattern, order).operations();
+  return CGP::internal::Supernodal_structure(pattern, order).operations();
 }
 
 double sweep_operations(const Mesh_view& mesh)
@@ -26,7 +26,7 @@ double sweep_operations(const Mesh_view& mesh)
   return operations(pattern, CGP::sweep_nested_dissection(pattern, mesh.positions()));
 }
 
-void expect_permutation(int n, const CGP::Ordering& order, const std::string& name)
+void expect_permutation(int n, const CGP::internal::Ordering& order, const std::string& name)
 {
   EXPECT_EQ(static_cast<int>(order.size()), n) << name;
   EXPECT_EQ(CGP::inverse_permutation(order).size(), order.size()) << name;
@@ -93,7 +93,7 @@ TEST(Sweep_nested_dissection, is_the_same_for_any_number_of_threads)
   const Mesh_view mesh = geodesic_sphere(21);
   const CGP::Sparse_pattern pattern = pattern_of(mesh);
   ASSERT_GT(pattern.size(), 4000);  // enough for threads
-  const CGP::Ordering expected = CGP::sweep_nested_dissection(pattern, mesh.positions());
+  const CGP::internal::Ordering expected = CGP::sweep_nested_dissection(pattern, mesh.positions());
   for (const int threads : {2, 3, 8}) {
     const Threads setting(threads);
     EXPECT_EQ(CGP::sweep_nested_dissection(pattern, mesh.positions()), expected);

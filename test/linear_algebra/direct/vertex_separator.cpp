@@ -8,11 +8,11 @@
 #include "linear_algebra/graphs.h"
 
 using namespace cgp_test;
-using CGP::Side;
+using CGP::internal::Side;
 
 namespace {
 
-CGP::Graph_region grid_region(int a)
+CGP::internal::Graph_region grid_region(int a)
 {
   return CGP::graph_region(pattern_of(a * a, grid_edges(a)), grid_positions(a));
 }
@@ -22,7 +22,7 @@ int size_of(const std::vector<Side>& sides, Side side)
   return static_cast<int>(std::count(sides.begin(), sides.end(), side));
 }
 
-bool is_separated(const CGP::Graph_region& region, const std::vector<Side>& sides)
+bool is_separated(const CGP::internal::Graph_region& region, const std::vector<Side>& sides)
 {
   for (const auto& e : region.edges) {
     const Side a = sides[at(e[0])], b = sides[at(e[1])];
@@ -36,7 +36,7 @@ bool is_separated(const CGP::Graph_region& region, const std::vector<Side>& side
 TEST(Thin_separator, of_thick_columns_of_a_grid_is_one_column)
 {
   const int a = 20;
-  const CGP::Graph_region region = grid_region(a);
+  const CGP::internal::Graph_region region = grid_region(a);
   std::vector<Side> sides;
   for (int v = 0; v < a * a; ++v)
     sides.push_back(v % a < 8 ? Side::left : v % a < 13 ? Side::separator : Side::right);
@@ -51,7 +51,7 @@ TEST(Thin_separator, of_thick_columns_of_a_grid_is_one_column)
 TEST(Thin_separator, is_taken_from_the_greater_side)
 {
   const int a = 10;
-  const CGP::Graph_region region = grid_region(a);
+  const CGP::internal::Graph_region region = grid_region(a);
   std::vector<Side> sides;
   for (int v = 0; v < a * a; ++v) sides.push_back(v % a < 3 ? Side::left : Side::right);
   CGP::thin_separator(region, sides);

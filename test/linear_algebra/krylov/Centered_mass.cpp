@@ -37,7 +37,7 @@ TEST(Centered_mass, is_the_spread_around_the_weighted_mean)
 {
   const int n = 10;
   const Eigen::VectorXd w = half_of_them(n);
-  const CGP::Centered_mass<std::complex<double>> mass(w, Eigen::MatrixXcd::Ones(n, 1));
+  const CGP::internal::Centered_mass<std::complex<double>> mass(w, Eigen::MatrixXcd::Ones(n, 1));
   const Eigen::VectorXcd x = random_block(n, 1, 1);
   const std::complex<double> mean = w.cast<std::complex<double>>().dot(x) / w.sum();
   const double spread = w.dot((x.array() - mean).abs2().matrix());
@@ -49,8 +49,8 @@ TEST(Centered_mass, is_the_spread_around_the_weighted_mean)
 TEST(Centered_mass, makes_columns_orthonormal)
 {
   const int n = 10;
-  const CGP::Centered_mass<std::complex<double>> mass(half_of_them(n),
-                                                      Eigen::MatrixXcd::Ones(n, 1));
+  const CGP::internal::Centered_mass<std::complex<double>> mass(half_of_them(n),
+                                                                Eigen::MatrixXcd::Ones(n, 1));
   Eigen::MatrixXcd x = random_block(n, 3, 7);
   x.col(2) = x.col(0) + 1e-7 * x.col(2);  // nearly dependent
   const Eigen::VectorXcd first = x.col(0);

@@ -25,7 +25,7 @@ class Iteration {
 
   bool is_last(double theta, double size)
   {
-    CGP::Ritz_panel x{Block(2, 1), Block(2, 1), Block(2, 1)};
+    CGP::internal::Ritz_panel x{Block(2, 1), Block(2, 1), Block(2, 1)};
     x.v(0, 0).w = x.nv(0, 0).w = 1;
     x.kv(0, 0).w = theta;
     Block r(2, 1);
@@ -39,8 +39,8 @@ class Iteration {
   CGP::Eigensolver_result result() { return m_convergence.result(); }
 
  private:
-  CGP::Eigensolver_convergence m_convergence;
-  CGP::Always_go_further m_go_further;
+  CGP::internal::Eigensolver_convergence m_convergence;
+  CGP::internal::Always_go_further m_go_further;
 };
 
 }  // namespace
@@ -103,14 +103,14 @@ TEST(Eigensolver_convergence, does_not_count_errors_along_the_vector)
 {
   // T r = r + 1e6 x, as an inverse of a nearly singular matrix may give.
   const CGP::Eigensolver_options options;
-  CGP::Eigensolver_convergence convergence("run", options, Block(2, 1));
-  CGP::Ritz_panel x{Block(2, 1), Block(2, 1), Block(2, 1)};
+  CGP::internal::Eigensolver_convergence convergence("run", options, Block(2, 1));
+  CGP::internal::Ritz_panel x{Block(2, 1), Block(2, 1), Block(2, 1)};
   x.v(0, 0).w = x.nv(0, 0).w = x.kv(0, 0).w = 1;
   Block r(2, 1), Tr(2, 1);
   r(0, 0) = {1e-10, 1e-10, 0, 0};
   r(1, 0).w = Tr(1, 0).w = 1e-4;
   Tr(0, 0) = {1e6, 1e6, 0, 0};
-  CGP::Always_go_further always;
+  CGP::internal::Always_go_further always;
   EXPECT_FALSE(convergence.is_last(x, r, Tr, always));
   EXPECT_NEAR(convergence.result().estimates[0], 1e-4, 1e-16);
 }

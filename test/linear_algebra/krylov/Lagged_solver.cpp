@@ -18,7 +18,7 @@ namespace {
 
 /// the laws compare with exact solutions
 template <class Solver>
-struct Exact_lagged_solver : CGP::Lagged_solver<Solver> {
+struct Exact_lagged_solver : CGP::internal::Lagged_solver<Solver> {
   Exact_lagged_solver() { this->set_tolerance(1e-14); }
 };
 
@@ -31,7 +31,7 @@ using Laws =
 INSTANTIATE_TYPED_TEST_SUITE_P(Lagged, Hermitian_solver, Laws);
 
 static_assert(std::is_same_v<CGP::Lagged_solver_traits<>::Solver<Quaternion<double>>,
-                             CGP::Lagged_solver<Quaternionic>>);
+                             CGP::internal::Lagged_solver<Quaternionic>>);
 
 constexpr int n = 60;
 
@@ -52,7 +52,7 @@ class Lagged_solver : public testing::Test {
  protected:
   using Vectors = CGP::Block<Scalar>;
   using Matrix = CGP::Hermitian_sparse_matrix<Scalar>;
-  using Solver = CGP::Lagged_solver<Dear_solver<Scalar>>;
+  using Solver = CGP::internal::Lagged_solver<Dear_solver<Scalar>>;
 
   void SetUp() override { ASSERT_EQ(solver.analyze(*pattern), Solver_status::success); }
 
@@ -217,7 +217,7 @@ TYPED_TEST(Lagged_solver, takes_a_larger_shift_for_a_preconditioner_where_that_g
   auto B = this->A;
   for (int k = 0; k < this->pattern->size_of_entries(); ++k) B.value(k) = Scalar{};
   const int k = this->pattern->find(1, 0);
-  B.value(k) = CGP::Scalar_traits<Scalar>::from_real(2);
+  B.value(k) = CGP::internal::Scalar_traits<Scalar>::from_real(2);
   const Eigen::VectorXd shift = Eigen::VectorXd::Ones(n);
   ASSERT_EQ(this->solver.factorize(B, shift), Solver_status::success);
   Solver_status status = Solver_status::success;
@@ -233,20 +233,20 @@ TYPED_TEST(Lagged_solver, reports_values_that_are_not_finite_when_they_come)
 {
   ASSERT_EQ(this->solver.factorize(this->A, this->no_shift), Solver_status::success);
   auto B = this->A;
-  B.value(17) = CGP::Scalar_traits<TypeParam>::from_real(std::numeric_limits<double>::quiet_NaN());
+  B.value(17) = CGP::internal::Scalar_traits<TypeParam>::from_real(std::nan(""));
   EXPECT_EQ(this->solver.factorize(B, this->no_shift), Solver_status::numerical_issue);
   EXPECT_EQ(this->solver.solve(this->b, this->x), Solver_status::wrong_state);
   EXPECT_EQ(this->solver.factorize(this->nearby(1e-3), this->no_shift), Solver_status::success);
   EXPECT_EQ(this->solver.factorizations(), 1);  // the old factor has survived
   EXPECT_EQ(this->solver.solve(this->b, this->x), Solver_status::success);
 
-  this->b(0, 0) = CGP::Scalar_traits<TypeParam>::from_real(std::numeric_limits<double>::infinity());
+  this->b(0, 0) = CGP::internal::Scalar_traits<TypeParam>::from_real(HUGE_VAL);
   EXPECT_NE(this->solver.solve(this->b, this->x), Solver_status::success);
 }
 
 TYPED_TEST(Lagged_solver, shares_the_analysis_with_others_lagged_or_not)
 {
-  CGP::Lagged_solver<CGP::Supernodal_cholesky<double>> real;
+  CGP::internal::Lagged_solver<CGP::Supernodal_cholesky<double>> real;
   ASSERT_EQ(real.analyze_like(*this->pattern, this->solver), Solver_status::success);
   EXPECT_EQ(real.factor().structure(), this->solver.factor().structure());
   CGP::Supernodal_cholesky<float> plain;
@@ -283,7 +283,7 @@ TEST(Lagged_float_solver, solves_in_double_precision_with_an_old_factor_in_singl
 {
   const Pattern pattern = full_pattern(n);
   const auto A = random_definite<Quaternion<double>>(pattern, 2);
-  CGP::Lagged_solver<Dear_solver<Quaternion<double>, float>> solver;
+  CGP::internal::Lagged_solver<Dear_solver<Quaternion<double>, float>> solver;
   ASSERT_EQ(solver.analyze(*pattern), Solver_status::success);
   ASSERT_EQ(solver.factorize(A, {}), Solver_status::success);
   ASSERT_EQ(solver.factorize(A, Eigen::VectorXd::Constant(n, 1e-3)), Solver_status::success);

@@ -86,7 +86,7 @@ TEST(Lobpcg, finds_simple_eigenvalues_on_a_space_over_the_reals)
 {
   const Real_problem problem(10);
   CGP::Eigensolver_options options = until(1e-10, 3);
-  options.coefficients = CGP::Coefficients::reals;
+  options.coefficients = CGP::internal::Coefficients::reals;
   const auto r = CGP::lobpcg(problem.k(), problem.n(), problem.k(1e-3, -1),
                              random_block<Q>(10, 3, 3), options);
   ASSERT_TRUE(r.converged);
@@ -106,7 +106,7 @@ TEST(Lobpcg, over_the_reals_estimates_the_error_as_over_the_quaternions)
   Eigen::Map<Eigen::VectorXd>(&x0(0, 0).w, 40) =
       problem.vectors().col(0) + e * problem.vectors().col(1);
   CGP::Eigensolver_options options = until(0, 1, 0);
-  options.coefficients = CGP::Coefficients::reals;
+  options.coefficients = CGP::internal::Coefficients::reals;
   const auto r = CGP::lobpcg(problem.k(), problem.n(), problem.k(0, -1), x0, options);
   EXPECT_NEAR(r.estimates[0], e * (2 - 1) / std::sqrt(2), 1e-7 * e);
 }

@@ -21,7 +21,7 @@ constexpr double price = 10, fresh = 3;
 template <class Extra>
 std::vector<int> factorized_steps(int steps, Extra extra)
 {
-  CGP::Refactorization_rule rule;
+  CGP::internal::Refactorization_rule rule;
   rule.set_price(price);
   std::vector<int> factorized;
   for (int step = 0, age = 0; step < steps; ++step, ++age) {
@@ -95,7 +95,7 @@ TEST(Refactorization_rule, tries_less_and_less_where_every_old_one_fails)
 
 TEST(Refactorization_rule, never_lets_a_step_cost_more_than_the_price_on_top)
 {
-  CGP::Refactorization_rule rule;
+  CGP::internal::Refactorization_rule rule;
   rule.set_price(price);
   rule.begin_step();
   rule.renewed();
@@ -112,7 +112,7 @@ TEST(Refactorization_rule, never_lets_a_step_cost_more_than_the_price_on_top)
 
 TEST(Refactorization_rule, pauses_after_a_failure_and_twice_as_long_after_the_next)
 {
-  CGP::Refactorization_rule rule;
+  CGP::internal::Refactorization_rule rule;
   rule.set_price(price);
   rule.begin_step();
   rule.renewed();

@@ -18,13 +18,13 @@ constexpr int n = 12;
 
 class Ritz_panel : public testing::Test {
  protected:
-  CGP::Ritz_panel panel(const CGP::Block<Q>& v) const
+  CGP::internal::Ritz_panel panel(const CGP::Block<Q>& v) const
   {
     return CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N), v);
   }
 
   // Checks the invariant of a panel: v, K v, N v.
-  void expect_consistent(const CGP::Ritz_panel& p) const
+  void expect_consistent(const CGP::internal::Ritz_panel& p) const
   {
     EXPECT_LE((real_columns(p.kv) - dense(K) * real_columns(p.v)).norm(), 1e-11);
     EXPECT_LE((real_columns(p.nv) - dense(N) * real_columns(p.v)).norm(), 1e-11);
@@ -122,8 +122,8 @@ TEST_F(Ritz_panel, over_the_reals_keeps_what_differs_by_a_quaternion)
     v(i, 1) = v(i, 0) * Q{0, 1, -2, 0.5};
     v(i, 2) = 3. * v(i, 0) - v(i, 1);
   }
-  auto p =
-      CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N), v, CGP::Coefficients::reals);
+  auto p = CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N), v,
+                           CGP::internal::Coefficients::reals);
   CGP::orthonormalize(p);
   ASSERT_EQ(p.size(), 2);
   expect_consistent(p);
@@ -135,12 +135,12 @@ TEST_F(Ritz_panel, over_the_reals_keeps_what_differs_by_a_quaternion)
 TEST_F(Ritz_panel, over_the_reals_is_projected_along_real_multiples_only)
 {
   auto base = CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N),
-                              random_block<Q>(n, 2, 11), CGP::Coefficients::reals);
+                              random_block<Q>(n, 2, 11), CGP::internal::Coefficients::reals);
   CGP::orthonormalize(base);
   CGP::Block<Q> v = random_block<Q>(n, 2, 12);
   for (int i = 0; i < n; ++i) v(i, 1) = base.v(i, 0) * Q{0, 0, 1, 0};
-  auto p =
-      CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N), v, CGP::Coefficients::reals);
+  auto p = CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N), v,
+                           CGP::internal::Coefficients::reals);
   CGP::project_out(p, base);
   const Eigen::MatrixXd shadow = real_columns(base.nv).transpose() * real_columns(p.v);
   EXPECT_LE(shadow.norm(), 1e-14);

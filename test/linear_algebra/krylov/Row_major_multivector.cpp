@@ -15,9 +15,9 @@ namespace {
 
 const int n = 700;  // more rows than are combined in one go
 
-CGP::Row_major_multivector panel(const CGP::Block<Q>& v, int capacity)
+CGP::internal::Row_major_multivector panel(const CGP::Block<Q>& v, int capacity)
 {
-  CGP::Row_major_multivector p(v.rows(), capacity);
+  CGP::internal::Row_major_multivector p(v.rows(), capacity);
   p.append(v.leftCols(1));
   p.append(v.rightCols(v.cols() - 1));
   return p;
@@ -28,7 +28,7 @@ CGP::Row_major_multivector panel(const CGP::Block<Q>& v, int capacity)
 TEST(Row_major_multivector, holds_the_columns_that_it_was_given)
 {
   const auto V = random_block<Q>(n, 3, 1);
-  const CGP::Row_major_multivector p = panel(V, 5);
+  const CGP::internal::Row_major_multivector p = panel(V, 5);
   EXPECT_EQ(p.rows(), n);
   EXPECT_EQ(p.size(), 3);
   EXPECT_EQ(p.capacity(), 5);
@@ -38,10 +38,10 @@ TEST(Row_major_multivector, holds_the_columns_that_it_was_given)
 TEST(Row_major_multivector, has_the_inner_products_of_its_columns)
 {
   const auto V = random_block<Q>(n, 3, 1), W = random_block<Q>(n, 2, 2);
-  const CGP::Row_major_multivector p = panel(V, 5);
+  const CGP::internal::Row_major_multivector p = panel(V, 5);
   const Eigen::MatrixXd expected = dense(V).transpose() * dense(W);
-  EXPECT_LE((dense(p.gram(W, CGP::Coefficients::quaternions)) - expected).norm(), 1e-11);
-  const auto G = p.gram(W, CGP::Coefficients::reals);
+  EXPECT_LE((dense(p.gram(W, CGP::internal::Coefficients::quaternions)) - expected).norm(), 1e-11);
+  const auto G = p.gram(W, CGP::internal::Coefficients::reals);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 2; ++j) {
       EXPECT_NEAR(G(i, j).w, expected(4 * i, 4 * j), 1e-11);
@@ -52,7 +52,7 @@ TEST(Row_major_multivector, has_the_inner_products_of_its_columns)
 TEST(Row_major_multivector, combines_its_columns_from_the_right)
 {
   const auto V = random_block<Q>(n, 3, 3), C = random_block<Q>(3, 2, 4);
-  CGP::Row_major_multivector p = panel(V, 4);
+  CGP::internal::Row_major_multivector p = panel(V, 4);
   const Eigen::MatrixXd expected = dense(V) * dense(C);
   EXPECT_LE((dense(p.combination(C)) - expected).norm(), 1e-11);
   p.combine(C);

@@ -27,7 +27,7 @@ class Conjugate_gradients : public testing::Test {
   static constexpr int n = 30;
   Pattern pattern = random_pattern(n, 1);
   Matrix A = random_definite<Scalar>(pattern, 2);
-  CGP::Conjugate_gradients_options options;
+  CGP::internal::Conjugate_gradients_options options;
   Vectors x;
 
   static Vectors none(const Vectors& b) { return b; }
@@ -169,7 +169,8 @@ TYPED_TEST(Conjugate_gradients, tells_a_matrix_or_a_preconditioner_that_is_not_d
 TYPED_TEST(Conjugate_gradients, ends_where_a_value_is_not_finite)
 {
   auto b = random_block<TypeParam>(this->n, 1, 3);
-  b(4, 0) = CGP::Scalar_traits<TypeParam>::from_real(std::numeric_limits<double>::quiet_NaN());
+  b(4, 0) =
+      CGP::internal::Scalar_traits<TypeParam>::from_real(std::numeric_limits<double>::quiet_NaN());
   const auto result =
       CGP::conjugate_gradients(CGP::block_operator(this->A), this->none, b, this->x);
   EXPECT_FALSE(result.converged);

@@ -17,9 +17,9 @@ using Block = CGP::Block<Q>;
 namespace {
 
 /// K and N of a problem whose N is the masses
-CGP::Pencil pencil_of(const Spectral_problem& problem)
+CGP::internal::Pencil pencil_of(const Spectral_problem& problem)
 {
-  CGP::Pencil pencil;
+  CGP::internal::Pencil pencil;
   pencil.K = problem.k();
   pencil.N = problem.n();
   pencil.solve = [&problem](const Block& b) {
@@ -38,9 +38,9 @@ auto noise(int n)
   };
 }
 
-CGP::Krylov_options wanting(int wanted)
+CGP::internal::Krylov_options wanting(int wanted)
 {
-  CGP::Krylov_options options;
+  CGP::internal::Krylov_options options;
   options.wanted = wanted;
   return options;
 }
@@ -91,8 +91,8 @@ TEST(Krylov_schur, finds_all_eigenpairs_of_a_small_matrix)
 TEST(Krylov_schur, works_over_the_reals_where_eigenvalues_come_four_times)
 {
   const Spectral_problem problem(reciprocals(40));
-  CGP::Pencil pencil = pencil_of(problem);
-  pencil.coefficients = CGP::Coefficients::reals;
+  CGP::internal::Pencil pencil = pencil_of(problem);
+  pencil.coefficients = CGP::internal::Coefficients::reals;
   const auto r = CGP::krylov_schur(pencil, 40, noise(40), wanting(8));
   ASSERT_TRUE(r.converged);
   for (int j = 0; j < 8; ++j) EXPECT_NEAR(r.values[j], problem.value(j / 4), 1e-12);
@@ -101,7 +101,7 @@ TEST(Krylov_schur, works_over_the_reals_where_eigenvalues_come_four_times)
 TEST(Krylov_schur, tells_when_restarts_were_too_few_and_stops_when_told)
 {
   const Spectral_problem problem(Eigen::VectorXd::LinSpaced(120, 1, 1.1));
-  CGP::Krylov_options options = wanting(3);
+  CGP::internal::Krylov_options options = wanting(3);
   options.max_restarts = 1;
   const auto r = CGP::krylov_schur(pencil_of(problem), 120, noise(120), options);
   EXPECT_FALSE(r.converged);
@@ -109,7 +109,7 @@ TEST(Krylov_schur, tells_when_restarts_were_too_few_and_stops_when_told)
   EXPECT_GT(r.residuals.maxCoeff(), options.tolerance);
   const auto stopped =
       CGP::krylov_schur(pencil_of(problem), 120, noise(120), wanting(3),
-                        [](const CGP::Krylov_progress& p) { return p.restart < 1; });
+                        [](const CGP::internal::Krylov_progress& p) { return p.restart < 1; });
   EXPECT_TRUE(stopped.cancelled);
   EXPECT_FALSE(stopped.converged);
 }
@@ -128,10 +128,10 @@ TEST(Krylov_schur, is_deterministic)
 TEST(Krylov_schur, refuses_what_cannot_be_found)
 {
   const Spectral_problem problem(reciprocals(5));
-  const CGP::Pencil pencil = pencil_of(problem);
+  const CGP::internal::Pencil pencil = pencil_of(problem);
   EXPECT_THROW((void)CGP::krylov_schur(pencil, 5, noise(5), wanting(0)), CGP::Precondition_error);
   EXPECT_THROW((void)CGP::krylov_schur(pencil, 5, noise(5), wanting(6)), CGP::Precondition_error);
-  CGP::Pencil broken = pencil;
+  CGP::internal::Pencil broken = pencil;
   broken.K = [](const Block& x) {
     return Block::Constant(x.rows(), x.cols(),
                            Q{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0});

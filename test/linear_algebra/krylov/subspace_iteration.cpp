@@ -45,7 +45,8 @@ struct Path_problem {
               CGP::Solver_status::success);
   }
 
-  CGP::Subspace_result<double> solve(int vectors, double tolerance, int iterations = 100) const
+  CGP::internal::Subspace_result<double> solve(int vectors, double tolerance,
+                                               int iterations = 100) const
   {
     Eigen::MatrixXd x(L.size(), vectors);
     for (int k = 0; k < vectors; ++k)
@@ -55,7 +56,7 @@ struct Path_problem {
 
   double shift = 1e-10;
   CGP::Hermitian_sparse_matrix<double> L;
-  CGP::Centered_mass<double> mass;
+  CGP::internal::Centered_mass<double> mass;
   CGP::Supernodal_cholesky<double> solver;
 };
 

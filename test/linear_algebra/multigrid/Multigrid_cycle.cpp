@@ -18,9 +18,9 @@ namespace {
 using CGP::Solver_status;
 
 /// a hierarchy of several levels although the matrix is small
-CGP::Multigrid_options options_for(int coarsest_size)
+CGP::internal::Multigrid_options options_for(int coarsest_size)
 {
-  CGP::Multigrid_options options;
+  CGP::internal::Multigrid_options options;
   options.coarsest_size = coarsest_size;
   return options;
 }
@@ -31,7 +31,7 @@ class Multigrid_cycle : public testing::Test {
   static constexpr int columns = columns_of<Scalar>;
 
   Solver_status build(const CGP::Hermitian_sparse_matrix<Scalar>& A,
-                      const CGP::Multigrid_options& options = {})
+                      const CGP::internal::Multigrid_options& options = {})
   {
     return cycle.build(single(A), options);
   }
@@ -68,7 +68,7 @@ class Multigrid_cycle : public testing::Test {
     return T;
   }
 
-  CGP::Multigrid_cycle<Entry_of<Scalar>> cycle;
+  CGP::internal::Multigrid_cycle<Entry_of<Scalar>> cycle;
 };
 using Scalars = testing::Types<double, Quaternion<double>>;
 TYPED_TEST_SUITE(Multigrid_cycle, Scalars);
@@ -79,7 +79,7 @@ CGP::Hermitian_sparse_matrix<Scalar> laplacian(const Pattern& pattern, std::uint
   const auto L = random_laplacian(pattern, seed);
   CGP::Hermitian_sparse_matrix<Scalar> A(pattern);
   for (int k = 0; k < pattern->size_of_entries(); ++k)
-    A.value(k) = CGP::Scalar_traits<Scalar>::from_real(L.value(k));
+    A.value(k) = CGP::internal::Scalar_traits<Scalar>::from_real(L.value(k));
   return A;
 }
 
@@ -168,7 +168,7 @@ TYPED_TEST(Multigrid_cycle, gives_the_same_bits_twice)
 TYPED_TEST(Multigrid_cycle, refuses_matrices_that_are_seen_not_to_be_definite)
 {
   auto A = random_definite<TypeParam>(grid_pattern(10, 10), 15);
-  A.value(A.pattern().offsets[50]) = CGP::Scalar_traits<TypeParam>::from_real(-1);
+  A.value(A.pattern().offsets[50]) = CGP::internal::Scalar_traits<TypeParam>::from_real(-1);
   EXPECT_EQ(this->build(A), Solver_status::not_positive_definite);
   // Positive on the diagonal, negative for vectors that vary slowly.
   const Eigen::VectorXd shift = Eigen::VectorXd::Constant(100, -0.5);

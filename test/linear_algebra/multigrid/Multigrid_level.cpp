@@ -17,7 +17,7 @@ template <class Scalar>
 class Multigrid_level : public testing::Test {
  protected:
   static constexpr int n = 80, planes = planes_of<Scalar>, columns = columns_of<Scalar>;
-  using Level = CGP::Multigrid_level<Entry_of<Scalar>>;
+  using Level = CGP::internal::Multigrid_level<Entry_of<Scalar>>;
 
   Multigrid_level()
   {
@@ -25,9 +25,10 @@ class Multigrid_level : public testing::Test {
       for (int q = 0; q < 4; ++q) level.vector(i)[q] = static_cast<float>(lane<Scalar>(b, i, q));
   }
 
-  static CGP::Prolongation prolongation(const Pattern& pattern)
+  static CGP::internal::Prolongation prolongation(const Pattern& pattern)
   {
-    const CGP::Connection_graph g = CGP::strong_connections(random_laplacian(pattern, 2), 0);
+    const CGP::internal::Connection_graph g =
+        CGP::strong_connections(random_laplacian(pattern, 2), 0);
     return CGP::smoothed_prolongation(g, CGP::aggregate(g), .8);
   }
 

@@ -20,12 +20,12 @@
 namespace cgp_test {
 namespace {
 
-using Models =
-    testing::Types<CGP::Multigrid_solver<double>, CGP::Multigrid_solver<Quaternion<double>>>;
+using Models = testing::Types<CGP::internal::Multigrid_solver<double>,
+                              CGP::internal::Multigrid_solver<Quaternion<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Multigrid, Hermitian_solver, Models);
 
-static_assert(
-    std::is_same_v<CGP::Multigrid_solver_traits::Solver<double>, CGP::Multigrid_solver<double>>);
+static_assert(std::is_same_v<CGP::Multigrid_solver_traits::Solver<double>,
+                             CGP::internal::Multigrid_solver<double>>);
 
 /// The nearly singular matrices of a spin transformation of a sphere
 CGP::Hermitian_sparse_matrix<double> sphere_matrix(const Mesh_view& mesh, double)
@@ -117,7 +117,7 @@ TYPED_TEST(Multigrid_solver, solves_where_a_row_is_that_of_the_identity)
   using Number = typename TypeParam::Scalar;
   auto K = sphere_matrix(geodesic_sphere(10), Number{});
   for (int k = 0; k < K.pattern().offsets[1]; ++k)
-    K.value(k) = CGP::Scalar_traits<Number>::from_real(k == 0);
+    K.value(k) = CGP::internal::Scalar_traits<Number>::from_real(k == 0);
   this->prepare(K);
   const auto x = random_block<Number>(K.size(), 1, 7);
   const CGP::Block<Number> b = K * x.col(0);
@@ -153,7 +153,7 @@ TYPED_TEST(Multigrid_solver, is_prepared_like_another_one)
 {
   ASSERT_EQ(this->solver.analyze_with_positions(*this->pattern, Eigen::Matrix3Xd::Zero(3, this->n)),
             Solver_status::success);
-  CGP::Multigrid_solver<double> other;
+  CGP::internal::Multigrid_solver<double> other;
   ASSERT_EQ(other.analyze_like(*this->pattern, this->solver), Solver_status::success);
   EXPECT_EQ(other.ordering(), this->solver.ordering());
   EXPECT_EQ(other.factorize(random_definite<double>(this->pattern, 10), {}),
@@ -162,7 +162,7 @@ TYPED_TEST(Multigrid_solver, is_prepared_like_another_one)
 
 TYPED_TEST(Multigrid_solver, keeps_a_given_ordering)
 {
-  const CGP::Ordering order = random_permutation(this->n, 11);
+  const CGP::internal::Ordering order = random_permutation(this->n, 11);
   ASSERT_EQ(this->solver.analyze(*this->pattern, order), Solver_status::success);
   EXPECT_EQ(this->solver.ordering(), order);
   ASSERT_EQ(this->solver.analyze(*this->pattern), Solver_status::success);
@@ -189,7 +189,7 @@ TYPED_TEST(Multigrid_solver, reports_when_iteration_shows_that_the_matrix_is_not
   // Positive entries connect nothing; the eigenvalues of this path begin at -0.1.
   CGP::Hermitian_sparse_matrix<typename TypeParam::Scalar> B(grid_pattern(1, 600));
   for (int k = 0; k < B.pattern().size_of_entries(); ++k)
-    B.value(k) = CGP::Scalar_traits<typename TypeParam::Scalar>::from_real(1);
+    B.value(k) = CGP::internal::Scalar_traits<typename TypeParam::Scalar>::from_real(1);
   this->prepare(plus_diagonal(B, Eigen::VectorXd::Constant(600, 0.9)));
   CGP::Block<typename TypeParam::Scalar> x;
   EXPECT_EQ(this->solver.solve(random_block<typename TypeParam::Scalar>(600, 1, 13), x),
@@ -202,7 +202,7 @@ TYPED_TEST(Multigrid_solver, reports_when_iteration_takes_too_long)
   // Positive entries connect nothing, and Gauss-Seidel alone is slow on a long path.
   CGP::Hermitian_sparse_matrix<typename TypeParam::Scalar> B(grid_pattern(1, 2500));
   for (int k = 0; k < B.pattern().size_of_entries(); ++k)
-    B.value(k) = CGP::Scalar_traits<typename TypeParam::Scalar>::from_real(1);
+    B.value(k) = CGP::internal::Scalar_traits<typename TypeParam::Scalar>::from_real(1);
   this->prepare(plus_diagonal(B, Eigen::VectorXd::Constant(2500, 1 + 1e-9)));
   CGP::Block<typename TypeParam::Scalar> x;
   EXPECT_EQ(this->solver.solve(random_block<typename TypeParam::Scalar>(2500, 1, 14), x),
@@ -214,7 +214,7 @@ TYPED_TEST(Multigrid_solver, reports_values_that_are_not_finite)
 {
   ASSERT_EQ(this->solver.analyze(*this->pattern), Solver_status::success);
   auto B = this->A;
-  B.value(100) = CGP::Scalar_traits<typename TypeParam::Scalar>::from_real(
+  B.value(100) = CGP::internal::Scalar_traits<typename TypeParam::Scalar>::from_real(
       std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(this->solver.factorize(B, {}), Solver_status::numerical_issue);
   ASSERT_EQ(this->solver.factorize(this->A, {}), Solver_status::success);

@@ -12,7 +12,7 @@ namespace cgp_test {
 namespace {
 
 /// a connected graph of 200 vertices, of which 7 are then cut off
-CGP::Connection_graph graph_with_isolated_vertices()
+CGP::internal::Connection_graph graph_with_isolated_vertices()
 {
   auto L = random_laplacian(random_pattern(200, 3), 4);
   for (int j = 0; j < L.size(); ++j)
@@ -21,14 +21,14 @@ CGP::Connection_graph graph_with_isolated_vertices()
   return CGP::strong_connections(L, 0);
 }
 
-const CGP::Connection_graph graph = graph_with_isolated_vertices();
-const CGP::Aggregation aggregation = CGP::aggregate(graph);
+const CGP::internal::Connection_graph graph = graph_with_isolated_vertices();
+const CGP::internal::Aggregation aggregation = CGP::aggregate(graph);
 
 }  // namespace
 
 TEST(Prolongation, without_smoothing_is_constant_on_aggregates)
 {
-  const CGP::Prolongation P = CGP::smoothed_prolongation(graph, aggregation, 0);
+  const CGP::internal::Prolongation P = CGP::smoothed_prolongation(graph, aggregation, 0);
   const Eigen::MatrixXd D = dense(P);
   EXPECT_EQ(D.rows(), 200);
   EXPECT_EQ(D.cols(), aggregation.size);
@@ -47,13 +47,13 @@ TEST(Prolongation, is_smoothed_by_one_step_of_jacobi)
       W(i, graph.neighbor(k)) = static_cast<double>(graph.weight(k));
   const Eigen::VectorXd sums = W.rowwise().sum().cwiseMax(1e-300);
   const Eigen::MatrixXd expected = (1 - omega) * P0 + omega * sums.asDiagonal().inverse() * W * P0;
-  const CGP::Prolongation P = CGP::smoothed_prolongation(graph, aggregation, omega);
+  const CGP::internal::Prolongation P = CGP::smoothed_prolongation(graph, aggregation, omega);
   EXPECT_LT((dense(P) - expected).cwiseAbs().maxCoeff(), 1e-6);
 }
 
 TEST(Prolongation, carries_constants_over_and_has_no_negative_entry)
 {
-  const CGP::Prolongation P = CGP::smoothed_prolongation(graph, aggregation, .8);
+  const CGP::internal::Prolongation P = CGP::smoothed_prolongation(graph, aggregation, .8);
   for (int i = 0; i < 200; ++i) {
     double sum = 0;
     P.for_each_in_row(i, [&](int, float weight) {
@@ -68,7 +68,7 @@ TEST(Prolongation, carries_constants_over_and_has_no_negative_entry)
 
 TEST(Prolongation, names_every_column_once_in_a_row)
 {
-  const CGP::Prolongation P = CGP::smoothed_prolongation(graph, aggregation, .8);
+  const CGP::internal::Prolongation P = CGP::smoothed_prolongation(graph, aggregation, .8);
   for (int i = 0; i < 200; ++i) {
     std::set<int> columns;
     P.for_each_in_row(i, [&](int I, float) { EXPECT_TRUE(columns.insert(I).second); });

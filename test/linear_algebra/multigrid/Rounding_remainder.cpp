@@ -18,7 +18,7 @@ class Rounding_remainder : public testing::Test {
  protected:
   Pattern pattern = random_pattern(50, 1);
   CGP::Hermitian_sparse_matrix<Scalar> A = random_hermitian<Scalar>(pattern, 2);
-  CGP::Rounding_remainder<Scalar> remainder;
+  CGP::internal::Rounding_remainder<Scalar> remainder;
 };
 using Scalars = testing::Types<double, Quaternion<double>>;
 TYPED_TEST_SUITE(Rounding_remainder, Scalars);
@@ -58,7 +58,7 @@ TYPED_TEST(Rounding_remainder, tells_values_that_are_not_finite_in_single_precis
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
                            std::numeric_limits<double>::infinity(), 1e39, -1e39}) {
     auto B = this->A;
-    B.value(7) = CGP::Scalar_traits<TypeParam>::from_real(bad);
+    B.value(7) = CGP::internal::Scalar_traits<TypeParam>::from_real(bad);
     this->remainder.split(B, {});
     EXPECT_FALSE(this->remainder.is_finite());
   }

@@ -16,7 +16,7 @@ namespace CGP = Conformal_geometry_processing;
 template <class Real>
 class Vertex_lanes : public testing::Test {
  protected:
-  using Lanes = CGP::Vertex_lanes<Real>;
+  using Lanes = CGP::internal::Vertex_lanes<Real>;
   using Register = typename Lanes::Register;
   using Quaternionic = CGP::Quaternion<Real>;
 
@@ -72,7 +72,7 @@ TYPED_TEST(Vertex_lanes, of_quaternions_sum_products_with_conjugates)
   const Q y = this->random_quaternion();
   typename TestFixture::Register lanes_p, lanes_q, lanes_y;
   this->load(p, lanes_p), this->load(q, lanes_q), this->load(y, lanes_y);
-  CGP::Conjugate_sum<Q> sum;
+  CGP::internal::Conjugate_sum<Q> sum;
   sum.add(a, lanes_p);
   sum.add(b, lanes_q);
   sum.subtract_from(lanes_y);
@@ -86,7 +86,7 @@ TYPED_TEST(Vertex_lanes, of_quaternions_scatter_products)
   const Q y = this->random_quaternion();
   typename TestFixture::Register lanes_x, lanes_y;
   this->load(x, lanes_x), this->load(y, lanes_y);
-  CGP::Scattered_product<Q>(lanes_x).subtract(a, lanes_y);
+  CGP::internal::Scattered_product<Q>(lanes_x).subtract(a, lanes_y);
   this->expect_equal(lanes_y, y - a * x);
 }
 
@@ -96,12 +96,12 @@ TYPED_TEST(Vertex_lanes, of_numbers_are_four_right_hand_sides)
   const Q x = this->random_quaternion(), y = this->random_quaternion();
   typename TestFixture::Register lanes_x, gathered, scattered;
   this->load(x, lanes_x), this->load(y, gathered), this->load(y, scattered);
-  CGP::Conjugate_sum<TypeParam> sum;
+  CGP::internal::Conjugate_sum<TypeParam> sum;
   sum.add(2, lanes_x);
   sum.add(TypeParam(0.5), lanes_x);
   sum.subtract_from(gathered);
   this->expect_equal(gathered, y - TypeParam(2.5) * x);
-  CGP::Scattered_product<TypeParam>(lanes_x).subtract(3, scattered);
+  CGP::internal::Scattered_product<TypeParam>(lanes_x).subtract(3, scattered);
   this->expect_equal(scattered, y - TypeParam(3) * x);
 }
 

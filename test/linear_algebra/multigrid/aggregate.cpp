@@ -18,14 +18,15 @@ namespace {
 
 using Ints = std::vector<int>;
 
-CGP::Connection_graph connections(const CGP::Sparse_pattern& pattern)
+CGP::internal::Connection_graph connections(const CGP::Sparse_pattern& pattern)
 {
   const auto L = random_laplacian(std::make_shared<const CGP::Sparse_pattern>(pattern), 5);
   return CGP::strong_connections(L, 0);
 }
 
 /// the number of vertices that are reached from `start` within its aggregate
-int reached(const CGP::Connection_graph& g, const CGP::Aggregation& a, int start)
+int reached(const CGP::internal::Connection_graph& g, const CGP::internal::Aggregation& a,
+            int start)
 {
   std::vector<bool> is_reached(at(g.size()));
   std::queue<int> queue;
@@ -46,7 +47,7 @@ int reached(const CGP::Connection_graph& g, const CGP::Aggregation& a, int start
 TEST(Aggregate, groups_a_path_by_threes)
 {
   // The first vertex has one neighbor; the last but one is left over.
-  const CGP::Aggregation a = CGP::aggregate(connections(pattern_of(9, path_edges(9))));
+  const CGP::internal::Aggregation a = CGP::aggregate(connections(pattern_of(9, path_edges(9))));
   EXPECT_EQ(a.size, 3);
   EXPECT_EQ(a.aggregate_of, (Ints{0, 0, 1, 1, 1, 2, 2, 2, 2}));
 }
@@ -54,7 +55,8 @@ TEST(Aggregate, groups_a_path_by_threes)
 TEST(Aggregate, joins_what_is_left_over_where_the_connection_is_strongest)
 {
   // The path 0 - 1 - 2 - 4 - 3 in which 2 is left over between 1 and 4.
-  CGP::Connection_graph g{{0, 1, 3, 5, 6, 8}, {1, 0, 2, 1, 4, 4, 2, 3}, {9, 9, 2, 2, 1, 9, 1, 9}};
+  CGP::internal::Connection_graph g{
+      {0, 1, 3, 5, 6, 8}, {1, 0, 2, 1, 4, 4, 2, 3}, {9, 9, 2, 2, 1, 9, 1, 9}};
   EXPECT_EQ(CGP::aggregate(g).aggregate_of, (Ints{0, 0, 0, 1, 1}));
   std::swap(g.weights[2], g.weights[4]);
   std::swap(g.weights[3], g.weights[6]);
@@ -63,7 +65,7 @@ TEST(Aggregate, joins_what_is_left_over_where_the_connection_is_strongest)
 
 TEST(Aggregate, leaves_vertices_without_connections_alone)
 {
-  const CGP::Aggregation a = CGP::aggregate(connections(pattern_of(6, {{1, 4}})));
+  const CGP::internal::Aggregation a = CGP::aggregate(connections(pattern_of(6, {{1, 4}})));
   EXPECT_EQ(a.size, 1);
   EXPECT_EQ(a.aggregate_of, (Ints{-1, 0, -1, -1, 0, -1}));
 }
@@ -72,8 +74,8 @@ TEST(Aggregate, gives_connected_groups_of_two_or_more_for_graphs_of_all_kinds)
 {
   for (const Named_graph& graph : graphs_of_all_kinds()) {
     if (graph.size == 0) continue;
-    const CGP::Connection_graph g = connections(pattern_of(graph.size, graph.edges));
-    const CGP::Aggregation a = CGP::aggregate(g);
+    const CGP::internal::Connection_graph g = connections(pattern_of(graph.size, graph.edges));
+    const CGP::internal::Aggregation a = CGP::aggregate(g);
     Ints sizes(at(a.size), 0);
     for (int i = 0; i < g.size(); ++i) {
       const int of = a.aggregate_of[at(i)];
@@ -92,7 +94,7 @@ TEST(Aggregate, gives_connected_groups_of_two_or_more_for_graphs_of_all_kinds)
 TEST(Aggregate, makes_groups_of_about_nine_on_triangle_meshes)
 {
   const Mesh_view mesh = geodesic_sphere(20);
-  const CGP::Aggregation a = CGP::aggregate(connections(pattern_of(mesh)));
+  const CGP::internal::Aggregation a = CGP::aggregate(connections(pattern_of(mesh)));
   EXPECT_GT(mesh.size_of_vertices(), 7 * a.size);
   EXPECT_LT(mesh.size_of_vertices(), 12 * a.size);
 }

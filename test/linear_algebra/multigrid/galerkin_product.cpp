@@ -16,9 +16,10 @@ class Galerkin_product : public testing::Test {};
 using Scalars = testing::Types<double, Quaternion<double>>;
 TYPED_TEST_SUITE(Galerkin_product, Scalars);
 
-CGP::Prolongation prolongation(const Pattern& pattern)
+CGP::internal::Prolongation prolongation(const Pattern& pattern)
 {
-  const CGP::Connection_graph g = CGP::strong_connections(random_laplacian(pattern, 2), 0);
+  const CGP::internal::Connection_graph g =
+      CGP::strong_connections(random_laplacian(pattern, 2), 0);
   return CGP::smoothed_prolongation(g, CGP::aggregate(g), .8);
 }
 
@@ -27,7 +28,7 @@ TYPED_TEST(Galerkin_product, is_the_dense_product)
   for (const Pattern& pattern : {random_pattern(90, 1), grid_pattern(9, 8), full_pattern(6),
                                  pattern_of_edges(7, {{0, 1}, {3, 5}})}) {
     const auto A = random_hermitian<TypeParam>(pattern, 3);
-    const CGP::Prolongation P = prolongation(pattern);
+    const CGP::internal::Prolongation P = prolongation(pattern);
     const auto C = CGP::galerkin_product(A, P);
     const Eigen::MatrixXd D = dense(P, planes_of<TypeParam>);
     const Eigen::MatrixXd expected = D.transpose() * dense(A) * D;
@@ -49,7 +50,7 @@ TYPED_TEST(Galerkin_product, has_a_pattern_in_order_and_a_real_diagonal)
     ASSERT_LT(begin, end);
     ASSERT_EQ(p.indices[at(begin)], j);
     for (int k = begin + 1; k < end; ++k) ASSERT_LT(p.indices[at(k - 1)], p.indices[at(k)]);
-    EXPECT_EQ(C.value(begin), CGP::Scalar_traits<TypeParam>::from_real(C.diagonal(j)));
+    EXPECT_EQ(C.value(begin), CGP::internal::Scalar_traits<TypeParam>::from_real(C.diagonal(j)));
   }
 }
 
@@ -65,7 +66,7 @@ TYPED_TEST(Galerkin_product, gives_the_same_bits_twice)
 {
   const Pattern pattern = random_pattern(300, 7);
   const auto A = single(random_hermitian<TypeParam>(pattern, 8));
-  const CGP::Prolongation P = prolongation(pattern);
+  const CGP::internal::Prolongation P = prolongation(pattern);
   const auto C = CGP::galerkin_product(A, P), D = CGP::galerkin_product(A, P);
   ASSERT_EQ(C.pattern(), D.pattern());
   for (int k = 0; k < C.pattern().size_of_entries(); ++k) EXPECT_EQ(C.value(k), D.value(k));

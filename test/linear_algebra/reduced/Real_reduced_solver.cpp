@@ -11,9 +11,9 @@
 namespace cgp_test {
 namespace {
 
-using Models =
-    testing::Types<CGP::Real_reduced_solver<>,
-                   CGP::Real_reduced_solver<CGP::Eigen_hermitian_solver_traits::Solver<double>>>;
+using Models = testing::Types<
+    CGP::internal::Real_reduced_solver<>,
+    CGP::internal::Real_reduced_solver<CGP::Eigen_hermitian_solver_traits::Solver<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Real, Reduced_solver, Models);
 
 }  // namespace

@@ -22,8 +22,8 @@ Reduced_problem nothing_else()
 TEST(Reduced_complement, of_nothing_eliminated_is_the_reduced_matrix)
 {
   const Reduced_problem p = nothing_else();
-  const CGP::Supernodal_structure structure(p.X.pattern(), random_permutation(9, 3), 9);
-  CGP::Reduced_complement complement(p.X.pattern(), structure);
+  const CGP::internal::Supernodal_structure structure(p.X.pattern(), random_permutation(9, 3), 9);
+  CGP::internal::Reduced_complement complement(p.X.pattern(), structure);
   complement.assemble(p.X, p.shift, p.basis());
   ASSERT_TRUE(complement.factorize());
   const CGP::Block<Q> b = random_block<Q>(9, 1, 4);
@@ -39,8 +39,8 @@ TEST(Reduced_complement, of_nothing_eliminated_is_the_reduced_matrix)
 TEST(Reduced_complement, knows_whether_it_is_definite)
 {
   const Reduced_problem p = nothing_else();
-  const CGP::Supernodal_structure structure(p.X.pattern(), random_permutation(9, 5), 9);
-  CGP::Reduced_complement complement(p.X.pattern(), structure);
+  const CGP::internal::Supernodal_structure structure(p.X.pattern(), random_permutation(9, 5), 9);
+  CGP::internal::Reduced_complement complement(p.X.pattern(), structure);
   complement.assemble(p.X, -10 * p.X.diagonal(0) * Eigen::VectorXd::Ones(9), p.basis());
   EXPECT_FALSE(complement.factorize());
   complement.assemble(p.X, {}, p.basis());
@@ -50,8 +50,8 @@ TEST(Reduced_complement, knows_whether_it_is_definite)
 TEST(Reduced_complement, knows_its_size)
 {
   const Reduced_problem p = nothing_else();
-  const CGP::Supernodal_structure structure(p.X.pattern(), random_permutation(9, 6), 4);
-  const CGP::Reduced_complement complement(p.X.pattern(), structure);
+  const CGP::internal::Supernodal_structure structure(p.X.pattern(), random_permutation(9, 6), 4);
+  const CGP::internal::Reduced_complement complement(p.X.pattern(), structure);
   EXPECT_EQ(complement.factor_entries(), 36);
   EXPECT_EQ(complement.bytes(), 64. * sizeof(double));
   EXPECT_NEAR(complement.flops(), 512 / 3., 1e-9);

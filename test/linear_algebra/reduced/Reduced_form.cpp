@@ -17,7 +17,7 @@
 namespace cgp_test {
 namespace {
 
-CGP::Reduced_form form_of(const Mesh_view& mesh, const std::vector<int>& reduced)
+CGP::internal::Reduced_form form_of(const Mesh_view& mesh, const std::vector<int>& reduced)
 {
   const Pattern pattern = CGP::vertex_graph(mesh);
   return CGP::choose_reduced_form(*pattern, {pattern->size(), reduced},
@@ -26,14 +26,15 @@ CGP::Reduced_form form_of(const Mesh_view& mesh, const std::vector<int>& reduced
 
 TEST(Reduced_last, leaves_the_order_of_all_others)
 {
-  EXPECT_EQ(CGP::reduced_last({4, 2, 0, 3, 1}, {5, {0, 4}}), (CGP::Ordering{2, 3, 1, 4, 0}));
+  EXPECT_EQ(CGP::reduced_last({4, 2, 0, 3, 1}, {5, {0, 4}}),
+            (CGP::internal::Ordering{2, 3, 1, 4, 0}));
 }
 
 TEST(Reduced_form, of_disks_and_closed_cylinders_is_quaternionic_with_the_boundary_last)
 {
   for (const Mesh_view& mesh : {disk(8), disk(20), cylinder(1, 4, 30, 30)}) {
     const std::vector<int> boundary = vertices_of_boundary(mesh);
-    const CGP::Reduced_form form = form_of(mesh, boundary);
+    const CGP::internal::Reduced_form form = form_of(mesh, boundary);
     EXPECT_FALSE(form.is_real);
     const std::set<int> last(form.order.end() - static_cast<std::ptrdiff_t>(boundary.size()),
                              form.order.end());
@@ -60,12 +61,12 @@ TEST(Reduced_form, knows_the_cost_of_the_real_matrix)
 {
   const Mesh_view mesh = disk(10);
   const Pattern pattern = CGP::vertex_graph(mesh);
-  const CGP::Reduced_rows rows(pattern->size(), vertices_of_boundary(mesh));
-  const CGP::Ordering order = CGP::amd_ordering(*pattern);
-  const double cost =
-      CGP::internal::operations_of_real_form(CGP::Supernodal_structure(*pattern, order), rows);
-  const double exact = CGP::Supernodal_structure(*CGP::reduced_pattern(*pattern, rows),
-                                                 CGP::reduced_ordering(order, rows))
+  const CGP::internal::Reduced_rows rows(pattern->size(), vertices_of_boundary(mesh));
+  const CGP::internal::Ordering order = CGP::amd_ordering(*pattern);
+  const double cost = CGP::internal::operations_of_real_form(
+      CGP::internal::Supernodal_structure(*pattern, order), rows);
+  const double exact = CGP::internal::Supernodal_structure(*CGP::reduced_pattern(*pattern, rows),
+                                                           CGP::reduced_ordering(order, rows))
                            .operations();
   EXPECT_NEAR(cost, exact, 0.1 * exact);
 }
@@ -74,16 +75,17 @@ TEST(Reduced_form, tries_dissection_only_where_that_may_pay_and_keeps_the_cheape
 {
   const Mesh_view mesh = disk(20);
   const Pattern pattern = CGP::vertex_graph(mesh);
-  const CGP::Reduced_rows rows(pattern->size(), vertices_of_boundary(mesh));
+  const CGP::internal::Reduced_rows rows(pattern->size(), vertices_of_boundary(mesh));
   const double by_degree = form_of(mesh, vertices_of_boundary(mesh)).cost;
   const double by_dissection =
       CGP::choose_reduced_form(*pattern, rows,
                                CGP::sweep_nested_dissection(*pattern, mesh.positions()))
           .cost;
-  const auto cost = [&](const Eigen::Matrix3Xd* positions, const CGP::Ordering_costs& costs) {
+  const auto cost = [&](const Eigen::Matrix3Xd* positions,
+                        const CGP::internal::Ordering_costs& costs) {
     return CGP::choose_reduced_form(*pattern, rows, positions, 1, costs).cost;
   };
-  CGP::Ordering_costs never, always;
+  CGP::internal::Ordering_costs never, always;
   never.seconds_per_vertex = 1e9;
   always.seconds_per_vertex = 0;
   EXPECT_EQ(cost(nullptr, always), by_degree);

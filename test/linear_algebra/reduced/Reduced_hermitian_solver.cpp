@@ -11,7 +11,7 @@
 namespace cgp_test {
 namespace {
 
-using CGP::Reduced_hermitian_solver;
+using CGP::internal::Reduced_hermitian_solver;
 using Q = Quaternion<double>;
 
 using Models = testing::Types<Reduced_hermitian_solver>;
@@ -34,8 +34,9 @@ TEST(Reduced_hermitian_solver, has_two_forms_that_agree)
   for (const Mesh_view& mesh : {disk(12), annulus(1, 2, 60, 10), grid(60, 4)}) {
     const Reduced_problem p = reduced_problem(mesh, 1);
     const auto b = random_block<Q>(p.X.size(), 2, 2);
-    const Eigen::MatrixXd real = solution<CGP::Real_reduced_solver<>>(p, b);
-    EXPECT_LE((solution<CGP::Schur_reduced_solver>(p, b) - real).norm(), 1e-11 * real.norm());
+    const Eigen::MatrixXd real = solution<CGP::internal::Real_reduced_solver<>>(p, b);
+    EXPECT_LE((solution<CGP::internal::Schur_reduced_solver>(p, b) - real).norm(),
+              1e-11 * real.norm());
     EXPECT_LE((solution<Reduced_hermitian_solver>(p, b) - real).norm(), 1e-11 * real.norm());
   }
 }
@@ -54,7 +55,7 @@ TEST(Reduced_hermitian_solver, takes_the_form_that_suits_the_mesh)
                 Solver_status::success);
       EXPECT_EQ(solver.has_real_form(), is_strip);
       ASSERT_EQ(solver.factorize(p.X, p.shift, p.basis()), Solver_status::success);
-      const Eigen::MatrixXd expected = solution<CGP::Real_reduced_solver<>>(p, b);
+      const Eigen::MatrixXd expected = solution<CGP::internal::Real_reduced_solver<>>(p, b);
       EXPECT_LE((real_columns(CGP::inverse_operator(solver)(b)) - expected).norm(),
                 1e-11 * expected.norm());
     }
@@ -67,7 +68,8 @@ TEST(Reduced_hermitian_solver, refuses_positions_and_rows_of_another_mesh)
   Reduced_hermitian_solver solver;
   EXPECT_EQ(solver.analyze_with_positions(p.X.pattern(), p.rows(), Eigen::Matrix3Xd(3, 2)),
             Solver_status::wrong_state);
-  EXPECT_EQ(solver.analyze(p.X.pattern(), CGP::Reduced_rows(2, {})), Solver_status::wrong_state);
+  EXPECT_EQ(solver.analyze(p.X.pattern(), CGP::internal::Reduced_rows(2, {})),
+            Solver_status::wrong_state);
   EXPECT_EQ(solver.factorize(p.X, p.shift, p.basis()), Solver_status::wrong_state);
 }
 

@@ -12,17 +12,17 @@
 namespace cgp_test {
 namespace {
 
-using Models = testing::Types<CGP::Schur_reduced_solver>;
+using Models = testing::Types<CGP::internal::Schur_reduced_solver>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Schur, Reduced_solver, Models);
 
 TEST(Schur_reduced_solver, gives_the_same_bits_for_any_number_of_threads)
 {
   const Reduced_problem p = reduced_problem(disk(30), 1);
-  const CGP::Ordering order = CGP::amd_ordering(p.X.pattern());
+  const CGP::internal::Ordering order = CGP::amd_ordering(p.X.pattern());
   const auto b = random_block<Quaternion<double>>(p.X.size(), 1, 2);
   const auto solution = [&](int threads) {
     const Threads setting(threads);
-    CGP::Schur_reduced_solver solver;
+    CGP::internal::Schur_reduced_solver solver;
     CGP::Block<Quaternion<double>> x;
     EXPECT_EQ(solver.analyze(p.X.pattern(), p.rows(), order), Solver_status::success);
     EXPECT_EQ(solver.factorize(p.X, p.shift, p.basis()), Solver_status::success);
@@ -41,7 +41,7 @@ TEST(Schur_reduced_solver, solves_on_every_vector_unit)
   const auto b = random_block<Quaternion<double>>(p.X.size(), 2, 4);
   const Eigen::MatrixXd expected = p.dense_solution(b);
   on_every_unit([&] {
-    CGP::Schur_reduced_solver solver;
+    CGP::internal::Schur_reduced_solver solver;
     CGP::Block<Quaternion<double>> x;
     ASSERT_EQ(solver.analyze(p.X.pattern(), p.rows(), CGP::amd_ordering(p.X.pattern())),
               Solver_status::success);

@@ -50,8 +50,9 @@ TEST(Reduced_matrix, has_a_pattern_with_the_diagonal_first_and_rows_ascending)
 
 TEST(Reduced_ordering, keeps_the_coordinates_of_a_row_together)
 {
-  const CGP::Reduced_rows rows(3, {1});
-  EXPECT_EQ(CGP::reduced_ordering({2, 1, 0}, rows), (CGP::Ordering{6, 7, 8, 9, 4, 5, 0, 1, 2, 3}));
+  const CGP::internal::Reduced_rows rows(3, {1});
+  EXPECT_EQ(CGP::reduced_ordering({2, 1, 0}, rows),
+            (CGP::internal::Ordering{6, 7, 8, 9, 4, 5, 0, 1, 2, 3}));
 }
 
 }  // namespace

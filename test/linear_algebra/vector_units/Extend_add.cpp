@@ -23,8 +23,8 @@ class Extend_add : public testing::Test {
   // A child whose row i is row place[i] of the front, on a front of ones.
   void expect_sum(int k, int u, const std::vector<int>& place)
   {
-    const CGP::Front_kernels<Real> kernels = Kind::kernels();
-    const CGP::Panel_layout& layout = kernels.layout;
+    const CGP::internal::Front_kernels<Real> kernels = Kind::kernels();
+    const CGP::internal::Panel_layout& layout = kernels.layout;
     const int n = static_cast<int>(place.size());
     const auto U = random_block<Scalar>(n, n, 11);
     std::vector<Real> child(static_cast<std::size_t>(layout.update_size(n)), Real(99));
@@ -40,11 +40,11 @@ class Extend_add : public testing::Test {
                                  ? expected_panel.data() + in_panel<Kind>(k, row, column)
                                  : expected_update.data() + in_update<Kind>(u, row - k, column - k);
         double parts[Kind::planes];
-        CGP::Scalar_planes<Scalar>::get(U(i, j), parts);
+        CGP::internal::Scalar_planes<Scalar>::get(U(i, j), parts);
         for (int q = 0; q < Kind::planes; ++q)
           target[q * layout.lanes()] += static_cast<Real>(parts[q]);
       }
-    const CGP::Child_update<Real> handed_over = {child.data(), n, place.data()};
+    const CGP::internal::Child_update<Real> handed_over = {child.data(), n, place.data()};
     for (int begin = 0; begin < k + u; begin += step)
       kernels.add_to_panel(handed_over, k, panel.data(), begin, std::min(begin + step, k + u));
     for (int begin = 0; begin < u; begin += step)

@@ -35,7 +35,7 @@ class Front_kernels : public testing::Test {
 
   int factor_panel()
   {
-    const CGP::Panel_layout layout = Kind::layout();
+    const CGP::internal::Panel_layout layout = Kind::layout();
     return Kind::kernels().factor_panel(panel.data(), columns,
                                         layout.blocks(columns) + layout.blocks(below));
   }
@@ -50,7 +50,7 @@ class Front_kernels : public testing::Test {
   }
 
   int columns = 0, below = 0;
-  CGP::Aligned_array<Real> panel;
+  CGP::internal::Aligned_array<Real> panel;
 };
 TYPED_TEST_SUITE(Front_kernels, Kinds);
 
@@ -76,7 +76,7 @@ TYPED_TEST(Front_kernels, do_the_rows_below_in_parts_as_well)
 {
   on_every_unit([&] {
     const auto front = TypeParam::kernels();
-    const CGP::Panel_layout layout = TypeParam::layout();
+    const CGP::internal::Panel_layout layout = TypeParam::layout();
     for (const auto& [k, u] : sizes) {
       SCOPED_TRACE(testing::Message() << k << " columns and " << u << " rows below");
       const auto A = random_definite_block<TypeParam>(k + u, 6);
@@ -90,7 +90,7 @@ TYPED_TEST(Front_kernels, do_the_rows_below_in_parts_as_well)
         front.solve_below(this->panel.data(), k, std::max(triangle, b - 3), b);
       EXPECT_LE((dense(this->factor()) - expected).norm(), TypeParam::precision * expected.norm());
 
-      CGP::Aligned_array<typename TypeParam::Real> whole, parts;
+      CGP::internal::Aligned_array<typename TypeParam::Real> whole, parts;
       whole.resize(layout.update_size(u));
       parts.resize(layout.update_size(u));
       const auto* const under = this->panel.data() + layout.panel_size(k, 0);
@@ -118,7 +118,7 @@ TYPED_TEST(Front_kernels, leave_zeros_above_the_diagonal_and_in_rows_that_do_not
     const auto L = this->factor();
     for (const auto& value : L.reshaped()) {
       double parts[TypeParam::planes];
-      CGP::Scalar_planes<typename TypeParam::Scalar>::get(value, parts);
+      CGP::internal::Scalar_planes<typename TypeParam::Scalar>::get(value, parts);
       for (double part : parts) entries += std::abs(part);
     }
     EXPECT_NEAR(sum, entries, 1e-12 * entries);
@@ -129,12 +129,12 @@ TYPED_TEST(Front_kernels, hand_minus_the_outer_product_to_the_parent)
 {
   on_every_unit([&] {
     const auto front = TypeParam::kernels();
-    const CGP::Panel_layout layout = TypeParam::layout();
+    const CGP::internal::Panel_layout layout = TypeParam::layout();
     for (const auto& [k, u] : sizes) {
       SCOPED_TRACE(testing::Message() << k << " columns and " << u << " rows below");
       const auto A = random_block<typename TypeParam::Scalar>(k + u, k, 7);
       this->set_panel(A, k);
-      CGP::Aligned_array<typename TypeParam::Real> update;
+      CGP::internal::Aligned_array<typename TypeParam::Real> update;
       update.resize(layout.update_size(u));
       std::fill_n(update.data(), update.size(), typename TypeParam::Real(77));
       front.set_outer_product(update.data(), this->panel.data() + layout.panel_size(k, 0), k, u, 0,
@@ -156,7 +156,7 @@ TYPED_TEST(Front_kernels, hand_minus_the_outer_product_to_the_parent)
 TYPED_TEST(Front_kernels, name_the_column_whose_pivot_is_not_positive)
 {
   on_every_unit([&] {
-    using Traits = CGP::Scalar_traits<typename TypeParam::Scalar>;
+    using Traits = CGP::internal::Scalar_traits<typename TypeParam::Scalar>;
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const int k = 20;
     for (const int column : {0, 1, 7, 8, 19})

@@ -8,7 +8,7 @@
 namespace {
 
 struct Unit;
-using Lanes = Conformal_geometry_processing::Lane_array<Unit, double, 4>;
+using Lanes = Conformal_geometry_processing::internal::Lane_array<Unit, double, 4>;
 
 void expect_lanes(const Lanes& v, double a, double b, double c, double d)
 {

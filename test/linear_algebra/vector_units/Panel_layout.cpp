@@ -18,7 +18,7 @@ TYPED_TEST_SUITE(Panel_layout, Kinds);
 TYPED_TEST(Panel_layout, tells_where_an_entry_of_the_panel_is)
 {
   on_every_unit([] {
-    const CGP::Panel_layout layout = TypeParam::layout();
+    const CGP::internal::Panel_layout layout = TypeParam::layout();
     for (int j = 0; j < 11; ++j)
       for (int i = j; i < 34; ++i)
         EXPECT_EQ(at(static_cast<int>(layout.in_panel(11, i, j))), in_panel<TypeParam>(11, i, j));
@@ -28,7 +28,7 @@ TYPED_TEST(Panel_layout, tells_where_an_entry_of_the_panel_is)
 TYPED_TEST(Panel_layout, tells_where_an_entry_of_the_update_is)
 {
   on_every_unit([] {
-    const CGP::Panel_layout layout = TypeParam::layout();
+    const CGP::internal::Panel_layout layout = TypeParam::layout();
     for (int j = 0; j < 23; ++j)
       for (int i = j; i < 23; ++i)
         EXPECT_EQ(at(static_cast<int>(layout.in_update(layout.blocks(23), i, j))),
@@ -38,7 +38,7 @@ TYPED_TEST(Panel_layout, tells_where_an_entry_of_the_update_is)
 
 TEST(Panel_layout_of_two_planes, has_room_for_whole_row_blocks)
 {
-  constexpr CGP::Panel_layout layout = {2, 3};
+  constexpr CGP::internal::Panel_layout layout = {2, 3};
   static_assert(layout.lanes() == 8 && layout.cell() == 16 && layout.tile_size() == 128);
   EXPECT_EQ(layout.blocks(0), 0);
   EXPECT_EQ(layout.blocks(9), 2);

@@ -15,7 +15,7 @@ namespace {
 template <class Scalar>
 class Plane_products : public testing::Test {
  protected:
-  using Components = CGP::Scalar_planes<Scalar>;
+  using Components = CGP::internal::Scalar_planes<Scalar>;
 
   // Starting from c, the product is applied to the components of c, a and b, and compared.
   template <class Product>
@@ -38,7 +38,7 @@ TYPED_TEST_SUITE(Plane_products, Scalars);
 
 TYPED_TEST(Plane_products, multiply_as_the_scalars_do)
 {
-  using Planes = CGP::Plane_products<CGP::Scalar_planes<TypeParam>::size>;
+  using Planes = CGP::internal::Plane_products<CGP::internal::Scalar_planes<TypeParam>::size>;
   const TypeParam a = this->m_a, b = this->m_b, c = this->m_c;
   this->expect_product([](auto* x, auto* y, auto* z) { Planes::subtract_conjugated(x, y, z); },
                        c - a * CGP::conjugate(b));

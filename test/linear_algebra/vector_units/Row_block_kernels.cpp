@@ -20,8 +20,9 @@ template <class Kind>
 class Row_block_kernels : public testing::Test {
  protected:
   using Scalar = typename Kind::Scalar;
-  using Planes = CGP::Scalar_planes<Scalar>;
-  using Kernels = CGP::Row_block_kernels<CGP::Target_unit, double, Planes::size, Kind::numbers>;
+  using Planes = CGP::internal::Scalar_planes<Scalar>;
+  using Kernels = CGP::internal::Row_block_kernels<CGP::internal::Target_unit, double, Planes::size,
+                                                   Kind::numbers>;
   static constexpr int lanes = Kernels::lanes, numbers = Kind::numbers, planes = Planes::size;
 
   static void fill(double* p, int count, int seed)

@@ -14,13 +14,14 @@ namespace CGP = Conformal_geometry_processing;
 // The unit of every machine, and the widest for which this file is compiled.
 template <class Lanes>
 class Simd_lanes : public testing::Test {};
-using All_lanes = testing::Types<
-    CGP::Simd_lanes<CGP::Baseline_unit, float>, CGP::Simd_lanes<CGP::Baseline_unit, double>,
-    CGP::Simd_lanes<CGP::Target_unit, float>, CGP::Simd_lanes<CGP::Target_unit, double>>;
+using All_lanes = testing::Types<CGP::internal::Simd_lanes<CGP::internal::Baseline_unit, float>,
+                                 CGP::internal::Simd_lanes<CGP::internal::Baseline_unit, double>,
+                                 CGP::internal::Simd_lanes<CGP::internal::Target_unit, float>,
+                                 CGP::internal::Simd_lanes<CGP::internal::Target_unit, double>>;
 TYPED_TEST_SUITE(Simd_lanes, All_lanes);
 
 template <class Unit, class Real>
-Real number_of(CGP::Simd_lanes<Unit, Real>);
+Real number_of(CGP::internal::Simd_lanes<Unit, Real>);
 template <class Lanes>
 using Number = decltype(number_of(Lanes()));
 
@@ -55,7 +56,7 @@ TYPED_TEST(Simd_lanes, can_be_set_alone)
 
 TYPED_TEST(Simd_lanes, are_the_rows_of_a_row_block)
 {
-  const CGP::Panel_layout layout = TypeParam::layout(4);
+  const CGP::internal::Panel_layout layout = TypeParam::layout(4);
   EXPECT_EQ(layout.lanes(), TypeParam::size);
   EXPECT_EQ(layout.planes, 4);
 }

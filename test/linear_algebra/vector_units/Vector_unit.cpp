@@ -14,7 +14,7 @@ namespace cgp_test {
 namespace {
 
 namespace CGP = Conformal_geometry_processing;
-using Unit = CGP::Vector_unit;
+using Unit = CGP::internal::Vector_unit;
 
 TEST(Vector_unit, is_the_widest_of_the_machine)
 {

@@ -15,7 +15,7 @@ namespace CGP = Conformal_geometry_processing;
 template <class Unit, class Real, int count>
 void expect_sums()
 {
-  using Simd = CGP::Simd_lanes<Unit, Real>;
+  using Simd = CGP::internal::Simd_lanes<Unit, Real>;
   constexpr int lanes = Simd::size;
   typename Simd::Register a[count];
   Real expected[count];
@@ -43,18 +43,18 @@ void expect_sums_of_registers()
 
 TEST(Lane_sums, follow_each_other_for_any_number_of_registers)
 {
-  expect_sums_of_registers<CGP::Baseline_unit>();
-  expect_sums_of_registers<CGP::Target_unit>();
+  expect_sums_of_registers<CGP::internal::Baseline_unit>();
+  expect_sums_of_registers<CGP::internal::Target_unit>();
 }
 
 TEST(Lane_sums, of_small_and_large_numbers_are_added_in_pairs)
 {
-  using Simd = CGP::Simd_lanes<CGP::Target_unit, double>;
+  using Simd = CGP::internal::Simd_lanes<CGP::internal::Target_unit, double>;
   Simd::Register a[1] = {};
   a[0][0] = 1e300;
   a[0][1] = -1e300;
   if (Simd::size > 2) a[0][Simd::size - 1] = 1;  // pairs before their sums
-  CGP::sum_lanes<CGP::Target_unit, double>(a);
+  CGP::sum_lanes<CGP::internal::Target_unit, double>(a);
   EXPECT_EQ(a[0][0], Simd::size > 2 ? 1 : 0);
 }
 

@@ -50,7 +50,7 @@ Errors errors_of(Error error)
   for (int n : {24, 48, 96}) {
     const Torus_sample torus(n);
     e.h.push_back(torus.h());
-    e.errors.push_back(error(torus, CGP::Surface_derivative(torus.mesh())));
+    e.errors.push_back(error(torus, CGP::internal::Surface_derivative(torus.mesh())));
   }
   return e;
 }
@@ -64,7 +64,7 @@ void expect_first_order(const Errors& e)
 TEST(Gradient, is_that_of_the_function_linear_on_each_face)
 {
   const Mesh_view mesh = jittered_disk(3, 0.3);
-  const CGP::Surface_derivative d(mesh);
+  const CGP::internal::Surface_derivative d(mesh);
   const Eigen::VectorXd linear = mesh.positions().transpose() * Eigen::Vector3d(2, -3, 0);
   const Points g = CGP::gradient(d, linear);
   for (Eigen::Index f = 0; f < g.cols(); ++f)
@@ -119,7 +119,7 @@ TEST(First_fundamental_form, is_the_scalar_product)
 TEST(Dirac_normals, are_exactly_those_of_the_faces)
 {
   const Mesh_view mesh = bumpy_sphere(2);
-  const Points N = CGP::dirac_normals(CGP::Surface_derivative(mesh));
+  const Points N = CGP::dirac_normals(CGP::internal::Surface_derivative(mesh));
   EXPECT_LT((N - CGP::face_normals(mesh)).cwiseAbs().maxCoeff(), 1e-13);
 }
 
@@ -158,7 +158,7 @@ TEST(Laplacian, is_the_cotan_laplacian_over_the_areas)
     expected[mesh.to(h)] -= flow;
   }
   expected.array() /= CGP::vertex_areas(mesh).array();
-  const Eigen::VectorXd found = CGP::laplacian(CGP::Surface_derivative(mesh), f);
+  const Eigen::VectorXd found = CGP::laplacian(CGP::internal::Surface_derivative(mesh), f);
   EXPECT_LT((found - expected).norm(), 1e-12 * expected.norm());
 }
 
@@ -242,7 +242,7 @@ TEST(Surface_derivative, of_a_multiple_of_the_normal_is_its_gradient_and_curvatu
 TEST(Surface_derivative, takes_values_apart_into_real_tangential_and_normal_parts)
 {
   const Mesh_view mesh = icosphere(1);
-  const CGP::Surface_derivative d(mesh);
+  const CGP::internal::Surface_derivative d(mesh);
   const auto q = random_quaternions(mesh.size_of_faces(), 3);
   const Eigen::VectorXd a = d.real_part(q), b = d.normal_part(q);
   const Points T = d.tangential_part(q);

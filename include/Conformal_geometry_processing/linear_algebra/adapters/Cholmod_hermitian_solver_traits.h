@@ -31,6 +31,8 @@ inline Solver_status cholmod_status(int status)
   }
 }
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Supernodal LL^H factorization by CHOLMOD, as a backend of `Embedded_hermitian_solver`.
 ///
@@ -141,13 +143,17 @@ class Cholmod_backend {
   Llt m_llt;
 };
 
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Solvers of SuiteSparse; link the component `cholmod`.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Cholmod_hermitian_solver_traits {
   template <class Scalar>
-  using Solver = Embedded_hermitian_solver<Scalar, Cholmod_backend>;
+  using Solver = Embedded_hermitian_solver<Scalar, internal::Cholmod_backend>;
 };
+
+namespace internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief `Cholmod_hermitian_solver_traits` with quaternionic matrices in their real 4n x 4n form;
@@ -157,6 +163,8 @@ struct Cholmod_real_hermitian_solver_traits {
   template <class Scalar>
   using Solver = Embedded_hermitian_solver<Scalar, Cholmod_backend, Real_embedding>;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

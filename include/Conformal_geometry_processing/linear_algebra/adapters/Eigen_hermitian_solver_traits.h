@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Simplicial LDL^H factorization by Eigen, as a backend of `Embedded_hermitian_solver`.
 template <class Entry>
@@ -75,13 +77,17 @@ class Eigen_backend {
   Ldlt m_ldlt;
 };
 
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Solvers that depend on Eigen only; for small meshes.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Eigen_hermitian_solver_traits {
   template <class Scalar>
-  using Solver = Embedded_hermitian_solver<Scalar, Eigen_backend>;
+  using Solver = Embedded_hermitian_solver<Scalar, internal::Eigen_backend>;
 };
+
+namespace internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief `Eigen_hermitian_solver_traits` with quaternionic matrices in their real 4n x 4n form;
@@ -91,6 +97,8 @@ struct Eigen_real_hermitian_solver_traits {
   template <class Scalar>
   using Solver = Embedded_hermitian_solver<Scalar, Eigen_backend, Real_embedding>;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

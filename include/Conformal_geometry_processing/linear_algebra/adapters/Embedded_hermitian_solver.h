@@ -27,11 +27,11 @@ namespace Conformal_geometry_processing {
 /// \tparam Backend a class template over the entries, see `Eigen_backend`
 /// \tparam Embedding_ the type of the entries: `Complex_embedding` or `Real_embedding`
 template <class Scalar_, template <class> class Backend,
-          template <class> class Embedding_ = Complex_embedding>
+          template <class> class Embedding_ = internal::Complex_embedding>
 class Embedded_hermitian_solver {
  public:
   using Scalar = Scalar_;
-  using FT = typename Scalar_traits<Scalar>::FT;
+  using FT = typename internal::Scalar_traits<Scalar>::FT;
 
   Embedded_hermitian_solver() = default;
   Embedded_hermitian_solver(const Embedded_hermitian_solver&) = delete;
@@ -42,13 +42,13 @@ class Embedded_hermitian_solver {
     return internal::guarded([&] {
       m_state = State::empty;
       if (pattern.size() == 0) return Solver_status::wrong_state;
-      Ordering order;
+      internal::Ordering order;
       const Solver_status status = Backend<Entry>::find_ordering(pattern, order);
       return status == Solver_status::success ? analyze(pattern, order) : status;
     });
   }
 
-  Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order)
+  Solver_status analyze(const Sparse_pattern& pattern, const internal::Ordering& order)
   {
     return internal::guarded([&] {
       m_state = State::empty;
@@ -76,7 +76,7 @@ class Embedded_hermitian_solver {
     return analyze(pattern, other.ordering());
   }
 
-  const Ordering& ordering() const { return m_ordering; }
+  const internal::Ordering& ordering() const { return m_ordering; }
 
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
   {
@@ -114,7 +114,7 @@ class Embedded_hermitian_solver {
  private:
   using Embedding = Embedding_<Scalar>;
   using Entry = typename Embedding::Entry;
-  using Matrix = Embedded_matrix<Scalar, Embedding>;
+  using Matrix = internal::Embedded_matrix<Scalar, Embedding>;
   static constexpr int width = Embedding::width;
   enum class State { empty, analyzed, factorized };
 
@@ -150,7 +150,7 @@ class Embedded_hermitian_solver {
 
   State m_state = State::empty;
   int m_entries = 0;
-  Ordering m_ordering;
+  internal::Ordering m_ordering;
   std::vector<int> m_new_of_old;
   Matrix m_matrix;
   Backend<Entry> m_backend;

@@ -23,8 +23,6 @@ namespace internal {
 
 int embedded_entries(std::int64_t n, std::int64_t blocks, std::int64_t width);
 
-}  // namespace internal
-
 /// \ingroup PkgLinearAlgebra
 /// \brief A Hermitian sparse matrix as an `Eigen::SparseMatrix` of numbers, in elimination order.
 ///
@@ -148,6 +146,8 @@ class Embedded_matrix {
   std::vector<Below> m_blocks;
   Matrix m_matrix;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -39,13 +39,13 @@ inline void check_metis_status(int status)
 /// reseeds and uses `std::rand()`: this affects the random numbers of the calling program, and
 /// other threads must not use `std::rand()` meanwhile. This is the only header that includes METIS.
 /// \throws Solver_error if METIS fails
-inline Ordering metis_ordering(const Sparse_pattern& pattern)
+inline internal::Ordering metis_ordering(const Sparse_pattern& pattern)
 {
   static_assert(sizeof(idx_t) == sizeof(int), "METIS must be built with 32-bit indices");
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   idx_t n = pattern.size();
   if (pattern.size_of_entries() == n) {  // METIS does not accept graphs without edges
-    Ordering order(at(n));
+    internal::Ordering order(at(n));
     std::iota(order.begin(), order.end(), 0);
     return order;
   }
@@ -66,7 +66,7 @@ inline Ordering metis_ordering(const Sparse_pattern& pattern)
   METIS_SetDefaultOptions(options);
   options[METIS_OPTION_SEED] = 1;      // seeds std::rand() at the beginning of every call
   options[METIS_OPTION_COMPRESS] = 0;  // no two vertices of a mesh have the same neighbours
-  Ordering order(at(n)), inverse(at(n));
+  internal::Ordering order(at(n)), inverse(at(n));
   internal::check_metis_status(METIS_NodeND(&n, offsets.data(), neighbours.data(), nullptr, options,
                                             order.data(), inverse.data()));
   return order;

@@ -14,6 +14,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Conjugate gradients with the algebraic multigrid of PETSc (GAMG), distributed over the
 /// processes of `PETSC_COMM_WORLD`: for meshes whose factors exceed the memory of one machine.
@@ -185,12 +187,14 @@ class Petsc_hermitian_solver {
   internal::Petsc_vec m_b, m_x;
 };
 
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Solvers of PETSc over MPI; link the component `slepc`.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Petsc_hermitian_solver_traits {
   template <class Scalar>
-  using Solver = Petsc_hermitian_solver<Scalar>;
+  using Solver = internal::Petsc_hermitian_solver<Scalar>;
 };
 
 }  // namespace Conformal_geometry_processing

@@ -14,6 +14,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief A Hermitian sparse matrix as a complex PETSc matrix, distributed by rows over the
 /// processes of `PETSC_COMM_WORLD`.
@@ -153,6 +155,8 @@ class Petsc_matrix {
   internal::Petsc_scatter m_to_all;
   internal::Petsc_vec m_everything;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -89,7 +89,7 @@ struct Slepc_eigensolver_traits {
   /// \param go_further is called on all processes; the iteration is cancelled if it returns false
   /// on one of them \throws Precondition_error if there are fewer columns in x0 than wanted \throws
   /// Solver_error if PETSc is not initialized, or fails
-  template <class Solver, class GoFurther = Always_go_further>
+  template <class Solver, class GoFurther = internal::Always_go_further>
   Eigensolver_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A,
                                 const Vector<double>& N, const Solver&,
                                 Block<Quaternion<double>> x0,
@@ -98,7 +98,7 @@ struct Slepc_eigensolver_traits {
   {
     if (!internal::petsc_is_running())
       throw Solver_error(function, "PETSc is not running; SlepcInitialize() has to be called");
-    const Eigensolver_convergence checks_arguments(function, options, x0);
+    const internal::Eigensolver_convergence checks_arguments(function, options, x0);
     const internal::Quiet_petsc quiet;
     const internal::Mass_scaling scaling(N, options.scale);
     const auto ask = [&](Eigensolver_progress progress) {
@@ -123,14 +123,14 @@ struct Slepc_eigensolver_traits {
                                   GoFurther go_further)
   {
     const Vector<double> ones = Vector<double>::Ones(K.size());
-    Petsc_hermitian_solver<Quaternion<double>> grids;
+    internal::Petsc_hermitian_solver<Quaternion<double>> grids;
     check(grids.analyze(K.pattern()));
     check(grids.factorize(K, 1e-3 * ones));  // K may be singular
     options.scale = 1;
     int iterations = 0;
     bool is_cancelled = false;
     if (internal::Slepc_lobpcg<GoFurther>::is_possible(x) && options.max_iterations > 0) {
-      Petsc_matrix<Quaternion<double>> distributed(K.pattern(), grids.ordering());
+      internal::Petsc_matrix<Quaternion<double>> distributed(K.pattern(), grids.ordering());
       distributed.set_values(K, {});
       internal::Slepc_lobpcg<GoFurther> slepc(distributed, grids.multigrid(),
                                               above_rounding(options, K), go_further);

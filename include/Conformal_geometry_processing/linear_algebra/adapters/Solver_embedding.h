@@ -12,6 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Represents a scalar as a `width` x `width` matrix of entries that other libraries
 /// support, which acts on vectors of `width` coordinates; numbers represent themselves.
@@ -77,6 +79,8 @@ struct Real_embedding<Quaternion<FT>> {
     return {entries[0], entries[1], entries[2], entries[3]};
   }
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief The library's own factorization of numbers, as a backend of `Embedded_hermitian_solver`.
 template <class Entry>
@@ -67,6 +69,8 @@ struct Supernodal_real_solver_traits {
   template <class Scalar>
   using Solver = Embedded_hermitian_solver<Scalar, Supernodal_backend, Real_embedding>;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

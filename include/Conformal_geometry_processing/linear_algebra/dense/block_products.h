@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Field of the coefficients in linear combinations of quaternionic vectors.
 ///
@@ -19,12 +21,14 @@ namespace Conformal_geometry_processing {
 /// quantities derived from inner products are real as well.
 enum class Coefficients { quaternions, reals };
 
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Returns q, or its real part
 template <class FT>
-Quaternion<FT> reduced_to(Coefficients coefficients, const Quaternion<FT>& q)
+Quaternion<FT> reduced_to(internal::Coefficients coefficients, const Quaternion<FT>& q)
 {
-  return coefficients == Coefficients::reals ? Quaternion<FT>{q.w, 0, 0, 0} : q;
+  return coefficients == internal::Coefficients::reals ? Quaternion<FT>{q.w, 0, 0, 0} : q;
 }
 
 /// \ingroup PkgLinearAlgebra
@@ -32,8 +36,9 @@ Quaternion<FT> reduced_to(Coefficients coefficients, const Quaternion<FT>& q)
 ///
 /// Does not use Eigen's dense products, which may swap their factors; quaternions do not commute.
 template <class FT>
-Block<Quaternion<FT>> gram_matrix(const Block<Quaternion<FT>>& A, const Block<Quaternion<FT>>& B,
-                                  Coefficients coefficients = Coefficients::quaternions)
+Block<Quaternion<FT>> gram_matrix(
+    const Block<Quaternion<FT>>& A, const Block<Quaternion<FT>>& B,
+    internal::Coefficients coefficients = internal::Coefficients::quaternions)
 {
   Block<Quaternion<FT>> G(A.cols(), B.cols());
   for (Eigen::Index j = 0; j < B.cols(); ++j)

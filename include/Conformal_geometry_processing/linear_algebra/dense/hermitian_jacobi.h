@@ -14,6 +14,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief A V = V diag(values) for a Hermitian matrix A, with V^H V = 1 and ascending values.
 template <class Scalar>
@@ -21,8 +23,6 @@ struct Hermitian_eigen_decomposition {
   Vector<typename Scalar_traits<Scalar>::FT> values;
   Block<Scalar> vectors;
 };
-
-namespace internal {
 
 // Replaces columns p and q of m by p c - q phase s and p s + q phase c.
 template <class Scalar, class FT>
@@ -110,9 +110,9 @@ Hermitian_eigen_decomposition<Scalar> sorted_decomposition(const Block<Scalar>& 
 ///
 /// \pre A is Hermitian and finite
 template <class Scalar>
-Hermitian_eigen_decomposition<Scalar> hermitian_jacobi(Block<Scalar> A)
+internal::Hermitian_eigen_decomposition<Scalar> hermitian_jacobi(Block<Scalar> A)
 {
-  using Traits = Scalar_traits<Scalar>;
+  using Traits = internal::Scalar_traits<Scalar>;
   using FT = typename Traits::FT;
   const int max_sweeps = 50;
   const Eigen::Index d = A.rows();

@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief A = Q T Q^H with Q^H Q = 1 and a *real* symmetric tridiagonal T, for a quaternionic
 /// Hermitian matrix A.
@@ -17,8 +19,6 @@ struct Quaternionic_tridiagonalization {
   Vector<double> diagonal;
   Vector<double> subdiagonal;  ///< not negative; has one entry less
 };
-
-namespace internal {
 
 // The reflection 1 - v v^H / scale that maps x to a multiple of the first unit vector.
 struct Quaternionic_reflection {
@@ -36,7 +36,7 @@ struct Quaternionic_reflection {
 /// the subdiagonal, and by phases that make the subdiagonal real. About 7/3 d^3 quaternionic
 /// products.
 /// \pre A is Hermitian and finite
-Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<double>> A);
+internal::Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<double>> A);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Computes the eigenvalues and eigenvectors of a quaternionic Hermitian matrix. Faster than
@@ -47,7 +47,7 @@ Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<double>> A);
 /// \pre A is Hermitian
 /// \throw Solver_error if the iteration for the tridiagonal matrix does not converge, for example
 /// because of values that are not finite
-Hermitian_eigen_decomposition<Quaternion<double>> quaternionic_householder(
+internal::Hermitian_eigen_decomposition<Quaternion<double>> quaternionic_householder(
     Block<Quaternion<double>> A);
 
 }  // namespace Conformal_geometry_processing

@@ -55,11 +55,11 @@ CGP_INLINE void reflect_columns(Block<Quaternion<double>>& Q, Eigen::Index k,
 
 }  // namespace internal
 
-CGP_INLINE Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<double>> A)
+CGP_INLINE internal::Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<double>> A)
 {
   const Eigen::Index d = A.rows();
-  Quaternionic_tridiagonalization T{Block<Quaternion<double>>::Constant(d, d, {}),
-                                    Vector<double>(d), Vector<double>(d > 0 ? d - 1 : 0)};
+  internal::Quaternionic_tridiagonalization T{Block<Quaternion<double>>::Constant(d, d, {}),
+                                              Vector<double>(d), Vector<double>(d > 0 ? d - 1 : 0)};
   for (Eigen::Index i = 0; i < d; ++i) T.Q(i, i).w = 1;
   Quaternion<double> phase{1, 0, 0, 0};  // of column k of Q
   for (Eigen::Index k = 0; k + 1 < d; ++k) {
@@ -79,17 +79,17 @@ CGP_INLINE Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<doub
   return T;
 }
 
-CGP_INLINE Hermitian_eigen_decomposition<Quaternion<double>> quaternionic_householder(
+CGP_INLINE internal::Hermitian_eigen_decomposition<Quaternion<double>> quaternionic_householder(
     Block<Quaternion<double>> A)
 {
   const Eigen::Index d = A.rows();
-  const Quaternionic_tridiagonalization T = tridiagonalized(std::move(A));
+  const internal::Quaternionic_tridiagonalization T = tridiagonalized(std::move(A));
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
   if (!T.diagonal.allFinite() || !T.subdiagonal.allFinite() ||
       solver.computeFromTridiagonal(T.diagonal, T.subdiagonal).info() != Eigen::Success)
     throw Solver_error("quaternionic_householder", "no convergence");
-  Hermitian_eigen_decomposition<Quaternion<double>> result{solver.eigenvalues(),
-                                                           Block<Quaternion<double>>(d, d)};
+  internal::Hermitian_eigen_decomposition<Quaternion<double>> result{
+      solver.eigenvalues(), Block<Quaternion<double>>(d, d)};
   const auto numbers = [d](auto* data) { return Eigen::Map<Eigen::MatrixXd>(data, 4 * d, d); };
   numbers(&result.vectors.data()->w).noalias() =
       Eigen::Map<const Eigen::MatrixXd>(&T.Q.data()->w, 4 * d, d) * solver.eigenvectors();

@@ -13,6 +13,7 @@
 #endif
 
 namespace Conformal_geometry_processing {
+namespace internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief An uninitialized array of numbers, aligned to cache lines. Memory is not touched before
@@ -60,6 +61,8 @@ class Aligned_array {
   Pointer m_data;
   std::int64_t m_size = 0;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

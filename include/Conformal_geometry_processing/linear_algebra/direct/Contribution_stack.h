@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Positions, in one array, of the update matrices that fronts pass to their parents.
 ///
@@ -114,6 +116,8 @@ class Contribution_stack {
   std::vector<std::int64_t> m_begin;
   std::int64_t m_size = 0;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -12,8 +12,8 @@
 namespace Conformal_geometry_processing {
 
 // For a single supernode: its update uses the free space of one of the inner regions, and more.
-CGP_INLINE void Contribution_stack::enclose(Region& own, std::int64_t update,
-                                            const Region& roomiest)
+CGP_INLINE void internal::Contribution_stack::enclose(Region& own, std::int64_t update,
+                                                      const Region& roomiest)
 {
   own.padding = (std::max<std::int64_t>)(0, update - roomiest.spare());
   own.size += own.padding;
@@ -21,8 +21,8 @@ CGP_INLINE void Contribution_stack::enclose(Region& own, std::int64_t update,
 }
 
 // The region with most free space lies where the update of the enclosing supernode is placed.
-CGP_INLINE void Contribution_stack::put(Region& own, bool is_roomiest, Region& around,
-                                        bool is_at_low_end)
+CGP_INLINE void internal::Contribution_stack::put(Region& own, bool is_roomiest, Region& around,
+                                                  bool is_at_low_end)
 {
   if (is_roomiest)
     own.begin = is_at_low_end ? around.begin + around.padding

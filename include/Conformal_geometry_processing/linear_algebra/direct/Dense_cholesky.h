@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Factors A = L L^T for a dense symmetric positive definite matrix of real numbers, in
 /// place.
@@ -105,6 +107,8 @@ class Dense_cholesky {
   Front_kernels<double> m_kernels = kernels_for<double>(1);
   Aligned_array<double> m_panel;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -14,6 +14,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves A x = b with Dirichlet conditions: x is prescribed on some rows, and the equation
 /// holds on all others.
@@ -61,6 +63,8 @@ class Dirichlet_solver {
   std::vector<char> m_is_given;
   Solver m_solver;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

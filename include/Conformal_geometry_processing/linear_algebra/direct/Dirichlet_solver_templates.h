@@ -16,7 +16,7 @@
 namespace Conformal_geometry_processing {
 
 template <class Scalar, class SolverTraits>
-Dirichlet_solver<Scalar, SolverTraits>::Dirichlet_solver(
+internal::Dirichlet_solver<Scalar, SolverTraits>::Dirichlet_solver(
     std::shared_ptr<const Sparse_pattern> pattern, const std::vector<int>& given)
     : Dirichlet_solver(given, std::move(pattern))
 {
@@ -24,19 +24,19 @@ Dirichlet_solver<Scalar, SolverTraits>::Dirichlet_solver(
 }
 
 template <class Scalar, class SolverTraits>
-void Dirichlet_solver<Scalar, SolverTraits>::factorize(const Matrix& A)
+void internal::Dirichlet_solver<Scalar, SolverTraits>::factorize(const Matrix& A)
 {
   int k = 0;
   A.for_each_entry([&](int i, int j, const Scalar& a) {
     const bool is_free = !is_given(i) && !is_given(j);
-    m_matrix.value(k++) = is_free ? a : Scalar_traits<Scalar>::from_real(i == j ? 1 : 0);
+    m_matrix.value(k++) = is_free ? a : internal::Scalar_traits<Scalar>::from_real(i == j ? 1 : 0);
   });
   check("factorization", m_solver.factorize(m_matrix, {}));
 }
 
 template <class Scalar, class SolverTraits>
-Block<Scalar> Dirichlet_solver<Scalar, SolverTraits>::solve(const Matrix& A, const Block<Scalar>& b,
-                                                            const Block<Scalar>& values) const
+Block<Scalar> internal::Dirichlet_solver<Scalar, SolverTraits>::solve(
+    const Matrix& A, const Block<Scalar>& b, const Block<Scalar>& values) const
 {
   Block<Scalar> known = values, x;
   for (int i = 0; i < A.size(); ++i)
@@ -49,7 +49,7 @@ Block<Scalar> Dirichlet_solver<Scalar, SolverTraits>::solve(const Matrix& A, con
 }
 
 template <class Scalar, class SolverTraits>
-Dirichlet_solver<Scalar, SolverTraits>::Dirichlet_solver(
+internal::Dirichlet_solver<Scalar, SolverTraits>::Dirichlet_solver(
     const std::vector<int>& given, std::shared_ptr<const Sparse_pattern> pattern)
     : m_matrix(std::move(pattern)), m_is_given(static_cast<std::size_t>(m_matrix.size()), 0)
 {
@@ -57,7 +57,7 @@ Dirichlet_solver<Scalar, SolverTraits>::Dirichlet_solver(
 }
 
 template <class Scalar, class SolverTraits>
-void Dirichlet_solver<Scalar, SolverTraits>::check(const char* step, Solver_status status)
+void internal::Dirichlet_solver<Scalar, SolverTraits>::check(const char* step, Solver_status status)
 {
   if (status != Solver_status::success)
     throw Solver_error("Dirichlet_solver", std::string(step) + " failed: " + to_string(status));
@@ -68,8 +68,8 @@ void Dirichlet_solver<Scalar, SolverTraits>::check(const char* step, Solver_stat
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Dirichlet_solver<double, Default_solver_traits>;
-extern template class Dirichlet_solver<Quaternion<double>, Default_solver_traits>;
+extern template class internal::Dirichlet_solver<double, Default_solver_traits>;
+extern template class internal::Dirichlet_solver<Quaternion<double>, Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -12,6 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Partition of the tree of supernodes into tasks for several threads.
 ///
@@ -77,6 +79,8 @@ class Elimination_tasks {
 
   std::vector<Task> m_tasks;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

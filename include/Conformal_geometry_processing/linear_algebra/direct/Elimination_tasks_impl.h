@@ -11,7 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Elimination_tasks::Elimination_tasks(const Supernodal_structure& S, double share)
+CGP_INLINE internal::Elimination_tasks::Elimination_tasks(const internal::Supernodal_structure& S,
+                                                          double share)
 {
   std::vector<double> work(at(S.size()), 0);
   double all = 0;
@@ -24,7 +25,7 @@ CGP_INLINE Elimination_tasks::Elimination_tasks(const Supernodal_structure& S, d
   cut(S, work, share * all);
 }
 
-CGP_INLINE std::vector<int> Elimination_tasks::leaves() const
+CGP_INLINE std::vector<int> internal::Elimination_tasks::leaves() const
 {
   std::vector<int> result;
   for (int t = 0; t < size(); ++t)
@@ -32,14 +33,14 @@ CGP_INLINE std::vector<int> Elimination_tasks::leaves() const
   return result;
 }
 
-CGP_INLINE std::vector<std::atomic<int>> Elimination_tasks::missing_children() const
+CGP_INLINE std::vector<std::atomic<int>> internal::Elimination_tasks::missing_children() const
 {
   std::vector<std::atomic<int>> result(at(size()));
   for (int t = 0; t < size(); ++t) result[at(t)] = (*this)[t].children;
   return result;
 }
 
-CGP_INLINE std::vector<std::vector<int>> Elimination_tasks::lists_of_children() const
+CGP_INLINE std::vector<std::vector<int>> internal::Elimination_tasks::lists_of_children() const
 {
   std::vector<std::vector<int>> result(at(size()));
   for (int t = 0; t < size(); ++t)
@@ -47,8 +48,8 @@ CGP_INLINE std::vector<std::vector<int>> Elimination_tasks::lists_of_children() 
   return result;
 }
 
-CGP_INLINE void Elimination_tasks::cut(const Supernodal_structure& S,
-                                       const std::vector<double>& work, double most)
+CGP_INLINE void internal::Elimination_tasks::cut(const internal::Supernodal_structure& S,
+                                                 const std::vector<double>& work, double most)
 {
   std::vector<int> above(at(S.size()) + 1, -1), parent;  // the task of a supernode above the cut
   double last = 0;

@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief A part of a graph with positions, which nested dissection subdivides.
 ///
@@ -29,15 +31,19 @@ struct Graph_region {
   int size() const { return static_cast<int>(vertices.size()); }
 };
 
-/// \relates Graph_region
+}  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
 /// \brief Returns the whole graph; positions are scaled to [-1, 1], where single precision suffices
 /// to choose cuts.
-Graph_region graph_region(const Sparse_pattern& pattern, const Eigen::Matrix3Xd& positions);
+internal::Graph_region graph_region(const Sparse_pattern& pattern,
+                                    const Eigen::Matrix3Xd& positions);
 
-/// \relates Graph_region
+/// \ingroup PkgLinearAlgebra
 /// \brief Returns the left and the right side, with the separator in their halo.
 /// \pre no edge joins left and right
-std::array<Graph_region, 2> split(const Graph_region& region, const std::vector<Side>& sides);
+std::array<internal::Graph_region, 2> split(const internal::Graph_region& region,
+                                            const std::vector<internal::Side>& sides);
 
 }  // namespace Conformal_geometry_processing
 

@@ -15,10 +15,10 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Graph_region graph_region(const Sparse_pattern& pattern,
-                                     const Eigen::Matrix3Xd& positions)
+CGP_INLINE internal::Graph_region graph_region(const Sparse_pattern& pattern,
+                                               const Eigen::Matrix3Xd& positions)
 {
-  Graph_region region;
+  internal::Graph_region region;
   const int n = pattern.size();
   region.vertices.resize(static_cast<std::size_t>(n));
   std::iota(region.vertices.begin(), region.vertices.end(), 0);
@@ -41,20 +41,20 @@ CGP_INLINE Graph_region graph_region(const Sparse_pattern& pattern,
   return region;
 }
 
-CGP_INLINE std::array<Graph_region, 2> split(const Graph_region& region,
-                                             const std::vector<Side>& sides)
+CGP_INLINE std::array<internal::Graph_region, 2> split(const internal::Graph_region& region,
+                                                       const std::vector<internal::Side>& sides)
 {
-  std::array<Graph_region, 2> parts;
+  std::array<internal::Graph_region, 2> parts;
   std::vector<int> place(sides.size(), -1);  // local index; -1 for the separator
-  const auto part_of = [&](int v) -> Graph_region& {
-    return parts[sides[static_cast<std::size_t>(v)] == Side::left ? 0 : 1];
+  const auto part_of = [&](int v) -> internal::Graph_region& {
+    return parts[sides[static_cast<std::size_t>(v)] == internal::Side::left ? 0 : 1];
   };
   for (int v = 0; v < region.size(); ++v)
-    if (sides[static_cast<std::size_t>(v)] != Side::separator) {
+    if (sides[static_cast<std::size_t>(v)] != internal::Side::separator) {
       place[static_cast<std::size_t>(v)] = part_of(v).size();
       part_of(v).vertices.push_back(region.vertices[static_cast<std::size_t>(v)]);
     }
-  for (Graph_region& part : parts) part.positions.resize(part.size(), 3);
+  for (internal::Graph_region& part : parts) part.positions.resize(part.size(), 3);
   for (int v = 0; v < region.size(); ++v)
     if (place[static_cast<std::size_t>(v)] >= 0)
       part_of(v).positions.row(place[static_cast<std::size_t>(v)]) = region.positions.row(v);

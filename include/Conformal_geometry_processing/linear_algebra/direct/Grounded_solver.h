@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves L x = b for a real, positive semidefinite L whose kernel consists of the
 /// constants, such as the cotan Laplacian of a connected mesh.
@@ -66,6 +68,8 @@ class Grounded_solver {
   Hermitian_sparse_matrix<double> m_grounded;
   Solver m_solver;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -13,22 +13,23 @@
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits>
-Grounded_solver<SolverTraits>::Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern)
+internal::Grounded_solver<SolverTraits>::Grounded_solver(
+    std::shared_ptr<const Sparse_pattern> pattern)
     : m_grounded(std::move(pattern))
 {
   check("analysis", m_solver.analyze(m_grounded.pattern()));
 }
 
 template <class SolverTraits>
-Grounded_solver<SolverTraits>::Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern,
-                                               const Ordering& order)
+internal::Grounded_solver<SolverTraits>::Grounded_solver(
+    std::shared_ptr<const Sparse_pattern> pattern, const internal::Ordering& order)
     : m_grounded(std::move(pattern))
 {
   check("analysis", m_solver.analyze(m_grounded.pattern(), order));
 }
 
 template <class SolverTraits>
-void Grounded_solver<SolverTraits>::factorize(const Hermitian_sparse_matrix<double>& L)
+void internal::Grounded_solver<SolverTraits>::factorize(const Hermitian_sparse_matrix<double>& L)
 {
   if (!(L.pattern() == m_grounded.pattern()))
     throw Solver_error("Grounded_solver::factorize", to_string(Solver_status::wrong_state));
@@ -41,7 +42,7 @@ void Grounded_solver<SolverTraits>::factorize(const Hermitian_sparse_matrix<doub
 }
 
 template <class SolverTraits>
-Block<double> Grounded_solver<SolverTraits>::solve(Block<double> b) const
+Block<double> internal::Grounded_solver<SolverTraits>::solve(Block<double> b) const
 {
   const Eigen::RowVectorXd unreachable = b.colwise().mean();
   b.rowwise() -= unreachable;
@@ -54,7 +55,7 @@ Block<double> Grounded_solver<SolverTraits>::solve(Block<double> b) const
 }
 
 template <class SolverTraits>
-void Grounded_solver<SolverTraits>::check(const char* step, Solver_status status)
+void internal::Grounded_solver<SolverTraits>::check(const char* step, Solver_status status)
 {
   if (status != Solver_status::success)
     throw Solver_error("Grounded_solver",
@@ -66,7 +67,7 @@ void Grounded_solver<SolverTraits>::check(const char* step, Solver_status status
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Grounded_solver<Default_solver_traits>;
+extern template class internal::Grounded_solver<Default_solver_traits>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -7,6 +7,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief An elimination order: entry k is the number of the row that is eliminated as k-th.
 ///
@@ -14,9 +16,11 @@ namespace Conformal_geometry_processing {
 /// quaternionic matrix of a mesh can share it.
 using Ordering = std::vector<int>;
 
-/// \relates Ordering
+}  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
 /// Permutation from old to new numbers; empty if `order` is not a permutation of 0 ... n - 1
-std::vector<int> inverse_permutation(const Ordering& order);
+std::vector<int> inverse_permutation(const internal::Ordering& order);
 
 }  // namespace Conformal_geometry_processing
 

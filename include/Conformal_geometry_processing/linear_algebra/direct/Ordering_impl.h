@@ -11,7 +11,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE std::vector<int> inverse_permutation(const Ordering& order)
+CGP_INLINE std::vector<int> inverse_permutation(const internal::Ordering& order)
 {
   std::vector<int> inverse(order.size(), -1);
   for (std::size_t k = 0; k < order.size(); ++k) {

@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Scalars as arrays of their real components, so that the same dense kernels work for real,
 /// complex and quaternionic matrices (see `Plane_products`).
@@ -22,6 +24,7 @@ struct Scalar_planes<double> {
   static void get(double s, double* c) { c[0] = s; }
   static double put(const double* c) { return c[0]; }
 };
+
 template <>
 struct Scalar_planes<float> {
   static constexpr int size = 1;
@@ -48,6 +51,8 @@ struct Scalar_planes<Quaternion<FT>> {
   }
   static Quaternion<FT> put(const FT* c) { return {c[0], c[1], c[2], c[3]}; }
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -7,6 +7,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// Measures wall-clock time
 class Stopwatch {
@@ -18,6 +20,8 @@ class Stopwatch {
   using Clock = std::chrono::steady_clock;
   Clock::time_point m_start = Clock::now();
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -10,7 +10,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE double Stopwatch::lap()
+CGP_INLINE double internal::Stopwatch::lap()
 {
   const auto now = Clock::now();
   const std::chrono::duration<double> seconds = now - m_start;

@@ -15,9 +15,14 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 class Supernodal_structure;
+
 template <class Scalar, class Real>
 class Supernodal_factor;
+
+}  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Sparse Cholesky factorization L L^H of Hermitian positive definite matrices whose entries
@@ -35,11 +40,11 @@ class Supernodal_factor;
 /// a preconditioner. The compiled library contains the combinations listed in
 /// Supernodal_instances.h; for other ones include Supernodal_cholesky_templates.h.
 /// \cgalModels{SparseHermitianSolver}
-template <class Scalar_, class Real = typename Scalar_traits<Scalar_>::FT>
+template <class Scalar_, class Real = typename internal::Scalar_traits<Scalar_>::FT>
 class Supernodal_cholesky {
  public:
   using Scalar = Scalar_;
-  using FT = typename Scalar_traits<Scalar>::FT;
+  using FT = typename internal::Scalar_traits<Scalar>::FT;
 
   Supernodal_cholesky();
   ~Supernodal_cholesky();
@@ -50,7 +55,7 @@ class Supernodal_cholesky {
   Solver_status analyze(const Sparse_pattern& pattern);
 
   /// Uses the given ordering of the vertices
-  Solver_status analyze(const Sparse_pattern& pattern, const Ordering& order);
+  Solver_status analyze(const Sparse_pattern& pattern, const internal::Ordering& order);
 
   /// Chooses between minimum degree and geometric nested dissection (`choose_structure()`)
   /// \param positions 3 x n, the positions of the vertices
@@ -58,8 +63,9 @@ class Supernodal_cholesky {
                                        const Eigen::Matrix3Xd& positions);
 
   /// Shares a structure for the same pattern
-  Solver_status analyze_with_structure(const Sparse_pattern& pattern,
-                                       std::shared_ptr<const Supernodal_structure> structure);
+  Solver_status analyze_with_structure(
+      const Sparse_pattern& pattern,
+      std::shared_ptr<const internal::Supernodal_structure> structure);
 
   /// Shares the structure of another solver for the same pattern
   template <class OtherScalar, class OtherReal>
@@ -69,10 +75,13 @@ class Supernodal_cholesky {
     return analyze_with_structure(pattern, other.structure());
   }
 
-  const Ordering& ordering() const { return m_ordering; }
+  const internal::Ordering& ordering() const { return m_ordering; }
 
   /// Symbolic factorization, which depends on the pattern only; null before `analyze()`
-  const std::shared_ptr<const Supernodal_structure>& structure() const { return m_structure; }
+  const std::shared_ptr<const internal::Supernodal_structure>& structure() const
+  {
+    return m_structure;
+  }
 
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift);
 
@@ -96,10 +105,10 @@ class Supernodal_cholesky {
   void pack(const Block<Scalar>& b, Eigen::Index c, int columns, Real* to) const;
   void unpack(const Real* from, Eigen::Index c, int columns, Block<Scalar>& x) const;
 
-  Ordering m_ordering;
+  internal::Ordering m_ordering;
   int m_entries = 0;
-  std::shared_ptr<const Supernodal_structure> m_structure;
-  std::unique_ptr<Supernodal_factor<Scalar, Real>> m_factor;
+  std::shared_ptr<const internal::Supernodal_structure> m_structure;
+  std::unique_ptr<internal::Supernodal_factor<Scalar, Real>> m_factor;
   bool m_is_factorized = false;
   int m_bad_vertex = -1;
 };

@@ -56,13 +56,13 @@ Solver_status Supernodal_cholesky<Scalar, Real>::analyze(const Sparse_pattern& p
 
 template <class Scalar, class Real>
 Solver_status Supernodal_cholesky<Scalar, Real>::analyze(const Sparse_pattern& pattern,
-                                                         const Ordering& order)
+                                                         const internal::Ordering& order)
 {
   return internal::guarded([&] {
     const bool fits = order.size() == static_cast<std::size_t>(pattern.size()) &&
                       !inverse_permutation(order).empty();
     const Solver_status status = analyze_with_structure(
-        pattern, fits ? std::make_shared<Supernodal_structure>(pattern, order) : nullptr);
+        pattern, fits ? std::make_shared<internal::Supernodal_structure>(pattern, order) : nullptr);
     if (fits) m_ordering = order;
     return status;
   });
@@ -82,7 +82,7 @@ Solver_status Supernodal_cholesky<Scalar, Real>::analyze_with_positions(
 
 template <class Scalar, class Real>
 Solver_status Supernodal_cholesky<Scalar, Real>::analyze_with_structure(
-    const Sparse_pattern& pattern, std::shared_ptr<const Supernodal_structure> structure)
+    const Sparse_pattern& pattern, std::shared_ptr<const internal::Supernodal_structure> structure)
 {
   return internal::guarded([&] {
     m_factor.reset();
@@ -93,7 +93,7 @@ Solver_status Supernodal_cholesky<Scalar, Real>::analyze_with_structure(
     m_entries = pattern.size_of_entries();
     m_ordering = structure->order();
     m_structure = std::move(structure);
-    m_factor = std::make_unique<Supernodal_factor<Scalar, Real>>(m_structure);
+    m_factor = std::make_unique<internal::Supernodal_factor<Scalar, Real>>(m_structure);
     return Solver_status::success;
   });
 }
@@ -126,7 +126,7 @@ Solver_status Supernodal_cholesky<Scalar, Real>::solve(const Block<Scalar>& b,
                                                        Block<Scalar>& x) const
 {
   // Right-hand sides per pass, in numbers: memory-bound, so twice as many cost little more.
-  constexpr int narrow = 4, wide = 8, planes = Scalar_planes<Scalar>::size;
+  constexpr int narrow = 4, wide = 8, planes = internal::Scalar_planes<Scalar>::size;
   return internal::guarded([&] {
     if (!m_is_factorized || b.rows() != size()) return Solver_status::wrong_state;
     // In a single pass, the solution is written directly to an x of the right size.
@@ -148,7 +148,7 @@ Solver_status Supernodal_cholesky<Scalar, Real>::solve(const Block<Scalar>& b,
 template <class Scalar, class Real>
 Solver_statistics Supernodal_cholesky<Scalar, Real>::statistics() const
 {
-  constexpr int planes = Scalar_planes<Scalar>::size;
+  constexpr int planes = internal::Scalar_planes<Scalar>::size;
   Solver_statistics s;
   if (!m_factor) return s;
   s.factor_entries = m_factor->structure().stored_entries();
@@ -164,9 +164,9 @@ bool Supernodal_cholesky<Scalar, Real>::substitute(const Block<Scalar>& b, Eigen
                                                    Eigen::Index end, Block<Scalar>& x) const
 {
   if (begin == end) return true;
-  Supernodal_substitution<Scalar, Real, numbers> substitution(*m_factor);
-  constexpr int columns = Supernodal_substitution<Scalar, Real, numbers>::columns;
-  Aligned_array<Real> packed;
+  internal::Supernodal_substitution<Scalar, Real, numbers> substitution(*m_factor);
+  constexpr int columns = internal::Supernodal_substitution<Scalar, Real, numbers>::columns;
+  internal::Aligned_array<Real> packed;
   packed.resize(static_cast<std::int64_t>(size()) * numbers);
   for (Eigen::Index c = begin; c < end; c += columns) {
     pack(b, c, columns, packed.data());
@@ -182,11 +182,11 @@ template <class Scalar, class Real>
 void Supernodal_cholesky<Scalar, Real>::pack(const Block<Scalar>& b, Eigen::Index c, int columns,
                                              Real* to) const
 {
-  constexpr int planes = Scalar_planes<Scalar>::size;
+  constexpr int planes = internal::Scalar_planes<Scalar>::size;
   for (int k : m_structure->order())
     for (int i = 0; i < columns; ++i, to += planes) {
       FT s[planes] = {};
-      if (c + i < b.cols()) Scalar_planes<Scalar>::get(b(k, c + i), s);
+      if (c + i < b.cols()) internal::Scalar_planes<Scalar>::get(b(k, c + i), s);
       for (int q = 0; q < planes; ++q) to[q] = static_cast<Real>(s[q]);
     }
 }
@@ -195,13 +195,13 @@ template <class Scalar, class Real>
 void Supernodal_cholesky<Scalar, Real>::unpack(const Real* from, Eigen::Index c, int columns,
                                                Block<Scalar>& x) const
 {
-  constexpr int planes = Scalar_planes<Scalar>::size;
+  constexpr int planes = internal::Scalar_planes<Scalar>::size;
   for (int k : m_structure->order())
     for (int i = 0; i < columns; ++i, from += planes) {
       if (c + i >= x.cols()) continue;
       FT s[planes];
       for (int q = 0; q < planes; ++q) s[q] = from[q];
-      x(k, c + i) = Scalar_planes<Scalar>::put(s);
+      x(k, c + i) = internal::Scalar_planes<Scalar>::put(s);
     }
 }
 

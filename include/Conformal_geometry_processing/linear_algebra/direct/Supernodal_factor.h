@@ -16,6 +16,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief The numerical part of a supernodal Cholesky factor L L^H, computed by the multifrontal
 /// method.
@@ -106,8 +108,10 @@ class Supernodal_factor {
   Aligned_array<Real> m_panels, m_updates;
 };
 
+}  // namespace internal
+
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#define CGP_DECLARE(Scalar, Real) extern template class Supernodal_factor<Scalar, Real>;
+#define CGP_DECLARE(Scalar, Real) extern template class internal::Supernodal_factor<Scalar, Real>;
 CGP_FOR_SUPERNODAL_INSTANCES(CGP_DECLARE)
 #undef CGP_DECLARE
 #endif

@@ -29,7 +29,7 @@ constexpr int piece = 8;
 }  // namespace internal
 
 template <class Scalar, class Real>
-struct Supernodal_factor<Scalar, Real>::Input {
+struct internal::Supernodal_factor<Scalar, Real>::Input {
   const Hermitian_sparse_matrix<Scalar>& A;
   const Vector<FT>& shift;
   std::atomic<int> bad_column{internal::no_column};  // the smallest one found
@@ -42,7 +42,7 @@ struct Supernodal_factor<Scalar, Real>::Input {
 };
 
 template <class Scalar, class Real>
-struct Supernodal_factor<Scalar, Real>::One_by_one {
+struct internal::Supernodal_factor<Scalar, Real>::One_by_one {
   template <class Visitor>
   void for_each(int count, const Visitor& visit) const
   {
@@ -52,19 +52,19 @@ struct Supernodal_factor<Scalar, Real>::One_by_one {
 
 // A supernode with its columns and the rows below, also counted in row blocks.
 template <class Scalar, class Real>
-struct Supernodal_factor<Scalar, Real>::Front {
+struct internal::Supernodal_factor<Scalar, Real>::Front {
   int s, columns, rows, triangle, blocks;
   Real *panel, *update;
 };
 
 template <class Scalar, class Real>
-Supernodal_factor<Scalar, Real>::Supernodal_factor(
-    std::shared_ptr<const Supernodal_structure> structure)
+internal::Supernodal_factor<Scalar, Real>::Supernodal_factor(
+    std::shared_ptr<const internal::Supernodal_structure> structure)
     : m_structure(std::move(structure)),
-      m_kernels(kernels_for<Real>(Scalar_planes<Scalar>::size)),
+      m_kernels(kernels_for<Real>(internal::Scalar_planes<Scalar>::size)),
       m_tasks(*m_structure)
 {
-  const Supernodal_structure& S = *m_structure;
+  const internal::Supernodal_structure& S = *m_structure;
   m_panel_offsets.assign(1, 0);
   for (int s = 0; s < S.size(); ++s)
     m_panel_offsets.push_back(m_panel_offsets.back() +
@@ -73,15 +73,15 @@ Supernodal_factor<Scalar, Real>::Supernodal_factor(
 }
 
 template <class Scalar, class Real>
-int Supernodal_factor<Scalar, Real>::threads(double seconds)
+int internal::Supernodal_factor<Scalar, Real>::threads(double seconds)
 {
   const double worth_it = 1e-3;
   return seconds < worth_it ? 1 : (std::min)(number_of_threads(), 1024);
 }
 
 template <class Scalar, class Real>
-int Supernodal_factor<Scalar, Real>::factorize(const Hermitian_sparse_matrix<Scalar>& A,
-                                               const Vector<FT>& shift)
+int internal::Supernodal_factor<Scalar, Real>::factorize(const Hermitian_sparse_matrix<Scalar>& A,
+                                                         const Vector<FT>& shift)
 {
   plan();
   m_panels.resize(m_panel_offsets.back());
@@ -89,9 +89,10 @@ int Supernodal_factor<Scalar, Real>::factorize(const Hermitian_sparse_matrix<Sca
   Input input{A, shift};
   One_by_one loops;
   if (m_is_parallel)
-    m_tasks.run(threads(seconds()), [&](const Elimination_tasks::Task& task, Task_pool& pool) {
-      for (int s = task.begin; s < task.end; ++s) eliminate(s, input, pool);
-    });
+    m_tasks.run(threads(seconds()),
+                [&](const internal::Elimination_tasks::Task& task, internal::Task_pool& pool) {
+                  for (int s = task.begin; s < task.end; ++s) eliminate(s, input, pool);
+                });
   else
     for (int s = 0; s < m_structure->size(); ++s) eliminate(s, input, loops);
   if (m_structure->size_of_kept() == 0 &&
@@ -101,7 +102,7 @@ int Supernodal_factor<Scalar, Real>::factorize(const Hermitian_sparse_matrix<Sca
 }
 
 template <class Scalar, class Real>
-void Supernodal_factor<Scalar, Real>::release()
+void internal::Supernodal_factor<Scalar, Real>::release()
 {
   m_panels.resize(0);
   m_updates.resize(0);
@@ -109,25 +110,26 @@ void Supernodal_factor<Scalar, Real>::release()
 
 // Estimated time of a factorization, at 20 Gflop/s.
 template <class Scalar, class Real>
-double Supernodal_factor<Scalar, Real>::seconds() const
+double internal::Supernodal_factor<Scalar, Real>::seconds() const
 {
   return m_structure->operations() * layout().planes * layout().planes / 20e9;
 }
 
 // Computes positions for the updates; sequentially, those with the least memory.
 template <class Scalar, class Real>
-void Supernodal_factor<Scalar, Real>::plan()
+void internal::Supernodal_factor<Scalar, Real>::plan()
 {
   const bool is_parallel = m_tasks.size() > 1 && threads(seconds()) > 1;
   if (m_places.size() > 0 && is_parallel == m_is_parallel) return;
   m_is_parallel = is_parallel;
   const auto size = [&](int s) { return layout().update_size(m_structure->height(s)); };
-  m_places = is_parallel ? Contribution_stack(*m_structure, m_tasks, size)
-                         : Contribution_stack(*m_structure, size);
+  m_places = is_parallel ? internal::Contribution_stack(*m_structure, m_tasks, size)
+                         : internal::Contribution_stack(*m_structure, size);
 }
 
 template <class Scalar, class Real>
-typename Supernodal_factor<Scalar, Real>::Front Supernodal_factor<Scalar, Real>::front(int s)
+typename internal::Supernodal_factor<Scalar, Real>::Front
+internal::Supernodal_factor<Scalar, Real>::front(int s)
 {
   const int k = m_structure->width(s), u = m_structure->height(s);
   return {s,
@@ -142,7 +144,7 @@ typename Supernodal_factor<Scalar, Real>::Front Supernodal_factor<Scalar, Real>:
 // Once a bad column is found, only columns before it are eliminated.
 template <class Scalar, class Real>
 template <class Loops>
-void Supernodal_factor<Scalar, Real>::eliminate(int s, Input& input, Loops& loops)
+void internal::Supernodal_factor<Scalar, Real>::eliminate(int s, Input& input, Loops& loops)
 {
   if (m_structure->first(s) > input.bad_column) return;
   const Front f = front(s);
@@ -152,7 +154,7 @@ void Supernodal_factor<Scalar, Real>::eliminate(int s, Input& input, Loops& loop
 }
 
 template <class Scalar, class Real>
-int Supernodal_factor<Scalar, Real>::eliminate_at_once(const Front& f, const Input& input)
+int internal::Supernodal_factor<Scalar, Real>::eliminate_at_once(const Front& f, const Input& input)
 {
   add_matrix(f, input);
   add_children_to_panel(f, 0, f.columns + f.rows);
@@ -163,8 +165,8 @@ int Supernodal_factor<Scalar, Real>::eliminate_at_once(const Front& f, const Inp
 
 template <class Scalar, class Real>
 template <class Loops>
-int Supernodal_factor<Scalar, Real>::eliminate_in_pieces(const Front& f, const Input& input,
-                                                         Loops& loops)
+int internal::Supernodal_factor<Scalar, Real>::eliminate_in_pieces(const Front& f,
+                                                                   const Input& input, Loops& loops)
 {
   constexpr int piece = internal::piece;
   const int lanes = layout().lanes();
@@ -188,45 +190,47 @@ int Supernodal_factor<Scalar, Real>::eliminate_in_pieces(const Front& f, const I
 
 template <class Scalar, class Real>
 template <class Visitor>
-void Supernodal_factor<Scalar, Real>::for_each_child(const Front& f, const Visitor& visit) const
+void internal::Supernodal_factor<Scalar, Real>::for_each_child(const Front& f,
+                                                               const Visitor& visit) const
 {
-  const Supernodal_structure& S = *m_structure;
+  const internal::Supernodal_structure& S = *m_structure;
   for (const int* c = S.children_begin(f.s); c != S.children_end(f.s); ++c)
-    visit(Child_update<Real>{m_updates.data() + m_places[*c], S.height(*c), S.relative_rows(*c)});
+    visit(internal::Child_update<Real>{m_updates.data() + m_places[*c], S.height(*c),
+                                       S.relative_rows(*c)});
 }
 
 template <class Scalar, class Real>
-void Supernodal_factor<Scalar, Real>::add_children_to_panel(const Front& f, int begin,
-                                                            int end) const
+void internal::Supernodal_factor<Scalar, Real>::add_children_to_panel(const Front& f, int begin,
+                                                                      int end) const
 {
-  for_each_child(f, [&](const Child_update<Real>& child) {
+  for_each_child(f, [&](const internal::Child_update<Real>& child) {
     m_kernels.add_to_panel(child, f.columns, f.panel, begin, end);
   });
 }
 
 // Computes the row blocks begin <= block < end of the update.
 template <class Scalar, class Real>
-void Supernodal_factor<Scalar, Real>::set_update(const Front& f, int begin, int end) const
+void internal::Supernodal_factor<Scalar, Real>::set_update(const Front& f, int begin, int end) const
 {
   const int lanes = layout().lanes();
   m_kernels.set_outer_product(f.update, f.panel + layout().panel_size(f.columns, 0), f.columns,
                               f.rows, begin, end);
-  for_each_child(f, [&](const Child_update<Real>& child) {
+  for_each_child(f, [&](const internal::Child_update<Real>& child) {
     m_kernels.add_to_update(child, f.columns, f.rows, f.update, begin * lanes,
                             (std::min)(end * lanes, f.rows));
   });
 }
 
 template <class Scalar, class Real>
-void Supernodal_factor<Scalar, Real>::add_matrix(const Front& f, const Input& input) const
+void internal::Supernodal_factor<Scalar, Real>::add_matrix(const Front& f, const Input& input) const
 {
-  constexpr int planes = Scalar_planes<Scalar>::size;
-  const Supernodal_structure& S = *m_structure;
-  const Panel_layout where = layout();
+  constexpr int planes = internal::Scalar_planes<Scalar>::size;
+  const internal::Supernodal_structure& S = *m_structure;
+  const internal::Panel_layout where = layout();
   std::fill_n(f.panel, where.panel_size(f.columns, f.rows), Real(0));
   for (const auto* e = S.entries_begin(f.s); e != S.entries_end(f.s); ++e) {
     FT c[planes];
-    Scalar_planes<Scalar>::get(
+    internal::Scalar_planes<Scalar>::get(
         e->source >= 0 ? input.A.value(e->source) : conjugate(input.A.value(~e->source)), c);
     Real* const target =
         f.panel + where.in_panel(f.columns, static_cast<int>(e->row), static_cast<int>(e->column));

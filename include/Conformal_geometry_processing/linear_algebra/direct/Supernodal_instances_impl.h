@@ -13,10 +13,10 @@
 
 namespace Conformal_geometry_processing {
 
-#define CGP_DEFINE(Scalar, Real)                           \
-  template class Supernodal_factor<Scalar, Real>;          \
-  template class Supernodal_substitution<Scalar, Real, 4>; \
-  template class Supernodal_substitution<Scalar, Real, 8>; \
+#define CGP_DEFINE(Scalar, Real)                                     \
+  template class internal::Supernodal_factor<Scalar, Real>;          \
+  template class internal::Supernodal_substitution<Scalar, Real, 4>; \
+  template class internal::Supernodal_substitution<Scalar, Real, 8>; \
   template class Supernodal_cholesky<Scalar, Real>;
 CGP_FOR_SUPERNODAL_INSTANCES(CGP_DEFINE)
 #undef CGP_DEFINE

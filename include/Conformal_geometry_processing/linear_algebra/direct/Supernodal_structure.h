@@ -12,6 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Symbolic part of a supernodal Cholesky factorization, which depends on the pattern only;
 /// computed once for the graph of a mesh and shared by its real and its quaternionic matrices.
@@ -97,6 +99,8 @@ class Supernodal_structure {
   std::int64_t m_factor_entries = 0;
   double m_operations = 0;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -15,12 +15,13 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Supernodal_structure::Supernodal_structure(const Sparse_pattern& pattern,
-                                                      const Ordering& order, int kept)
+CGP_INLINE internal::Supernodal_structure::Supernodal_structure(const Sparse_pattern& pattern,
+                                                                const internal::Ordering& order,
+                                                                int kept)
     : m_order(order), m_kept(kept)
 {
-  Permuted_graph graph(pattern, inverse_permutation(order));
-  std::vector<int> parent = elimination_tree(Graph_rows(graph));
+  internal::Permuted_graph graph(pattern, inverse_permutation(order));
+  std::vector<int> parent = elimination_tree(internal::Graph_rows(graph));
   chain_kept(parent);
   renumber(graph, parent, std::vector<int>(order.size(), 0));
   std::vector<int> count = column_counts(graph, parent);
@@ -30,16 +31,16 @@ CGP_INLINE Supernodal_structure::Supernodal_structure(const Sparse_pattern& patt
   count_operations(count);
   m_first = relaxed_supernodes(parent, count);
   find_tree(parent, count);
-  find_rows(Graph_rows(graph));
+  find_rows(internal::Graph_rows(graph));
   find_places(graph, pattern);
 }
 
-CGP_INLINE int Supernodal_structure::height(int s) const
+CGP_INLINE int internal::Supernodal_structure::height(int s) const
 {
   return static_cast<int>(m_row_offsets[at(s) + 1] - m_row_offsets[at(s)]);
 }
 
-CGP_INLINE std::int64_t Supernodal_structure::stored_entries() const
+CGP_INLINE std::int64_t internal::Supernodal_structure::stored_entries() const
 {
   std::int64_t sum = 0;
   for (int s = 0; s < size(); ++s)
@@ -48,8 +49,8 @@ CGP_INLINE std::int64_t Supernodal_structure::stored_entries() const
   return sum;
 }
 
-CGP_INLINE std::vector<int> Supernodal_structure::gathered(const std::vector<int>& values,
-                                                           const std::vector<int>& places)
+CGP_INLINE std::vector<int> internal::Supernodal_structure::gathered(const std::vector<int>& values,
+                                                                     const std::vector<int>& places)
 {
   std::vector<int> result(values.size());
   for (std::size_t k = 0; k < values.size(); ++k) result[k] = values[at(places[k])];
@@ -57,22 +58,21 @@ CGP_INLINE std::vector<int> Supernodal_structure::gathered(const std::vector<int
 }
 
 // Refines the ordering to a postorder of its tree and returns that tree.
-CGP_INLINE std::vector<int> Supernodal_structure::renumber(Permuted_graph& graph,
-                                                           std::vector<int>& parent,
-                                                           const std::vector<int>& weight)
+CGP_INLINE std::vector<int> internal::Supernodal_structure::renumber(
+    internal::Permuted_graph& graph, std::vector<int>& parent, const std::vector<int>& weight)
 {
   const std::vector<int> post = postorder(parent, weight), place = inverse_permutation(post);
   m_order = gathered(m_order, post);
   parent = gathered(parent, post);
   for (int& p : parent)
     if (p >= 0) p = place[at(p)];
-  graph = Permuted_graph(graph, place);
+  graph = internal::Permuted_graph(graph, place);
   return post;
 }
 
 // Chains the kept columns into a path above all others, as if they were a clique, so that any
 // postorder keeps them last and in their order. The counts of other columns are independent of it.
-CGP_INLINE void Supernodal_structure::chain_kept(std::vector<int>& parent) const
+CGP_INLINE void internal::Supernodal_structure::chain_kept(std::vector<int>& parent) const
 {
   const int n = size_of_columns(), first_kept = n - m_kept;
   for (int& p : parent)
@@ -81,8 +81,8 @@ CGP_INLINE void Supernodal_structure::chain_kept(std::vector<int>& parent) const
 }
 
 // Removes the kept columns, so that only the other columns form supernodes.
-CGP_INLINE void Supernodal_structure::cut_kept(std::vector<int>& parent,
-                                               std::vector<int>& count) const
+CGP_INLINE void internal::Supernodal_structure::cut_kept(std::vector<int>& parent,
+                                                         std::vector<int>& count) const
 {
   const int eliminated = size_of_columns() - m_kept;
   parent.resize(at(eliminated));
@@ -91,7 +91,7 @@ CGP_INLINE void Supernodal_structure::cut_kept(std::vector<int>& parent,
     if (p >= eliminated) p = -1;
 }
 
-CGP_INLINE void Supernodal_structure::count_operations(const std::vector<int>& count)
+CGP_INLINE void internal::Supernodal_structure::count_operations(const std::vector<int>& count)
 {
   for (int c : count) {
     m_factor_entries += c;
@@ -100,8 +100,8 @@ CGP_INLINE void Supernodal_structure::count_operations(const std::vector<int>& c
 }
 
 // The rows below a supernode, and its parent, are those of its last column.
-CGP_INLINE void Supernodal_structure::find_tree(const std::vector<int>& parent,
-                                                const std::vector<int>& count)
+CGP_INLINE void internal::Supernodal_structure::find_tree(const std::vector<int>& parent,
+                                                          const std::vector<int>& count)
 {
   m_supernode.assign(m_order.size(), -1);
   m_row_offsets.assign(1, 0);
@@ -117,7 +117,7 @@ CGP_INLINE void Supernodal_structure::find_tree(const std::vector<int>& parent,
 }
 
 // Row i belongs to all supernodes on the tree paths from its entries to its own supernode.
-CGP_INLINE void Supernodal_structure::find_rows(const Graph_rows& graph)
+CGP_INLINE void internal::Supernodal_structure::find_rows(const internal::Graph_rows& graph)
 {
   m_rows.resize(static_cast<std::size_t>(m_row_offsets.back()));
   std::vector<std::int64_t> next(m_row_offsets.begin(), m_row_offsets.end() - 1);
@@ -132,7 +132,7 @@ CGP_INLINE void Supernodal_structure::find_rows(const Graph_rows& graph)
   }
 }
 
-CGP_INLINE void Supernodal_structure::find_children()
+CGP_INLINE void internal::Supernodal_structure::find_children()
 {
   m_child_offsets.assign(at(size()) + 1, 0);
   for (int p : m_parent)
@@ -148,8 +148,8 @@ CGP_INLINE void Supernodal_structure::find_children()
 }
 
 // Computes the positions of the children's rows, and of the matrix entries, in the front.
-CGP_INLINE void Supernodal_structure::find_places(const Permuted_graph& graph,
-                                                  const Sparse_pattern& pattern)
+CGP_INLINE void internal::Supernodal_structure::find_places(const internal::Permuted_graph& graph,
+                                                            const Sparse_pattern& pattern)
 {
   m_relative.resize(m_rows.size());
   m_entries.reserve(graph.entries.size() + m_order.size());
@@ -170,7 +170,7 @@ CGP_INLINE void Supernodal_structure::find_places(const Permuted_graph& graph,
   }
 }
 
-CGP_INLINE void Supernodal_structure::add_entry(int source, int row, int column)
+CGP_INLINE void internal::Supernodal_structure::add_entry(int source, int row, int column)
 {
   static_assert(max_supernode_width <= 64);
   m_entries.push_back(

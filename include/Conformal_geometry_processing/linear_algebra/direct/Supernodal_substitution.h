@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves L L^H x = b for right-hand sides with four or eight numbers per row: four or eight
 /// real ones, half as many complex ones, or a quarter of that in quaternions. These fill the vector
@@ -63,10 +65,12 @@ class Supernodal_substitution {
   Aligned_array<Real> m_updates;
 };
 
+}  // namespace internal
+
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#define CGP_DECLARE(Scalar, Real)                                 \
-  extern template class Supernodal_substitution<Scalar, Real, 4>; \
-  extern template class Supernodal_substitution<Scalar, Real, 8>;
+#define CGP_DECLARE(Scalar, Real)                                           \
+  extern template class internal::Supernodal_substitution<Scalar, Real, 4>; \
+  extern template class internal::Supernodal_substitution<Scalar, Real, 8>;
 CGP_FOR_SUPERNODAL_INSTANCES(CGP_DECLARE)
 #undef CGP_DECLARE
 #endif

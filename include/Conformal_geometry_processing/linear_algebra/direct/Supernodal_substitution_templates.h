@@ -14,36 +14,39 @@ namespace Conformal_geometry_processing {
 static_assert(max_supernode_width <= max_panel_width);
 
 template <class Scalar, class Real, int numbers>
-Supernodal_substitution<Scalar, Real, numbers>::Supernodal_substitution(const Factor& factor)
+internal::Supernodal_substitution<Scalar, Real, numbers>::Supernodal_substitution(
+    const Factor& factor)
     : m_factor(factor),
       S(factor.structure()),
       m_kernels(numbers == 4 ? factor.kernels().narrow : factor.kernels().wide),
       m_threads(Factor::threads(static_cast<double>(factor.panel_bytes()) / 5e9))  // read twice
 {
   const auto size = [&](int s) { return static_cast<std::int64_t>(S.height(s)) * numbers; };
-  m_places =
-      m_threads > 1 ? Contribution_stack(S, factor.tasks(), size) : Contribution_stack(S, size);
+  m_places = m_threads > 1 ? internal::Contribution_stack(S, factor.tasks(), size)
+                           : internal::Contribution_stack(S, size);
   m_updates.resize(m_places.size());
 }
 
 template <class Scalar, class Real, int numbers>
-void Supernodal_substitution<Scalar, Real, numbers>::solve(Real* x)
+void internal::Supernodal_substitution<Scalar, Real, numbers>::solve(Real* x)
 {
   if (m_threads == 1) {
     forward(0, S.size(), x);
     backward(0, S.size(), x);
     return;
   }
-  using Task = Elimination_tasks::Task;
+  using Task = internal::Elimination_tasks::Task;
   m_factor.tasks().run(
-      m_threads, [&](const Task& t, Task_pool&) { forward(t.begin, t.end, x); },
-      [&](const Task& t, Task_pool&) { backward(t.begin, t.end, x); });
+      m_threads, [&](const Task& t, internal::Task_pool&) { forward(t.begin, t.end, x); },
+      [&](const Task& t, internal::Task_pool&) { backward(t.begin, t.end, x); });
 }
 
 template <class Scalar, class Real, int numbers>
-void Supernodal_substitution<Scalar, Real, numbers>::forward(Real* x)
+void internal::Supernodal_substitution<Scalar, Real, numbers>::forward(Real* x)
 {
-  const auto up = [&](const Elimination_tasks::Task& t, Task_pool&) { forward(t.begin, t.end, x); };
+  const auto up = [&](const internal::Elimination_tasks::Task& t, internal::Task_pool&) {
+    forward(t.begin, t.end, x);
+  };
   if (m_threads > 1)
     m_factor.tasks().run(m_threads, up);
   else
@@ -57,10 +60,10 @@ void Supernodal_substitution<Scalar, Real, numbers>::forward(Real* x)
 }
 
 template <class Scalar, class Real, int numbers>
-void Supernodal_substitution<Scalar, Real, numbers>::backward(Real* x) const
+void internal::Supernodal_substitution<Scalar, Real, numbers>::backward(Real* x) const
 {
-  const auto nothing = [](const Elimination_tasks::Task&, Task_pool&) {};
-  const auto down = [&](const Elimination_tasks::Task& t, Task_pool&) {
+  const auto nothing = [](const internal::Elimination_tasks::Task&, internal::Task_pool&) {};
+  const auto down = [&](const internal::Elimination_tasks::Task& t, internal::Task_pool&) {
     backward(t.begin, t.end, x);
   };
   if (m_threads > 1) return m_factor.tasks().run(m_threads, nothing, down);
@@ -68,20 +71,21 @@ void Supernodal_substitution<Scalar, Real, numbers>::backward(Real* x) const
 }
 
 template <class Scalar, class Real, int numbers>
-void Supernodal_substitution<Scalar, Real, numbers>::forward(int begin, int end, Real* x)
+void internal::Supernodal_substitution<Scalar, Real, numbers>::forward(int begin, int end, Real* x)
 {
   for (int s = begin; s < end; ++s) forward(s, x);
 }
 
 template <class Scalar, class Real, int numbers>
-void Supernodal_substitution<Scalar, Real, numbers>::backward(int begin, int end, Real* x) const
+void internal::Supernodal_substitution<Scalar, Real, numbers>::backward(int begin, int end,
+                                                                        Real* x) const
 {
   for (int s = end - 1; s >= begin; --s) backward(s, x);
 }
 
 // Adds the contributions of the children to the rows of the front and to those below.
 template <class Scalar, class Real, int numbers>
-void Supernodal_substitution<Scalar, Real, numbers>::forward(int s, Real* x)
+void internal::Supernodal_substitution<Scalar, Real, numbers>::forward(int s, Real* x)
 {
   Real* const own = m_updates.data() + m_places[s];
   std::fill_n(own, std::int64_t(S.height(s)) * numbers, Real(0));
@@ -92,27 +96,28 @@ void Supernodal_substitution<Scalar, Real, numbers>::forward(int s, Real* x)
 }
 
 template <class Scalar, class Real, int numbers>
-void Supernodal_substitution<Scalar, Real, numbers>::backward(int s, Real* x) const
+void internal::Supernodal_substitution<Scalar, Real, numbers>::backward(int s, Real* x) const
 {
   if (s > 0) prefetch_panel(s - 1);
   m_kernels.backward(front(s), rows_of(s, x), x);
 }
 
 template <class Scalar, class Real, int numbers>
-Factored_front<Real> Supernodal_substitution<Scalar, Real, numbers>::front(int s) const
+internal::Factored_front<Real> internal::Supernodal_substitution<Scalar, Real, numbers>::front(
+    int s) const
 {
   return {m_factor.panel(s), S.width(s), S.height(s), S.rows(s)};
 }
 
 template <class Scalar, class Real, int numbers>
-Real* Supernodal_substitution<Scalar, Real, numbers>::rows_of(int s, Real* x) const
+Real* internal::Supernodal_substitution<Scalar, Real, numbers>::rows_of(int s, Real* x) const
 {
   return x + static_cast<std::int64_t>(S.first(s)) * numbers;
 }
 
 // Prefetches the beginning of a panel, because panels are traversed against the memory order.
 template <class Scalar, class Real, int numbers>
-void Supernodal_substitution<Scalar, Real, numbers>::prefetch_panel(int s) const
+void internal::Supernodal_substitution<Scalar, Real, numbers>::prefetch_panel(int s) const
 {
   constexpr int line = 64 / static_cast<int>(sizeof(Real));
   const std::int64_t size = m_factor.panel(s + 1) - m_factor.panel(s);

@@ -15,6 +15,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Runs tasks, which may spawn further tasks, on several threads.
 ///
@@ -106,6 +108,8 @@ class Task_pool {
   std::atomic<bool> m_has_failed{false};
   std::atomic<std::int64_t> m_events{0};  // number of events that may concern waiting threads
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -17,7 +17,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE void Task_pool::run(std::vector<int> tasks, const std::function<void(int)>& action)
+CGP_INLINE void internal::Task_pool::run(std::vector<int> tasks,
+                                         const std::function<void(int)>& action)
 {
   m_tasks = std::move(tasks);
   std::reverse(m_tasks.begin(), m_tasks.end());
@@ -34,7 +35,7 @@ CGP_INLINE void Task_pool::run(std::vector<int> tasks, const std::function<void(
   if (m_failure) std::rethrow_exception(m_failure);
 }
 
-CGP_INLINE void Task_pool::push(int task)
+CGP_INLINE void internal::Task_pool::push(int task)
 {
   const std::lock_guard<std::mutex> lock(m_mutex);
   m_tasks.push_back(task);
@@ -42,13 +43,13 @@ CGP_INLINE void Task_pool::push(int task)
 }
 
 // All of the following except work_on() and fail() require a locked mutex.
-CGP_INLINE void Task_pool::announce()
+CGP_INLINE void internal::Task_pool::announce()
 {
   ++m_events;
   m_wake.notify_all();
 }
 
-CGP_INLINE void Task_pool::work()
+CGP_INLINE void internal::Task_pool::work()
 {
   std::unique_lock<std::mutex> lock(m_mutex);
   for (;;) {
@@ -63,7 +64,7 @@ CGP_INLINE void Task_pool::work()
   }
 }
 
-CGP_INLINE void Task_pool::begin_task(std::unique_lock<std::mutex>& lock)
+CGP_INLINE void internal::Task_pool::begin_task(std::unique_lock<std::mutex>& lock)
 {
   const int task = m_tasks.back();
   m_tasks.pop_back();
@@ -75,14 +76,14 @@ CGP_INLINE void Task_pool::begin_task(std::unique_lock<std::mutex>& lock)
   if (--m_running == 0 && m_tasks.empty()) announce();
 }
 
-CGP_INLINE Task_pool::Loop* Task_pool::find_loop() const
+CGP_INLINE internal::Task_pool::Loop* internal::Task_pool::find_loop() const
 {
   for (Loop* loop : m_loops)
     if (loop->next < loop->count) return loop;
   return nullptr;
 }
 
-CGP_INLINE void Task_pool::help(Loop& loop, std::unique_lock<std::mutex>& lock)
+CGP_INLINE void internal::Task_pool::help(Loop& loop, std::unique_lock<std::mutex>& lock)
 {
   ++loop.helpers;
   lock.unlock();
@@ -91,7 +92,7 @@ CGP_INLINE void Task_pool::help(Loop& loop, std::unique_lock<std::mutex>& lock)
   lock.lock();
 }
 
-CGP_INLINE void Task_pool::wait(std::unique_lock<std::mutex>& lock)
+CGP_INLINE void internal::Task_pool::wait(std::unique_lock<std::mutex>& lock)
 {
   const std::int64_t seen = m_events;
   lock.unlock();
@@ -100,7 +101,7 @@ CGP_INLINE void Task_pool::wait(std::unique_lock<std::mutex>& lock)
   m_wake.wait(lock, [&] { return m_events != seen; });
 }
 
-CGP_INLINE void Task_pool::work_on(Loop& loop)
+CGP_INLINE void internal::Task_pool::work_on(Loop& loop)
 {
   attempt([&] {
     for (int i = loop.next++; i < loop.count && !m_has_failed; i = loop.next++) loop.visit(i);

@@ -10,7 +10,7 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
 /// Computes an approximate minimum degree ordering (Amestoy, Davis and Duff 1996) with Eigen
-Ordering amd_ordering(const Sparse_pattern& pattern);
+internal::Ordering amd_ordering(const Sparse_pattern& pattern);
 
 }  // namespace Conformal_geometry_processing
 

@@ -14,7 +14,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Ordering amd_ordering(const Sparse_pattern& pattern)
+CGP_INLINE internal::Ordering amd_ordering(const Sparse_pattern& pattern)
 {
   using Graph = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
   const std::vector<double> ones(pattern.indices.size(), 1.0);
@@ -23,7 +23,8 @@ CGP_INLINE Ordering amd_ordering(const Sparse_pattern& pattern)
   const Graph graph = lower.selfadjointView<Eigen::Lower>();
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
   Eigen::AMDOrdering<int>()(graph, permutation);
-  return Ordering(permutation.indices().data(), permutation.indices().data() + pattern.size());
+  return internal::Ordering(permutation.indices().data(),
+                            permutation.indices().data() + pattern.size());
 }
 
 }  // namespace Conformal_geometry_processing

@@ -25,7 +25,7 @@ struct Neighbour_lists {
 /// For distribution, not for factorization: consecutive vertices form slices of the mesh with short
 /// boundaries, so processes that own a range each communicate with few others. Connected components
 /// are ordered one after the other. O(|V| + |E|).
-Ordering breadth_first_ordering(const Sparse_pattern& pattern);
+internal::Ordering breadth_first_ordering(const Sparse_pattern& pattern);
 
 }  // namespace Conformal_geometry_processing
 

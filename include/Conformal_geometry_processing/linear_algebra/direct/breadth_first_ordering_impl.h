@@ -57,12 +57,12 @@ CGP_INLINE void append_by_distance(const Neighbour_lists& lists, int start, int 
 
 }  // namespace internal
 
-CGP_INLINE Ordering breadth_first_ordering(const Sparse_pattern& pattern)
+CGP_INLINE internal::Ordering breadth_first_ordering(const Sparse_pattern& pattern)
 {
   const internal::Neighbour_lists lists = internal::neighbour_lists(pattern);
   const std::size_t n = static_cast<std::size_t>(pattern.size());
   std::vector<int> marks(n, 0);
-  Ordering order, trial;
+  internal::Ordering order, trial;
   order.reserve(n);
   for (int v = 0; v < pattern.size(); ++v) {
     if (marks[static_cast<std::size_t>(v)] != 0) continue;

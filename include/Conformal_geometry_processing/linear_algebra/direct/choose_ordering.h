@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Cost model for the choice of an ordering. Only ratios of the times matter, which vary
 /// little among machines.
@@ -36,8 +38,6 @@ struct Ordering_costs {
   /// indicate graphs that are not surfaces, or misleading positions.
   double compact = 18, not_a_surface = 60;
 };
-
-namespace internal {
 
 // The structures that `choose_structure()` compares.
 class Structure_choice {
@@ -69,15 +69,15 @@ class Structure_choice {
 /// trial costs, and the structure with fewer operations is returned.
 /// \param positions 3 x n, or null: without positions minimum degree is used
 /// \param factorizations expected number of factorizations
-std::shared_ptr<const Supernodal_structure> choose_structure(const Sparse_pattern& pattern,
-                                                             const Eigen::Matrix3Xd* positions,
-                                                             int factorizations = 1,
-                                                             const Ordering_costs& costs = {});
+std::shared_ptr<const internal::Supernodal_structure> choose_structure(
+    const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions, int factorizations = 1,
+    const internal::Ordering_costs& costs = {});
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Returns the ordering of `choose_structure()`.
-Ordering choose_ordering(const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions,
-                         int factorizations = 1, const Ordering_costs& costs = {});
+internal::Ordering choose_ordering(const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions,
+                                   int factorizations = 1,
+                                   const internal::Ordering_costs& costs = {});
 
 }  // namespace Conformal_geometry_processing
 

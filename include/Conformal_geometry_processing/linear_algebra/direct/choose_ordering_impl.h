@@ -54,9 +54,9 @@ CGP_INLINE Structure_choice::Structure Structure_choice::better(Structure a, Str
 
 }  // namespace internal
 
-CGP_INLINE std::shared_ptr<const Supernodal_structure> choose_structure(
+CGP_INLINE std::shared_ptr<const internal::Supernodal_structure> choose_structure(
     const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions, int factorizations,
-    const Ordering_costs& costs)
+    const internal::Ordering_costs& costs)
 {
   const internal::Structure_choice choice(pattern, factorizations, costs);
   if (positions == nullptr) return choice.by_degree();
@@ -73,9 +73,9 @@ CGP_INLINE std::shared_ptr<const Supernodal_structure> choose_structure(
              : first;
 }
 
-CGP_INLINE Ordering choose_ordering(const Sparse_pattern& pattern,
-                                    const Eigen::Matrix3Xd* positions, int factorizations,
-                                    const Ordering_costs& costs)
+CGP_INLINE internal::Ordering choose_ordering(const Sparse_pattern& pattern,
+                                              const Eigen::Matrix3Xd* positions, int factorizations,
+                                              const internal::Ordering_costs& costs)
 {
   return choose_structure(pattern, positions, factorizations, costs)->order();
 }

@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief The graph of a Hermitian matrix after a permutation: for every column j its rows i > j,
 /// in any order, with the position of the entry in the pattern.
@@ -66,10 +68,12 @@ struct Graph_rows {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 };
 
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Computes the elimination tree: for each column of the Cholesky factor the row of its
 /// first entry below the diagonal, -1 at the roots (Liu 1990). Almost O(entries).
-std::vector<int> elimination_tree(const Graph_rows& graph);
+std::vector<int> elimination_tree(const internal::Graph_rows& graph);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Returns 0, ..., n - 1 stably sorted by keys in [0, n]. O(n)
@@ -86,7 +90,8 @@ std::vector<int> postorder(const std::vector<int>& parent, const std::vector<int
 /// (Gilbert, Ng and Peyton 1994). Almost O(entries), without forming the factor.
 /// \param parent the elimination tree of the graph
 /// \pre the numbering is a postorder: descendants of j are the numbers just below j
-std::vector<int> column_counts(const Permuted_graph& graph, const std::vector<int>& parent);
+std::vector<int> column_counts(const internal::Permuted_graph& graph,
+                               const std::vector<int>& parent);
 
 }  // namespace Conformal_geometry_processing
 

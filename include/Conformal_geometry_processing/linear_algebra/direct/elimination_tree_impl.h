@@ -13,8 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Permuted_graph::Permuted_graph(const Sparse_pattern& pattern,
-                                          const std::vector<int>& new_of_old)
+CGP_INLINE internal::Permuted_graph::Permuted_graph(const Sparse_pattern& pattern,
+                                                    const std::vector<int>& new_of_old)
 {
   fill(pattern.size(), pattern.size_of_entries() - pattern.size(), [&](auto action) {
     for (int j = 0; j < pattern.size(); ++j)
@@ -25,8 +25,8 @@ CGP_INLINE Permuted_graph::Permuted_graph(const Sparse_pattern& pattern,
   });
 }
 
-CGP_INLINE Permuted_graph::Permuted_graph(const Permuted_graph& graph,
-                                          const std::vector<int>& place)
+CGP_INLINE internal::Permuted_graph::Permuted_graph(const internal::Permuted_graph& graph,
+                                                    const std::vector<int>& place)
 {
   fill(graph.size(), static_cast<int>(graph.entries.size()), [&](auto action) {
     for (int j = 0; j < graph.size(); ++j)
@@ -35,7 +35,7 @@ CGP_INLINE Permuted_graph::Permuted_graph(const Permuted_graph& graph,
   });
 }
 
-CGP_INLINE Graph_rows::Graph_rows(const Permuted_graph& graph)
+CGP_INLINE internal::Graph_rows::Graph_rows(const internal::Permuted_graph& graph)
     : offsets(graph.offsets.size(), 0), columns(graph.entries.size())
 {
   for (const auto& e : graph.entries) ++offsets[at(e.row) + 1];
@@ -46,7 +46,7 @@ CGP_INLINE Graph_rows::Graph_rows(const Permuted_graph& graph)
       columns[at(next[at(e->row)]++)] = j;
 }
 
-CGP_INLINE std::vector<int> elimination_tree(const Graph_rows& graph)
+CGP_INLINE std::vector<int> elimination_tree(const internal::Graph_rows& graph)
 {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   std::vector<int> parent(at(graph.size()), -1), ancestor(parent);
@@ -100,7 +100,7 @@ CGP_INLINE std::vector<int> postorder(const std::vector<int>& parent,
   return order;
 }
 
-CGP_INLINE std::vector<int> column_counts(const Permuted_graph& graph,
+CGP_INLINE std::vector<int> column_counts(const internal::Permuted_graph& graph,
                                           const std::vector<int>& parent)
 {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };

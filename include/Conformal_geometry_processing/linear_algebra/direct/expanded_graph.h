@@ -22,7 +22,7 @@ Sparse_pattern expanded_pattern(const Sparse_pattern& pattern, int width);
 ///
 /// As good as an ordering of the larger graph, whose computation takes `width` squared times as
 /// long.
-Ordering expanded_ordering(const Ordering& order, int width);
+internal::Ordering expanded_ordering(const internal::Ordering& order, int width);
 
 }  // namespace Conformal_geometry_processing
 

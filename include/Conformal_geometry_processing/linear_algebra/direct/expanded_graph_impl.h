@@ -28,9 +28,9 @@ CGP_INLINE Sparse_pattern expanded_pattern(const Sparse_pattern& pattern, int wi
   return expanded;
 }
 
-CGP_INLINE Ordering expanded_ordering(const Ordering& order, int width)
+CGP_INLINE internal::Ordering expanded_ordering(const internal::Ordering& order, int width)
 {
-  Ordering expanded;
+  internal::Ordering expanded;
   expanded.reserve(static_cast<std::size_t>(width) * order.size());
   for (const int i : order)
     for (int r = 0; r < width; ++r) expanded.push_back(width * i + r);

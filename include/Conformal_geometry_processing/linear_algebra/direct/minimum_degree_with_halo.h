@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Orders the vertices of a small region by minimum degree with halo: surrounding separator
 /// vertices, which are eliminated later, count as neighbours but are not ordered.
@@ -36,6 +38,8 @@ class Minimum_degree_with_halo {
   std::vector<std::uint64_t> m_bits;
   std::vector<int> m_halo, m_degree, m_remaining, m_order;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

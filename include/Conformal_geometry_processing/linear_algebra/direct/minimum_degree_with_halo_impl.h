@@ -25,7 +25,8 @@ CGP_INLINE int population_count(std::uint64_t x)
 
 }  // namespace internal
 
-CGP_INLINE const std::vector<int>& Minimum_degree_with_halo::operator()(const Graph_region& region)
+CGP_INLINE const std::vector<int>& internal::Minimum_degree_with_halo::operator()(
+    const internal::Graph_region& region)
 {
   build(region);
   m_remaining.resize(region.vertices.size());
@@ -44,7 +45,7 @@ CGP_INLINE const std::vector<int>& Minimum_degree_with_halo::operator()(const Gr
 }
 
 // Columns are the vertices of the region, followed by those of the halo.
-CGP_INLINE void Minimum_degree_with_halo::build(const Graph_region& region)
+CGP_INLINE void internal::Minimum_degree_with_halo::build(const internal::Graph_region& region)
 {
   m_halo.clear();
   for (const auto& e : region.halo) m_halo.push_back(e[1]);
@@ -66,7 +67,7 @@ CGP_INLINE void Minimum_degree_with_halo::build(const Graph_region& region)
   for (int v = 0; v < region.size(); ++v) update_degree(v);
 }
 
-CGP_INLINE void Minimum_degree_with_halo::update_degree(int v)
+CGP_INLINE void internal::Minimum_degree_with_halo::update_degree(int v)
 {
   int degree = 0;
   for (std::size_t k = 0; k < m_words; ++k) degree += internal::population_count(row(v)[k]);
@@ -74,7 +75,7 @@ CGP_INLINE void Minimum_degree_with_halo::update_degree(int v)
 }
 
 // Makes the neighbours of v adjacent to each other.
-CGP_INLINE void Minimum_degree_with_halo::eliminate(int v)
+CGP_INLINE void internal::Minimum_degree_with_halo::eliminate(int v)
 {
   const int size = static_cast<int>(m_degree.size());
   const std::uint64_t* const of_v = row(v);

@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// Location of a vertex relative to a vertex separator
 enum class Side : char { left, right, separator };
@@ -22,8 +24,6 @@ struct Terminal_graph {
 
   int size() const { return static_cast<int>(is_source.size()); }
 };
-
-namespace internal {
 
 /// Computes a maximum set of vertex-disjoint paths from sources to sinks by Dinic's method (1970),
 /// without recursion.
@@ -72,7 +72,7 @@ class Disjoint_paths {
 /// If sources and sinks are the two sides of a bipartite graph, it is a minimum vertex cover
 /// (Koenig 1931). O(edges sqrt(vertices)) at worst.
 /// \return the side of each vertex. Sources are never right, sinks never left.
-std::vector<Side> minimum_vertex_cut(const Terminal_graph& graph);
+std::vector<internal::Side> minimum_vertex_cut(const internal::Terminal_graph& graph);
 
 }  // namespace Conformal_geometry_processing
 

@@ -141,10 +141,10 @@ CGP_INLINE void Disjoint_paths::update()
 
 }  // namespace internal
 
-CGP_INLINE std::vector<Side> minimum_vertex_cut(const Terminal_graph& graph)
+CGP_INLINE std::vector<internal::Side> minimum_vertex_cut(const internal::Terminal_graph& graph)
 {
   const internal::Disjoint_paths paths(graph);
-  std::vector<Side> sides(graph.is_source.size());
+  std::vector<internal::Side> sides(graph.is_source.size());
   for (int v = 0; v < graph.size(); ++v) sides[static_cast<std::size_t>(v)] = paths.side(v);
   return sides;
 }

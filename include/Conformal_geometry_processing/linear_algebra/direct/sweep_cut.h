@@ -14,6 +14,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Finds a cut of a region into two parts of similar size through few edges.
 ///
@@ -57,6 +59,8 @@ class Sweep_cut {
   std::vector<std::uint8_t> m_slab;
   std::vector<Side> m_sides;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -33,7 +33,8 @@ CGP_INLINE Eigen::Matrix3f principal_axes(const Eigen::Matrix<float, Eigen::Dyna
 
 }  // namespace internal
 
-CGP_INLINE const std::vector<Side>& Sweep_cut::operator()(const Graph_region& region)
+CGP_INLINE const std::vector<internal::Side>& internal::Sweep_cut::operator()(
+    const internal::Graph_region& region)
 {
   m_best = Cut();
   const Eigen::Matrix3f axes = internal::principal_axes(region.positions);
@@ -48,7 +49,7 @@ CGP_INLINE const std::vector<Side>& Sweep_cut::operator()(const Graph_region& re
 
 // In the frame of the axes of inertia. A long thin region is cut across its length; for other
 // regions, two oblique planes per direction find necks.
-CGP_INLINE std::vector<Eigen::Vector3f> Sweep_cut::directions(int size)
+CGP_INLINE std::vector<Eigen::Vector3f> internal::Sweep_cut::directions(int size)
 {
   constexpr float t = 0.7f;
   if (size < 400) return {{1, 0, 0}, {1, t, 0}, {1, -t, 0}};
@@ -56,7 +57,8 @@ CGP_INLINE std::vector<Eigen::Vector3f> Sweep_cut::directions(int size)
 }
 
 // Computes the coordinates of the vertices along the direction.
-CGP_INLINE void Sweep_cut::set_keys(const Graph_region& region, const Eigen::Vector3f& direction)
+CGP_INLINE void internal::Sweep_cut::set_keys(const internal::Graph_region& region,
+                                              const Eigen::Vector3f& direction)
 {
   m_key = (region.positions.col(0) * direction[0] + region.positions.col(1) * direction[1] +
            region.positions.col(2) * direction[2])
@@ -64,8 +66,8 @@ CGP_INLINE void Sweep_cut::set_keys(const Graph_region& region, const Eigen::Vec
 }
 
 // Returns false if all vertices lie in one plane orthogonal to the direction.
-CGP_INLINE bool Sweep_cut::sort_into_slabs(const Graph_region& region,
-                                           const Eigen::Vector3f& direction)
+CGP_INLINE bool internal::Sweep_cut::sort_into_slabs(const internal::Graph_region& region,
+                                                     const Eigen::Vector3f& direction)
 {
   set_keys(region, direction);
   const float low = m_key.minCoeff(), high = m_key.maxCoeff();
@@ -78,7 +80,8 @@ CGP_INLINE bool Sweep_cut::sort_into_slabs(const Graph_region& region,
   return true;
 }
 
-CGP_INLINE void Sweep_cut::sweep(const Graph_region& region, const Eigen::Vector3f& direction)
+CGP_INLINE void internal::Sweep_cut::sweep(const internal::Graph_region& region,
+                                           const Eigen::Vector3f& direction)
 {
   if (!sort_into_slabs(region, direction)) return;
   std::array<int, slabs> vertices{}, edges{};
@@ -101,7 +104,7 @@ CGP_INLINE void Sweep_cut::sweep(const Graph_region& region, const Eigen::Vector
 }
 
 // Widens the best cut slab by slab.
-CGP_INLINE void Sweep_cut::take_slabs(const Graph_region& region)
+CGP_INLINE void internal::Sweep_cut::take_slabs(const internal::Graph_region& region)
 {
   sort_into_slabs(region, m_best.direction);
   std::array<int, slabs> vertices{};
@@ -122,13 +125,14 @@ CGP_INLINE void Sweep_cut::take_slabs(const Graph_region& region)
   const int last_left = end(m_best.slab, -1, lefts);
   const int first_right = end(m_best.slab + 1, 1, region.size() - lefts);
   for (std::size_t v = 0; v < m_sides.size(); ++v)
-    m_sides[v] = m_slab[v] <= last_left     ? Side::left
-                 : m_slab[v] >= first_right ? Side::right
-                                            : Side::separator;
+    m_sides[v] = m_slab[v] <= last_left     ? internal::Side::left
+                 : m_slab[v] >= first_right ? internal::Side::right
+                                            : internal::Side::separator;
 }
 
 // If many vertices coincide, no plane separates them: bisects them, ties by index.
-CGP_INLINE void Sweep_cut::halve(const Graph_region& region, const Eigen::Vector3f& direction)
+CGP_INLINE void internal::Sweep_cut::halve(const internal::Graph_region& region,
+                                           const Eigen::Vector3f& direction)
 {
   set_keys(region, direction);
   std::vector<int> order(m_sides.size());
@@ -137,8 +141,9 @@ CGP_INLINE void Sweep_cut::halve(const Graph_region& region, const Eigen::Vector
   std::nth_element(order.begin(), middle, order.end(), [&](int v, int w) {
     return m_key[v] < m_key[w] || (m_key[v] == m_key[w] && v < w);
   });
-  std::fill(m_sides.begin(), m_sides.end(), Side::right);
-  for (auto v = order.begin(); v != middle; ++v) m_sides[static_cast<std::size_t>(*v)] = Side::left;
+  std::fill(m_sides.begin(), m_sides.end(), internal::Side::right);
+  for (auto v = order.begin(); v != middle; ++v)
+    m_sides[static_cast<std::size_t>(*v)] = internal::Side::left;
 }
 
 }  // namespace Conformal_geometry_processing

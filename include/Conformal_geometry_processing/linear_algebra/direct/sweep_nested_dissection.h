@@ -56,7 +56,8 @@ class Dissection {
 /// only: any positions give a valid ordering, good ones place neighbours close to each other.
 /// Deterministic, for any number of threads. O((vertices + edges) log(vertices)) on meshes.
 /// \param positions 3 x n, finite, in any unit
-Ordering sweep_nested_dissection(const Sparse_pattern& pattern, const Eigen::Matrix3Xd& positions);
+internal::Ordering sweep_nested_dissection(const Sparse_pattern& pattern,
+                                           const Eigen::Matrix3Xd& positions);
 
 }  // namespace Conformal_geometry_processing
 

@@ -73,11 +73,11 @@ CGP_INLINE void dissect_in_parallel(Dissection_part&& all, int threads, Ordering
 
 }  // namespace internal
 
-CGP_INLINE Ordering sweep_nested_dissection(const Sparse_pattern& pattern,
-                                            const Eigen::Matrix3Xd& positions)
+CGP_INLINE internal::Ordering sweep_nested_dissection(const Sparse_pattern& pattern,
+                                                      const Eigen::Matrix3Xd& positions)
 {
   constexpr int worth_threads = 4000;  // vertices: some milliseconds
-  Ordering order(static_cast<std::size_t>(pattern.size()));
+  internal::Ordering order(static_cast<std::size_t>(pattern.size()));
   internal::Dissection_part all{graph_region(pattern, positions), pattern.size()};
   const int threads = pattern.size() < worth_threads ? 1 : number_of_threads();
   if (threads > 1)

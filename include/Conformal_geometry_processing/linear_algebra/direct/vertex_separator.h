@@ -29,7 +29,7 @@ struct Separator_band {
 /// O(edges + edges of the separator * sqrt(vertices of the separator)) at worst.
 /// \param[in,out] sides one for each vertex; if they contain no separator, it is chosen among the
 /// ends of cut edges
-void thin_separator(const Graph_region& region, std::vector<Side>& sides);
+void thin_separator(const internal::Graph_region& region, std::vector<internal::Side>& sides);
 
 }  // namespace Conformal_geometry_processing
 

@@ -60,18 +60,22 @@ CGP_INLINE Separator_band separator_band(const Graph_region& region, const std::
 
 }  // namespace internal
 
-CGP_INLINE void thin_separator(const Graph_region& region, std::vector<Side>& sides)
+CGP_INLINE void thin_separator(const internal::Graph_region& region,
+                               std::vector<internal::Side>& sides)
 {
-  const auto lefts = std::count(sides.begin(), sides.end(), Side::left);
-  const auto rights = std::count(sides.begin(), sides.end(), Side::right);
-  const Side lighter_side = lefts >= rights ? Side::left : Side::right,
-             other_side = lighter_side == Side::left ? Side::right : Side::left;
+  const auto lefts = std::count(sides.begin(), sides.end(), internal::Side::left);
+  const auto rights = std::count(sides.begin(), sides.end(), internal::Side::right);
+  const internal::Side lighter_side =
+                           lefts >= rights ? internal::Side::left : internal::Side::right,
+                       other_side = lighter_side == internal::Side::left ? internal::Side::right
+                                                                         : internal::Side::left;
   const internal::Separator_band band = internal::separator_band(region, sides, lighter_side);
-  const std::vector<Side> cut = minimum_vertex_cut(band.graph);
+  const std::vector<internal::Side> cut = minimum_vertex_cut(band.graph);
   for (std::size_t k = 0; k < cut.size(); ++k)
     sides[static_cast<std::size_t>(band.vertices[k])] =
-        cut[k] == Side::separator ? Side::separator
-                                  : (cut[k] == Side::left ? lighter_side : other_side);
+        cut[k] == internal::Side::separator
+            ? internal::Side::separator
+            : (cut[k] == internal::Side::left ? lighter_side : other_side);
 }
 
 }  // namespace Conformal_geometry_processing

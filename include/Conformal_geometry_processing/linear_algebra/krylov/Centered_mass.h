@@ -12,6 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief The quadratic form D - D C C^H D, which ignores some directions of x: D >= 0 is diagonal,
 /// and the columns of C are D-orthonormal.
@@ -66,6 +68,8 @@ class Centered_mass {
   Vector<Scalar> m_weights;
   Block<Scalar> m_directions;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

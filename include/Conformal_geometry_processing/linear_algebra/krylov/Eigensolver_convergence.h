@@ -14,6 +14,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Monitors the convergence of an eigensolver: stores the best iterate and decides when to
 /// stop.
@@ -74,6 +76,8 @@ class Eigensolver_convergence {
   double m_next = std::numeric_limits<double>::infinity();
   int m_iterations = 0, m_idle = 0;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

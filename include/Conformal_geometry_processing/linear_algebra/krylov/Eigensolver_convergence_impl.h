@@ -15,9 +15,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Eigensolver_convergence::Eigensolver_convergence(std::string function,
-                                                            const Eigensolver_options& options,
-                                                            const Block<Quaternion<double>>& x0)
+CGP_INLINE internal::Eigensolver_convergence::Eigensolver_convergence(
+    std::string function, const Eigensolver_options& options, const Block<Quaternion<double>>& x0)
     : m_function(std::move(function)), m_options(options)
 {
   if (options.wanted < 1 || options.wanted > x0.cols())
@@ -27,7 +26,8 @@ CGP_INLINE Eigensolver_convergence::Eigensolver_convergence(std::string function
                                  " initial vectors: wanted at least one vector for each");
 }
 
-CGP_INLINE Ritz_panel Eigensolver_convergence::initial(Ritz_panel x) const
+CGP_INLINE internal::Ritz_panel internal::Eigensolver_convergence::initial(
+    internal::Ritz_panel x) const
 {
   const Eigen::Index columns = x.size();
   orthonormalize(x);
@@ -37,7 +37,7 @@ CGP_INLINE Ritz_panel Eigensolver_convergence::initial(Ritz_panel x) const
   return x;
 }
 
-CGP_INLINE Eigensolver_result Eigensolver_convergence::result()
+CGP_INLINE Eigensolver_result internal::Eigensolver_convergence::result()
 {
   m_result.iterations = m_iterations;
   if (m_result.values.size() == 1 && std::isfinite(m_next))
@@ -48,8 +48,8 @@ CGP_INLINE Eigensolver_result Eigensolver_convergence::result()
 
 // Uses only the component of T r orthogonal to x; the component along x consists of rounding
 // errors, which a nearly singular K would amplify.
-CGP_INLINE Vector<double> Eigensolver_convergence::error_estimates(
-    const Ritz_panel& x, const Block<Quaternion<double>>& r,
+CGP_INLINE Vector<double> internal::Eigensolver_convergence::error_estimates(
+    const internal::Ritz_panel& x, const Block<Quaternion<double>>& r,
     const Block<Quaternion<double>>& Tr) const
 {
   Vector<double> estimates(x.size());
@@ -64,9 +64,9 @@ CGP_INLINE Vector<double> Eigensolver_convergence::error_estimates(
   return estimates;
 }
 
-CGP_INLINE void Eigensolver_convergence::note_progress(const Ritz_panel& x,
-                                                       const Vector<double>& estimates,
-                                                       double estimate)
+CGP_INLINE void internal::Eigensolver_convergence::note_progress(const internal::Ritz_panel& x,
+                                                                 const Vector<double>& estimates,
+                                                                 double estimate)
 {
   const double value = x.value(0);
   const double rounding = 1e-14 * (std::max)(std::abs(value), m_options.scale * m_options.scale);

@@ -20,7 +20,7 @@ struct Eigensolver_options {
   /// dimensionless
   double scale = 1;
   /// Coefficients of linear combinations; `reals` if the vectors form a space over the reals only
-  Coefficients coefficients = Coefficients::quaternions;
+  internal::Coefficients coefficients = internal::Coefficients::quaternions;
 };
 
 /// \ingroup PkgLinearAlgebra
@@ -32,6 +32,8 @@ struct Eigensolver_progress {
   const Block<Quaternion<double>>* vectors = nullptr;  ///< the iterates, if provided
 };
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Never cancels: the default for the `go_further` of eigensolvers.
 struct Always_go_further {
@@ -41,6 +43,8 @@ struct Always_go_further {
 /// \ingroup PkgLinearAlgebra
 /// Called after every iteration; returns false to cancel
 using Go_further = std::function<bool(const Eigensolver_progress&)>;
+
+}  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
 /// \brief The smallest eigenpairs of K x = N x theta, with error estimates.

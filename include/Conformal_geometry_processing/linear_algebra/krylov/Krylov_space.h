@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief The operator T = N^-1 K of a pencil K x = theta N x, with N positive definite:
 /// self-adjoint in the inner product of N.
@@ -25,8 +27,6 @@ struct Pencil {
   Operator K, N, solve;  ///< Hermitian; Hermitian positive definite; b -> N^-1 b
   Coefficients coefficients = Coefficients::quaternions;
 };
-
-namespace internal {
 
 /// An N-orthonormal basis V of a Krylov space of T, with V^H K V, and the next block:
 /// T V = V (V^H K V) + next * remainder * E^H, where E are the columns of the last block.

@@ -16,6 +16,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves systems with a matrix that changes little from one `factorize()` to the next, as
 /// in the steps of a flow: reuses the old factor as long as that is cheaper.
@@ -129,6 +131,8 @@ class Lagged_solver {
   mutable int m_factorizations = 0, m_iterations = 0;
 };
 
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Lagged solvers for all scalars, for flows.
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
@@ -136,7 +140,7 @@ class Lagged_solver {
 template <class SolverTraits = Default_solver_traits>
 struct Lagged_solver_traits {
   template <class Scalar>
-  using Solver = Lagged_solver<typename SolverTraits::template Solver<Scalar>>;
+  using Solver = internal::Lagged_solver<typename SolverTraits::template Solver<Scalar>>;
 };
 
 }  // namespace Conformal_geometry_processing

@@ -17,27 +17,28 @@
 namespace Conformal_geometry_processing {
 
 template <class Solver_>
-Solver_status Lagged_solver<Solver_>::analyze(const Sparse_pattern& pattern)
+Solver_status internal::Lagged_solver<Solver_>::analyze(const Sparse_pattern& pattern)
 {
   return adopt(pattern, m_solver.analyze(pattern));
 }
 
 template <class Solver_>
-Solver_status Lagged_solver<Solver_>::analyze(const Sparse_pattern& pattern, const Ordering& order)
+Solver_status internal::Lagged_solver<Solver_>::analyze(const Sparse_pattern& pattern,
+                                                        const internal::Ordering& order)
 {
   return adopt(pattern, m_solver.analyze(pattern, order));
 }
 
 template <class Solver_>
-Solver_status Lagged_solver<Solver_>::analyze_with_positions(const Sparse_pattern& pattern,
-                                                             const Eigen::Matrix3Xd& positions)
+Solver_status internal::Lagged_solver<Solver_>::analyze_with_positions(
+    const Sparse_pattern& pattern, const Eigen::Matrix3Xd& positions)
 {
   return adopt(pattern, m_solver.analyze_with_positions(pattern, positions));
 }
 
 template <class Solver_>
-Solver_status Lagged_solver<Solver_>::factorize(const Hermitian_sparse_matrix<Scalar>& A,
-                                                const Vector<FT>& shift)
+Solver_status internal::Lagged_solver<Solver_>::factorize(const Hermitian_sparse_matrix<Scalar>& A,
+                                                          const Vector<FT>& shift)
 {
   return internal::guarded([&] {
     const int n = static_cast<int>(ordering().size());
@@ -56,7 +57,8 @@ Solver_status Lagged_solver<Solver_>::factorize(const Hermitian_sparse_matrix<Sc
 }
 
 template <class Solver_>
-Solver_status Lagged_solver<Solver_>::solve(const Block<Scalar>& b, Block<Scalar>& x) const
+Solver_status internal::Lagged_solver<Solver_>::solve(const Block<Scalar>& b,
+                                                      Block<Scalar>& x) const
 {
   return internal::guarded([&] {
     if (!m_is_ready || b.rows() != m_A.size()) return Solver_status::wrong_state;
@@ -71,7 +73,8 @@ Solver_status Lagged_solver<Solver_>::solve(const Block<Scalar>& b, Block<Scalar
 }
 
 template <class Solver_>
-Solver_status Lagged_solver<Solver_>::precondition(const Block<Scalar>& b, Block<Scalar>& x) const
+Solver_status internal::Lagged_solver<Solver_>::precondition(const Block<Scalar>& b,
+                                                             Block<Scalar>& x) const
 {
   return internal::guarded([&] {
     if (!m_is_ready || b.rows() != m_A.size()) return Solver_status::wrong_state;
@@ -85,14 +88,14 @@ Solver_status Lagged_solver<Solver_>::precondition(const Block<Scalar>& b, Block
 }
 
 template <class Solver_>
-void Lagged_solver<Solver_>::release()
+void internal::Lagged_solver<Solver_>::release()
 {
   release_factor(m_solver);
   m_has_factor = m_is_ready = m_is_current = false;
 }
 
 template <class Solver_>
-Solver_statistics Lagged_solver<Solver_>::statistics() const
+Solver_statistics internal::Lagged_solver<Solver_>::statistics() const
 {
   Solver_statistics s = m_solver.statistics();
   if (s.factor_entries > 0) s.bytes += static_cast<double>(sizeof(Scalar)) * m_entries;
@@ -100,13 +103,14 @@ Solver_statistics Lagged_solver<Solver_>::statistics() const
 }
 
 template <class Solver_>
-double Lagged_solver<Solver_>::passes(const Block<Scalar>& b)
+double internal::Lagged_solver<Solver_>::passes(const Block<Scalar>& b)
 {
   return std::ceil(static_cast<double>(b.cols()) * planes / 4);
 }
 
 template <class Solver_>
-Solver_status Lagged_solver<Solver_>::adopt(const Sparse_pattern& pattern, Solver_status status)
+Solver_status internal::Lagged_solver<Solver_>::adopt(const Sparse_pattern& pattern,
+                                                      Solver_status status)
 {
   m_entries = pattern.size_of_entries();
   m_has_factor = m_is_ready = m_is_current = false;
@@ -117,28 +121,28 @@ Solver_status Lagged_solver<Solver_>::adopt(const Sparse_pattern& pattern, Solve
 
 // Returns false if a value is not finite.
 template <class Solver_>
-bool Lagged_solver<Solver_>::add_shift()
+bool internal::Lagged_solver<Solver_>::add_shift()
 {
   bool is_finite = true;
   for (Eigen::Index j = 0; j < m_shift.size(); ++j)
-    m_A.value(diagonal_position(j)) += Scalar_traits<Scalar>::from_real(m_shift[j]);
+    m_A.value(diagonal_position(j)) += internal::Scalar_traits<Scalar>::from_real(m_shift[j]);
   for (int k = 0; k < m_entries; ++k) {
     FT c[planes];
-    Scalar_planes<Scalar>::get(m_A.value(k), c);
+    internal::Scalar_planes<Scalar>::get(m_A.value(k), c);
     for (const FT number : c) is_finite = is_finite && std::isfinite(number);
   }
   return is_finite;
 }
 
 template <class Solver_>
-int Lagged_solver<Solver_>::diagonal_position(Eigen::Index j) const
+int internal::Lagged_solver<Solver_>::diagonal_position(Eigen::Index j) const
 {
   return m_A.pattern().offsets[static_cast<std::size_t>(j)];
 }
 
 // A diagonal entry that is not positive shows without iterations that the matrix is not definite.
 template <class Solver_>
-bool Lagged_solver<Solver_>::has_positive_diagonal() const
+bool internal::Lagged_solver<Solver_>::has_positive_diagonal() const
 {
   for (int j = 0; j < m_A.size(); ++j)
     if (!(m_A.diagonal(j) > 0)) return false;
@@ -146,7 +150,7 @@ bool Lagged_solver<Solver_>::has_positive_diagonal() const
 }
 
 template <class Solver_>
-Solver_status Lagged_solver<Solver_>::renew(const Vector<FT>& more) const
+Solver_status internal::Lagged_solver<Solver_>::renew(const Vector<FT>& more) const
 {
   m_has_factor = m_is_ready = m_is_current = false;
   ++m_factorizations;
@@ -160,7 +164,7 @@ Solver_status Lagged_solver<Solver_>::renew(const Vector<FT>& more) const
 }
 
 template <class Solver_>
-Solver_status Lagged_solver<Solver_>::renew_in_the_midst() const
+Solver_status internal::Lagged_solver<Solver_>::renew_in_the_midst() const
 {
   const Solver_status status = renew();
   m_rule.renewed_in_the_midst();
@@ -171,7 +175,7 @@ Solver_status Lagged_solver<Solver_>::renew_in_the_midst() const
 // the caller would have retried with a larger shift; as a preconditioner, a factor with a larger
 // shift is still valid.
 template <class Solver_>
-Solver_status Lagged_solver<Solver_>::renew_preconditioner() const
+Solver_status internal::Lagged_solver<Solver_>::renew_preconditioner() const
 {
   const Solver_status status = renew_in_the_midst();
   if (status != Solver_status::not_positive_definite || m_shift.size() == 0) return status;
@@ -180,14 +184,14 @@ Solver_status Lagged_solver<Solver_>::renew_preconditioner() const
 
 // Conjugate gradients, as long as they are cheaper than a factorization and a direct solve.
 template <class Solver_>
-bool Lagged_solver<Solver_>::iterate(const Block<Scalar>& b, Block<Scalar>& x) const
+bool internal::Lagged_solver<Solver_>::iterate(const Block<Scalar>& b, Block<Scalar>& x) const
 {
   const double direct = passes(b), work = work_per_pass * direct;
   const auto precondition = [&](const Block<Scalar>& r, Block<Scalar>& z) {
     if (apply_inverse(m_solver, r, z) != Solver_status::success)
       z = r * std::numeric_limits<FT>::quiet_NaN();
   };
-  Conjugate_gradients_options options;
+  internal::Conjugate_gradients_options options;
   options.tolerance = static_cast<double>(m_tolerance);
   options.max_iterations = work == 0 ? 0 : static_cast<int>((m_rule.budget() + direct) / work);
   Block<Scalar> solution;
@@ -203,8 +207,8 @@ bool Lagged_solver<Solver_>::iterate(const Block<Scalar>& b, Block<Scalar>& x) c
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Lagged_solver<Supernodal_cholesky<double>>;
-extern template class Lagged_solver<Supernodal_cholesky<Quaternion<double>>>;
+extern template class internal::Lagged_solver<Supernodal_cholesky<double>>;
+extern template class internal::Lagged_solver<Supernodal_cholesky<Quaternion<double>>>;
 
 }  // namespace Conformal_geometry_processing
 #endif

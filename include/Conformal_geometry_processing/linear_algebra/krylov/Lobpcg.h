@@ -83,7 +83,7 @@ Eigensolver_result lobpcg(const Block_function& apply_k, const Block_function& a
 /// \returns the best iterate; check `converged`
 /// \throws Precondition_error if the columns of x0 are dependent, or fewer than wanted
 /// \throws Solver_error if an operator returns values that are not finite
-template <class K, class N, class T, class GoFurther = Always_go_further>
+template <class K, class N, class T, class GoFurther = internal::Always_go_further>
 Eigensolver_result lobpcg(const K& apply_k, const N& apply_n, const T& precondition,
                           Block<Quaternion<double>> x0, const Eigensolver_options& options = {},
                           GoFurther go_further = {})
@@ -99,7 +99,7 @@ Eigensolver_result lobpcg(const K& apply_k, const N& apply_n, const T& precondit
 struct Lobpcg_eigensolver_traits {
   /// \param N the masses, or a Hermitian positive definite matrix
   /// \param solver has factorized A plus a small positive definite shift
-  template <class Masses, class Solver, class GoFurther = Always_go_further>
+  template <class Masses, class Solver, class GoFurther = internal::Always_go_further>
   Eigensolver_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A,
                                 const Masses& N, const Solver& solver, Block<Quaternion<double>> x0,
                                 const Eigensolver_options& options = {},

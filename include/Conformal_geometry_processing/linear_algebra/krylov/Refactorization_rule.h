@@ -19,6 +19,8 @@ namespace Conformal_geometry_processing {
 /// \param components number of real components of a scalar: 4 for quaternions
 double factorization_price(const Solver_statistics& s, int components);
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Decides when to refactor, from counted solves.
 ///
@@ -64,6 +66,8 @@ class Refactorization_rule {
   double m_earlier = 0;  // extra solves in the steps of this age before this one
   int m_pauses_left = 0, m_pause = 1;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -15,7 +15,7 @@ CGP_INLINE double factorization_price(const Solver_statistics& s, int components
   return 3 + 0.008 * s.flops / (static_cast<double>(s.factor_entries) * components);
 }
 
-CGP_INLINE bool Refactorization_rule::begin_step()
+CGP_INLINE bool internal::Refactorization_rule::begin_step()
 {
   const double last = extra();
   const bool is_worn = m_age > 0 && last * (m_age + 1) > m_price + m_earlier + last;
@@ -31,13 +31,13 @@ CGP_INLINE bool Refactorization_rule::begin_step()
   return true;
 }
 
-CGP_INLINE void Refactorization_rule::renewed()
+CGP_INLINE void internal::Refactorization_rule::renewed()
 {
   m_age = 0;
   m_earlier = m_solves = 0;
 }
 
-CGP_INLINE void Refactorization_rule::renewed_in_the_midst()
+CGP_INLINE void internal::Refactorization_rule::renewed_in_the_midst()
 {
   renewed();
   m_pauses_left = m_pause;

@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Some vectors V together with K V and N V, which an eigensolver for K x = N x theta
 /// combines linearly, so that K and N are not applied again to combinations.
@@ -35,43 +37,46 @@ struct Ritz_panel {
   void residual(Block<Quaternion<double>>& r) const;
 };
 
-/// \relates Ritz_panel
+}  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
 /// Computes K p.v and N p.v, in the memory of the panel
 template <class K, class N>
-void apply_operators(const K& apply_k, const N& apply_n, Ritz_panel& p)
+void apply_operators(const K& apply_k, const N& apply_n, internal::Ritz_panel& p)
 {
   apply_operator(apply_k, p.v, p.kv);
   apply_operator(apply_n, p.v, p.nv);
 }
 
-/// \relates Ritz_panel
+/// \ingroup PkgLinearAlgebra
 /// Makes a panel of v, K v and N v
 template <class K, class N>
-Ritz_panel make_panel(const K& apply_k, const N& apply_n, Block<Quaternion<double>> v,
-                      Coefficients coefficients = Coefficients::quaternions)
+internal::Ritz_panel make_panel(
+    const K& apply_k, const N& apply_n, Block<Quaternion<double>> v,
+    internal::Coefficients coefficients = internal::Coefficients::quaternions)
 {
-  Ritz_panel p{std::move(v), {}, {}, coefficients};
+  internal::Ritz_panel p{std::move(v), {}, {}, coefficients};
   apply_operators(apply_k, apply_n, p);
   return p;
 }
 
-/// \relates Ritz_panel
+/// \ingroup PkgLinearAlgebra
 /// \brief Computes p = p C + q D, in place
-void replace_by_combination(Ritz_panel& p, const Block<Quaternion<double>>& C, const Ritz_panel& q,
-                            const Block<Quaternion<double>>& D);
+void replace_by_combination(internal::Ritz_panel& p, const Block<Quaternion<double>>& C,
+                            const internal::Ritz_panel& q, const Block<Quaternion<double>>& D);
 
-/// \relates Ritz_panel
+/// \ingroup PkgLinearAlgebra
 /// \brief Projects p to the N-orthogonal complement of the N-orthonormal columns of `base`.
 ///
 /// Projects twice, because rounding errors of the first pass may dominate the rest of p.
-void project_out(Ritz_panel& p, const Ritz_panel& base);
+void project_out(internal::Ritz_panel& p, const internal::Ritz_panel& base);
 
-/// \relates Ritz_panel
+/// \ingroup PkgLinearAlgebra
 /// \brief Makes the columns of p N-orthonormal by the Gram-Schmidt process.
 ///
 /// Drops columns that depend on the previous ones, with a squared sine below 1e-11 to their span.
 /// Below this, a direction consists mostly of rounding errors and may lead to another eigenpair.
-void orthonormalize(Ritz_panel& p);
+void orthonormalize(internal::Ritz_panel& p);
 
 }  // namespace Conformal_geometry_processing
 

@@ -12,33 +12,34 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Block<Quaternion<double>> Ritz_panel::gram(const Block<Quaternion<double>>& A,
-                                                      const Block<Quaternion<double>>& B) const
+CGP_INLINE Block<Quaternion<double>> internal::Ritz_panel::gram(
+    const Block<Quaternion<double>>& A, const Block<Quaternion<double>>& B) const
 {
   return gram_matrix(A, B, coefficients);
 }
 
-CGP_INLINE double Ritz_panel::value(Eigen::Index j) const
+CGP_INLINE double internal::Ritz_panel::value(Eigen::Index j) const
 {
   return inner_product(v.col(j), kv.col(j)).w / inner_product(v.col(j), nv.col(j)).w;
 }
 
-CGP_INLINE void Ritz_panel::residual(Block<Quaternion<double>>& r) const
+CGP_INLINE void internal::Ritz_panel::residual(Block<Quaternion<double>>& r) const
 {
   r = kv;
   for (Eigen::Index j = 0; j < size(); ++j)
     add_multiple(r.col(j), nv.col(j), Quaternion<double>{-value(j), 0, 0, 0});
 }
 
-CGP_INLINE void replace_by_combination(Ritz_panel& p, const Block<Quaternion<double>>& C,
-                                       const Ritz_panel& q, const Block<Quaternion<double>>& D)
+CGP_INLINE void replace_by_combination(internal::Ritz_panel& p, const Block<Quaternion<double>>& C,
+                                       const internal::Ritz_panel& q,
+                                       const Block<Quaternion<double>>& D)
 {
   replace_by_combination(p.v, C, q.v, D);
   replace_by_combination(p.kv, C, q.kv, D);
   replace_by_combination(p.nv, C, q.nv, D);
 }
 
-CGP_INLINE void project_out(Ritz_panel& p, const Ritz_panel& base)
+CGP_INLINE void project_out(internal::Ritz_panel& p, const internal::Ritz_panel& base)
 {
   if (p.size() == 0 || base.size() == 0) return;
   for (int pass = 0; pass < 2; ++pass) {
@@ -68,7 +69,7 @@ CGP_INLINE void project_column(Ritz_panel& p, Eigen::Index j)
 
 }  // namespace internal
 
-CGP_INLINE void orthonormalize(Ritz_panel& p)
+CGP_INLINE void orthonormalize(internal::Ritz_panel& p)
 {
   const double degenerate = 1e-11;
   Eigen::Index kept = 0;

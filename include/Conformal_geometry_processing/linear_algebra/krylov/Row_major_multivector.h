@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Many quaternionic vectors of n entries, stored row by row, so that inner products and
 /// combinations are products of *real* matrices: for hundreds of vectors, several times faster than
@@ -53,6 +55,8 @@ class Row_major_multivector {
   Numbers m_numbers;
   Eigen::Index m_size = 0;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -13,7 +13,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE void Row_major_multivector::append(const Vectors& v)
+CGP_INLINE void internal::Row_major_multivector::append(const Vectors& v)
 {
   for (Eigen::Index j = 0; j < v.cols(); ++j, ++m_size)
     for (Eigen::Index i = 0; i < v.rows(); ++i) {
@@ -22,8 +22,8 @@ CGP_INLINE void Row_major_multivector::append(const Vectors& v)
     }
 }
 
-CGP_INLINE Row_major_multivector::Vectors Row_major_multivector::columns(Eigen::Index first,
-                                                                         Eigen::Index count) const
+CGP_INLINE internal::Row_major_multivector::Vectors internal::Row_major_multivector::columns(
+    Eigen::Index first, Eigen::Index count) const
 {
   Vectors v(rows(), count);
   for (Eigen::Index j = 0; j < count; ++j)
@@ -34,8 +34,8 @@ CGP_INLINE Row_major_multivector::Vectors Row_major_multivector::columns(Eigen::
   return v;
 }
 
-CGP_INLINE Row_major_multivector::Vectors Row_major_multivector::gram(
-    const Vectors& w, Coefficients coefficients) const
+CGP_INLINE internal::Row_major_multivector::Vectors internal::Row_major_multivector::gram(
+    const Vectors& w, internal::Coefficients coefficients) const
 {
   const Numbers products = used().transpose() * numbers(w);
   Vectors G(size(), w.cols());
@@ -50,7 +50,8 @@ CGP_INLINE Row_major_multivector::Vectors Row_major_multivector::gram(
   return G;
 }
 
-CGP_INLINE Row_major_multivector::Vectors Row_major_multivector::combination(const Vectors& C) const
+CGP_INLINE internal::Row_major_multivector::Vectors internal::Row_major_multivector::combination(
+    const Vectors& C) const
 {
   const Numbers products = used() * right_factors(C);
   Vectors v(rows(), C.cols());
@@ -61,7 +62,7 @@ CGP_INLINE Row_major_multivector::Vectors Row_major_multivector::combination(con
   return v;
 }
 
-CGP_INLINE void Row_major_multivector::combine(const Vectors& C)
+CGP_INLINE void internal::Row_major_multivector::combine(const Vectors& C)
 {
   const Numbers factors = right_factors(C);
   const Eigen::Index most = 512;
@@ -73,14 +74,16 @@ CGP_INLINE void Row_major_multivector::combine(const Vectors& C)
   m_size = C.cols();
 }
 
-CGP_INLINE Row_major_multivector::Numbers Row_major_multivector::numbers(const Vectors& v)
+CGP_INLINE internal::Row_major_multivector::Numbers internal::Row_major_multivector::numbers(
+    const Vectors& v)
 {
-  Row_major_multivector panel(v.rows(), v.cols());
+  internal::Row_major_multivector panel(v.rows(), v.cols());
   panel.append(v);
   return std::move(panel.m_numbers);
 }
 
-CGP_INLINE Row_major_multivector::Numbers Row_major_multivector::right_factors(const Vectors& C)
+CGP_INLINE internal::Row_major_multivector::Numbers internal::Row_major_multivector::right_factors(
+    const Vectors& C)
 {
   Numbers factors(4 * C.rows(), 4 * C.cols());
   for (Eigen::Index i = 0; i < C.rows(); ++i)

@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 struct Conjugate_gradients_options {
   double tolerance = 1e-9;   ///< of the error relative to the solution, in the energy norm
@@ -27,8 +29,6 @@ struct Conjugate_gradients_result {
   int iterations = 0;
   Vector<FT> estimates;  ///< of the relative errors in the energy norm, one for each column
 };
-
-namespace internal {
 
 // The state of one run. Columns with an estimate below the tolerance are not updated.
 template <class Scalar, class K, class T>
@@ -152,11 +152,11 @@ class Conjugate_gradients {
 /// \param x receives the last iterate, converged or not. The run ends if K or T turns out not to be
 ///   definite, or a value is not finite.
 template <class K, class T, class Scalar>
-Conjugate_gradients_result<typename Scalar_traits<Scalar>::FT> conjugate_gradients(
-    const K& apply_k, const T& precondition, const Block<Scalar>& b, Block<Scalar>& x,
-    const Conjugate_gradients_options& options = {})
+internal::Conjugate_gradients_result<typename internal::Scalar_traits<Scalar>::FT>
+conjugate_gradients(const K& apply_k, const T& precondition, const Block<Scalar>& b,
+                    Block<Scalar>& x, const internal::Conjugate_gradients_options& options = {})
 {
-  using FT = typename Scalar_traits<Scalar>::FT;
+  using FT = typename internal::Scalar_traits<Scalar>::FT;
   internal::Conjugate_gradients<Scalar, K, T> run(apply_k, precondition, b,
                                                   static_cast<FT>(options.tolerance));
   for (int i = 0; i < options.max_iterations && run.step(); ++i) run.turn();

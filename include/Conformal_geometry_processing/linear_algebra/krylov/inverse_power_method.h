@@ -23,14 +23,14 @@ namespace Conformal_geometry_processing {
 /// every step. Two solves per iteration: one for the step, one for the error estimate.
 ///
 /// \param invert maps b to the solution of K x = b; for other parameters and errors see `lobpcg()`
-template <class K, class N, class T, class GoFurther = Always_go_further>
+template <class K, class N, class T, class GoFurther = internal::Always_go_further>
 Eigensolver_result inverse_power_method(const K& apply_k, const N& apply_n, const T& invert,
                                         Block<Quaternion<double>> x0,
                                         const Eigensolver_options& options = {},
                                         GoFurther go_further = {})
 {
-  Eigensolver_convergence convergence("inverse_power_method", options, x0);
-  Ritz_panel x =
+  internal::Eigensolver_convergence convergence("inverse_power_method", options, x0);
+  internal::Ritz_panel x =
       convergence.initial(make_panel(apply_k, apply_n, std::move(x0), options.coefficients));
   Block<Quaternion<double>> r, Tr;
   while (true) {
@@ -58,7 +58,7 @@ Eigensolver_result inverse_power_method(const K& apply_k, const N& apply_n, cons
 struct Inverse_power_eigensolver_traits {
   /// \param N the masses, or a Hermitian positive definite matrix
   /// \param solver has factorized A plus a small positive definite shift
-  template <class Masses, class Solver, class GoFurther = Always_go_further>
+  template <class Masses, class Solver, class GoFurther = internal::Always_go_further>
   Eigensolver_result operator()(const Hermitian_sparse_matrix<Quaternion<double>>& A,
                                 const Masses& N, const Solver& solver, Block<Quaternion<double>> x0,
                                 const Eigensolver_options& options = {},

@@ -12,6 +12,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// Number of eigenpairs, and stopping criteria
 struct Krylov_options {
@@ -38,6 +40,8 @@ struct Krylov_result {
   bool cancelled = false;
 };
 
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Computes the eigenpairs of K x = theta N x with the largest |theta|, for indefinite K, by
 /// the block Krylov-Schur method (a Lanczos method with restarts) over the quaternions.
@@ -56,10 +60,11 @@ struct Krylov_result {
 /// \param go_further called with `Krylov_progress` before every restart; false cancels
 /// \throw Precondition_error if `wanted` is less than one or exceeds the number of eigenpairs
 /// \throw Solver_error if an operator returns values that are not finite
-Krylov_result krylov_schur(const Pencil& pencil, Eigen::Index rows,
-                           const std::function<Block<Quaternion<double>>(Eigen::Index)>& noise,
-                           const Krylov_options& options = {},
-                           const std::function<bool(const Krylov_progress&)>& go_further = {});
+internal::Krylov_result krylov_schur(
+    const internal::Pencil& pencil, Eigen::Index rows,
+    const std::function<Block<Quaternion<double>>(Eigen::Index)>& noise,
+    const internal::Krylov_options& options = {},
+    const std::function<bool(const internal::Krylov_progress&)>& go_further = {});
 
 }  // namespace Conformal_geometry_processing
 

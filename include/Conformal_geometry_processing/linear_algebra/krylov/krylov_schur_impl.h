@@ -64,17 +64,18 @@ CGP_INLINE Vector<double> true_residuals(const Pencil& pencil, const Block<Quate
 
 }  // namespace internal
 
-CGP_INLINE Krylov_result krylov_schur(
-    const Pencil& pencil, Eigen::Index rows,
+CGP_INLINE internal::Krylov_result krylov_schur(
+    const internal::Pencil& pencil, Eigen::Index rows,
     const std::function<Block<Quaternion<double>>(Eigen::Index)>& noise,
-    const Krylov_options& options, const std::function<bool(const Krylov_progress&)>& go_further)
+    const internal::Krylov_options& options,
+    const std::function<bool(const internal::Krylov_progress&)>& go_further)
 {
   const Eigen::Index wanted = options.wanted;
   if (wanted < 1) throw Precondition_error("krylov_schur", "at least one eigenpair must be wanted");
   const auto block =
       static_cast<Eigen::Index>(std::ceil(std::sqrt(static_cast<double>(wanted)))) + 2;
   internal::Krylov_space space(pencil, rows, wanted + 9 * block);
-  Krylov_result result;
+  internal::Krylov_result result;
   space.begin_with(noise(block));
   for (bool is_confirmed = false;; ++result.restarts) {
     while (space.has_next() && space.has_room()) space.extend();

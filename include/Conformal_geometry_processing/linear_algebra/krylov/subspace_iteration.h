@@ -15,6 +15,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// Stopping criteria of `subspace_iteration()`
 struct Subspace_options {
@@ -36,6 +38,8 @@ struct Subspace_result {
   Solver_status status = Solver_status::success;  ///< of the solves
 };
 
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Computes the smallest eigenvalue of A x = mu B x by inverse subspace iteration with the
 /// Rayleigh-Ritz method.
@@ -50,12 +54,13 @@ struct Subspace_result {
 /// change the eigenvectors.
 /// \param x initial vectors, one per column
 template <class Solver, class Scalar>
-Subspace_result<Scalar> subspace_iteration(const Hermitian_sparse_matrix<Scalar>& A,
-                                           const Centered_mass<Scalar>& B, double shift,
-                                           const Solver& solver, Block<Scalar> x,
-                                           const Subspace_options& options = {})
+internal::Subspace_result<Scalar> subspace_iteration(const Hermitian_sparse_matrix<Scalar>& A,
+                                                     const internal::Centered_mass<Scalar>& B,
+                                                     double shift, const Solver& solver,
+                                                     Block<Scalar> x,
+                                                     const internal::Subspace_options& options = {})
 {
-  Subspace_result<Scalar> result;
+  internal::Subspace_result<Scalar> result;
   B.orthonormalize(x);
   while (result.iterations < options.maximum_number_of_iterations && !result.converged) {
     const Block<Scalar> b = B * x;
@@ -75,7 +80,7 @@ Subspace_result<Scalar> subspace_iteration(const Hermitian_sparse_matrix<Scalar>
     const Vector<Scalar> defect =
         mu * (b * turn.col(0)) - A * v - Scalar(shift) * B.weights().cwiseProduct(v);
     // |correction|^2 in the norm of A + shift D, relative to that of v
-    const double error = Scalar_traits<Scalar>::real(correction.dot(defect)) / mu;
+    const double error = internal::Scalar_traits<Scalar>::real(correction.dot(defect)) / mu;
     x = y * turn;
     B.orthonormalize(x);
     ++result.iterations;

@@ -15,6 +15,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Parameters of a multigrid hierarchy.
 struct Multigrid_options {
@@ -120,6 +122,8 @@ class Multigrid_cycle {
   Block<Entry> m_solution;        // on the coarsest level
   Aligned_array<float> m_coarse;  // likewise, with four numbers per vertex
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -13,12 +13,13 @@
 namespace Conformal_geometry_processing {
 
 template <class Entry>
-Solver_status Multigrid_cycle<Entry>::build(Matrix A, const Multigrid_options& options)
+Solver_status internal::Multigrid_cycle<Entry>::build(Matrix A,
+                                                      const internal::Multigrid_options& options)
 {
   release();
   do {
     if (!has_positive_diagonal(A)) return Solver_status::not_positive_definite;
-    Prolongation P = make_prolongation(A, options);
+    internal::Prolongation P = make_prolongation(A, options);
     Matrix coarse = galerkin_product(A, P);
     m_levels.emplace_back(std::move(A), std::move(P));
     A = std::move(coarse);
@@ -27,7 +28,7 @@ Solver_status Multigrid_cycle<Entry>::build(Matrix A, const Multigrid_options& o
 }
 
 template <class Entry>
-void Multigrid_cycle<Entry>::release()
+void internal::Multigrid_cycle<Entry>::release()
 {
   m_levels.clear();
   m_coarsest.release();
@@ -36,7 +37,7 @@ void Multigrid_cycle<Entry>::release()
 }
 
 template <class Entry>
-Solver_statistics Multigrid_cycle<Entry>::statistics() const
+Solver_statistics internal::Multigrid_cycle<Entry>::statistics() const
 {
   Solver_statistics s;
   if (coarsest_size() > 0) s = m_coarsest.statistics();
@@ -47,13 +48,14 @@ Solver_statistics Multigrid_cycle<Entry>::statistics() const
     s.factor_entries += level.matrix().pattern().size_of_entries();
     s.bytes += static_cast<double>(level.bytes());
     // Every entry is multiplied by the weights of its row and its column.
-    s.flops += 2 * Scalar_planes<Entry>::size * entries * std::pow(weights / level.size(), 2);
+    s.flops +=
+        2 * internal::Scalar_planes<Entry>::size * entries * std::pow(weights / level.size(), 2);
   }
   return s;
 }
 
 template <class Entry>
-bool Multigrid_cycle<Entry>::has_positive_diagonal(const Matrix& A)
+bool internal::Multigrid_cycle<Entry>::has_positive_diagonal(const Matrix& A)
 {
   bool is_positive = true;
   for (int i = 0; i < A.size(); ++i) is_positive = is_positive && A.diagonal(i) > 0;
@@ -61,15 +63,15 @@ bool Multigrid_cycle<Entry>::has_positive_diagonal(const Matrix& A)
 }
 
 template <class Entry>
-Prolongation Multigrid_cycle<Entry>::make_prolongation(const Matrix& A,
-                                                       const Multigrid_options& options)
+internal::Prolongation internal::Multigrid_cycle<Entry>::make_prolongation(
+    const Matrix& A, const internal::Multigrid_options& options)
 {
-  const Connection_graph graph = strong_connections(A, options.strength);
+  const internal::Connection_graph graph = strong_connections(A, options.strength);
   return smoothed_prolongation(graph, aggregate(graph), options.smoothing);
 }
 
 template <class Entry>
-Solver_status Multigrid_cycle<Entry>::factorize_coarsest(const Matrix& A)
+Solver_status internal::Multigrid_cycle<Entry>::factorize_coarsest(const Matrix& A)
 {
   m_solution.resize(A.size(), columns);
   m_coarse.resize(std::int64_t(4) * A.size());
@@ -86,14 +88,14 @@ Solver_status Multigrid_cycle<Entry>::factorize_coarsest(const Matrix& A)
 
 // The four numbers of vertex I one level below l.
 template <class Entry>
-float* Multigrid_cycle<Entry>::below(std::size_t l, int I)
+float* internal::Multigrid_cycle<Entry>::below(std::size_t l, int I)
 {
   return l + 1 < m_levels.size() ? m_levels[l + 1].vector(I)
                                  : m_coarse.data() + std::ptrdiff_t(4) * I;
 }
 
 template <class Entry>
-Solver_status Multigrid_cycle<Entry>::descend(std::size_t l)
+Solver_status internal::Multigrid_cycle<Entry>::descend(std::size_t l)
 {
   using Register = Lanes::Register;
   Level& level = m_levels[l];
@@ -111,7 +113,7 @@ Solver_status Multigrid_cycle<Entry>::descend(std::size_t l)
 }
 
 template <class Entry>
-Solver_status Multigrid_cycle<Entry>::solve_coarsest()
+Solver_status internal::Multigrid_cycle<Entry>::solve_coarsest()
 {
   const int size = coarsest_size();
   if (size == 0) return Solver_status::success;
@@ -128,8 +130,8 @@ Solver_status Multigrid_cycle<Entry>::solve_coarsest()
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Multigrid_cycle<float>;
-extern template class Multigrid_cycle<Quaternion<float>>;
+extern template class internal::Multigrid_cycle<float>;
+extern template class internal::Multigrid_cycle<Quaternion<float>>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief One level of a multigrid hierarchy: a matrix A, the prolongation from the next coarser
 /// level, and Gauss-Seidel smoothing before and after the coarse-grid correction.
@@ -94,6 +96,8 @@ class Multigrid_level {
   Prolongation m_prolongation;
   Aligned_array<float> m_vectors;  // 4 + 4 numbers per vertex
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -11,19 +11,19 @@
 namespace Conformal_geometry_processing {
 
 template <class Entry>
-Multigrid_level<Entry>::Multigrid_level(Matrix A, Prolongation P)
+internal::Multigrid_level<Entry>::Multigrid_level(Matrix A, internal::Prolongation P)
     : m_matrix(std::move(A)), m_prolongation(std::move(P))
 {
   m_vectors.resize(std::int64_t(stride) * size());
 }
 
 template <class Entry>
-void Multigrid_level<Entry>::smooth_first()
+void internal::Multigrid_level<Entry>::smooth_first()
 {
   for (int j = size() - 1; j >= 0; --j) {
     Register x;
     Lanes::load(vector(j), x);
-    Conjugate_sum<Entry> sum;
+    internal::Conjugate_sum<Entry> sum;
     const int diagonal = begin(j), end = begin(j + 1);
     for (int k = diagonal + 1; k < end; ++k) {
       Register xi;
@@ -31,10 +31,10 @@ void Multigrid_level<Entry>::smooth_first()
       sum.add(m_matrix.value(k), xi);
     }
     sum.subtract_from(x);
-    x /= Scalar_traits<Entry>::real(m_matrix.value(diagonal));
+    x /= internal::Scalar_traits<Entry>::real(m_matrix.value(diagonal));
     Lanes::store(vector(j), x);
     Lanes::store(residual(j), Register{});
-    const Scattered_product<Entry> product(x);
+    const internal::Scattered_product<Entry> product(x);
     for (int k = diagonal + 1; k < end; ++k) {
       Register ri;
       Lanes::load(residual(row(k)), ri);
@@ -45,7 +45,7 @@ void Multigrid_level<Entry>::smooth_first()
 }
 
 template <class Entry>
-std::int64_t Multigrid_level<Entry>::bytes() const
+std::int64_t internal::Multigrid_level<Entry>::bytes() const
 {
   const auto entries = static_cast<std::int64_t>(m_matrix.pattern().indices.size());
   return entries * std::int64_t(sizeof(Entry)) + std::int64_t(sizeof(float)) * m_vectors.size() +
@@ -54,12 +54,12 @@ std::int64_t Multigrid_level<Entry>::bytes() const
 
 // Computes (D + L)^-1 (D x - L^H e), with D x in `vector` and the correction e in `residual`.
 template <class Entry>
-void Multigrid_level<Entry>::smooth_last()
+void internal::Multigrid_level<Entry>::smooth_last()
 {
   for (int j = 0; j < size(); ++j) {
     Register x;
     Lanes::load(vector(j), x);
-    Conjugate_sum<Entry> sum;
+    internal::Conjugate_sum<Entry> sum;
     const int diagonal = begin(j), end = begin(j + 1);
     for (int k = diagonal + 1; k < end; ++k) {
       Register ei;
@@ -67,9 +67,9 @@ void Multigrid_level<Entry>::smooth_last()
       sum.add(m_matrix.value(k), ei);
     }
     sum.subtract_from(x);
-    x /= Scalar_traits<Entry>::real(m_matrix.value(diagonal));
+    x /= internal::Scalar_traits<Entry>::real(m_matrix.value(diagonal));
     Lanes::store(vector(j), x);
-    const Scattered_product<Entry> product(x);
+    const internal::Scattered_product<Entry> product(x);
     for (int k = diagonal + 1; k < end; ++k) {
       Register xi;
       Lanes::load(vector(row(k)), xi);
@@ -84,8 +84,8 @@ void Multigrid_level<Entry>::smooth_last()
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Multigrid_level<float>;
-extern template class Multigrid_level<Quaternion<float>>;
+extern template class internal::Multigrid_level<float>;
+extern template class internal::Multigrid_level<Quaternion<float>>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -10,6 +10,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves by smoothed aggregation multigrid; for large meshes, where the factor of a direct
 /// solver takes too much time or memory.
@@ -116,12 +118,14 @@ class Multigrid_solver {
   mutable int m_iterations = 0;
 };
 
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Multigrid for real and quaternionic matrices; header-only.
 /// \cgalModels{SparseHermitianSolverTraits}
 struct Multigrid_solver_traits {
   template <class Scalar>
-  using Solver = Multigrid_solver<Scalar>;
+  using Solver = internal::Multigrid_solver<Scalar>;
 };
 
 }  // namespace Conformal_geometry_processing

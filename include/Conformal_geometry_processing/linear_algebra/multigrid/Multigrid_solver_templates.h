@@ -18,19 +18,19 @@
 namespace Conformal_geometry_processing {
 
 template <class Scalar_>
-Solver_status Multigrid_solver<Scalar_>::analyze(const Sparse_pattern& pattern)
+Solver_status internal::Multigrid_solver<Scalar_>::analyze(const Sparse_pattern& pattern)
 {
   return internal::guarded([&] {
     if (pattern.size() <= direct_size) return analyze(pattern, amd_ordering(pattern));
-    Ordering identity(static_cast<std::size_t>(pattern.size()));
+    internal::Ordering identity(static_cast<std::size_t>(pattern.size()));
     std::iota(identity.begin(), identity.end(), 0);
     return analyze(pattern, identity);
   });
 }
 
 template <class Scalar_>
-Solver_status Multigrid_solver<Scalar_>::analyze(const Sparse_pattern& pattern,
-                                                 const Ordering& order)
+Solver_status internal::Multigrid_solver<Scalar_>::analyze(const Sparse_pattern& pattern,
+                                                           const internal::Ordering& order)
 {
   return internal::guarded([&] {
     m_state = State::empty;
@@ -48,15 +48,15 @@ Solver_status Multigrid_solver<Scalar_>::analyze(const Sparse_pattern& pattern,
 }
 
 template <class Scalar_>
-Solver_status Multigrid_solver<Scalar_>::analyze_with_positions(const Sparse_pattern& pattern,
-                                                                const Eigen::Matrix3Xd&)
+Solver_status internal::Multigrid_solver<Scalar_>::analyze_with_positions(
+    const Sparse_pattern& pattern, const Eigen::Matrix3Xd&)
 {
   return analyze(pattern);
 }
 
 template <class Scalar_>
-Solver_status Multigrid_solver<Scalar_>::factorize(const Hermitian_sparse_matrix<Scalar>& A,
-                                                   const Vector<FT>& shift)
+Solver_status internal::Multigrid_solver<Scalar_>::factorize(
+    const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
 {
   return internal::guarded([&] {
     if (m_state == State::empty || A.size() != size() ||
@@ -74,7 +74,7 @@ Solver_status Multigrid_solver<Scalar_>::factorize(const Hermitian_sparse_matrix
 }
 
 template <class Scalar_>
-void Multigrid_solver<Scalar_>::release()
+void internal::Multigrid_solver<Scalar_>::release()
 {
   if (m_state == State::factorized) m_state = State::analyzed;
   m_direct.release();
@@ -83,8 +83,8 @@ void Multigrid_solver<Scalar_>::release()
 }
 
 template <class Scalar_>
-Solver_status Multigrid_solver<Scalar_>::precondition(const Block<Scalar>& b,
-                                                      Block<Scalar>& x) const
+Solver_status internal::Multigrid_solver<Scalar_>::precondition(const Block<Scalar>& b,
+                                                                Block<Scalar>& x) const
 {
   return internal::guarded([&] {
     if (!is_ready(b)) return Solver_status::wrong_state;
@@ -99,7 +99,8 @@ Solver_status Multigrid_solver<Scalar_>::precondition(const Block<Scalar>& b,
 }
 
 template <class Scalar_>
-Solver_status Multigrid_solver<Scalar_>::solve(const Block<Scalar>& b, Block<Scalar>& x) const
+Solver_status internal::Multigrid_solver<Scalar_>::solve(const Block<Scalar>& b,
+                                                         Block<Scalar>& x) const
 {
   return internal::guarded([&] {
     if (!is_ready(b)) return Solver_status::wrong_state;
@@ -108,14 +109,14 @@ Solver_status Multigrid_solver<Scalar_>::solve(const Block<Scalar>& b, Block<Sca
 }
 
 template <class Scalar_>
-auto Multigrid_solver<Scalar_>::cycle() const
-    -> const Multigrid_cycle<typename Rounding_remainder<Scalar>::Entry>&
+auto internal::Multigrid_solver<Scalar_>::cycle() const
+    -> const internal::Multigrid_cycle<typename internal::Rounding_remainder<Scalar>::Entry>&
 {
   return m_cycle;
 }
 
 template <class Scalar_>
-Solver_statistics Multigrid_solver<Scalar_>::statistics() const
+Solver_statistics internal::Multigrid_solver<Scalar_>::statistics() const
 {
   if (m_state == State::empty) return {};
   if (is_direct()) return m_direct.statistics();
@@ -126,14 +127,14 @@ Solver_statistics Multigrid_solver<Scalar_>::statistics() const
 }
 
 template <class Scalar_>
-bool Multigrid_solver<Scalar_>::is_ready(const Block<Scalar>& b) const
+bool internal::Multigrid_solver<Scalar_>::is_ready(const Block<Scalar>& b) const
 {
   return m_state == State::factorized && b.rows() == size();
 }
 
 template <class Scalar_>
-Solver_status Multigrid_solver<Scalar_>::build(const Hermitian_sparse_matrix<Scalar>& A,
-                                               const Vector<FT>& shift)
+Solver_status internal::Multigrid_solver<Scalar_>::build(const Hermitian_sparse_matrix<Scalar>& A,
+                                                         const Vector<FT>& shift)
 {
   auto rounded = m_remainder.split(A, shift);
   if (!m_remainder.is_finite()) return Solver_status::numerical_issue;
@@ -141,7 +142,8 @@ Solver_status Multigrid_solver<Scalar_>::build(const Hermitian_sparse_matrix<Sca
 }
 
 template <class Scalar_>
-Solver_status Multigrid_solver<Scalar_>::iterate(const Block<Scalar>& b, Block<Scalar>& x) const
+Solver_status internal::Multigrid_solver<Scalar_>::iterate(const Block<Scalar>& b,
+                                                           Block<Scalar>& x) const
 {
   Solver_status status = Solver_status::success;
   const auto multiply = [&](const Block<Scalar>& p) {
@@ -167,19 +169,22 @@ Solver_status Multigrid_solver<Scalar_>::iterate(const Block<Scalar>& b, Block<S
 
 // Loads vertex i of columns c, c + 1, ..., up to four numbers, padded with zeros.
 template <class Scalar_>
-void Multigrid_solver<Scalar_>::load(const Block<Scalar>& b, int i, Eigen::Index c, double* to)
+void internal::Multigrid_solver<Scalar_>::load(const Block<Scalar>& b, int i, Eigen::Index c,
+                                               double* to)
 {
-  constexpr int planes = Scalar_planes<Scalar>::size;
+  constexpr int planes = internal::Scalar_planes<Scalar>::size;
   for (int k = 0; k < columns; ++k)
-    Scalar_planes<Scalar>::get(c + k < b.cols() ? b(i, c + k) : Scalar{}, to + k * planes);
+    internal::Scalar_planes<Scalar>::get(c + k < b.cols() ? b(i, c + k) : Scalar{},
+                                         to + k * planes);
 }
 
 template <class Scalar_>
-void Multigrid_solver<Scalar_>::store(const double* from, int i, Eigen::Index c, Block<Scalar>& x)
+void internal::Multigrid_solver<Scalar_>::store(const double* from, int i, Eigen::Index c,
+                                                Block<Scalar>& x)
 {
-  constexpr int planes = Scalar_planes<Scalar>::size;
+  constexpr int planes = internal::Scalar_planes<Scalar>::size;
   for (int k = 0; k < columns && c + k < x.cols(); ++k)
-    x(i, c + k) = Scalar_planes<Scalar>::put(from + k * planes);
+    x(i, c + k) = internal::Scalar_planes<Scalar>::put(from + k * planes);
 }
 
 }  // namespace Conformal_geometry_processing
@@ -187,8 +192,8 @@ void Multigrid_solver<Scalar_>::store(const double* from, int i, Eigen::Index c,
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Multigrid_solver<double>;
-extern template class Multigrid_solver<Quaternion<double>>;
+extern template class internal::Multigrid_solver<double>;
+extern template class internal::Multigrid_solver<Quaternion<double>>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -10,6 +10,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief A sparse real matrix P, row by row, that interpolates vectors from a coarse to a fine
 /// level; its transpose restricts residuals.
@@ -32,7 +34,9 @@ struct Prolongation {
   }
 };
 
-/// \relates Prolongation
+}  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
 /// \brief Computes a prolongation that is piecewise constant on the aggregates, smoothed by one
 /// step of weighted Jacobi along the connections: row i is
 /// (1 - omega) e(i) + omega sum_j w_ij e(j) / sum_j w_ij, with e(j) the unit vector of the
@@ -40,8 +44,8 @@ struct Prolongation {
 ///
 /// Rows have no negative entries and sum to one, so constants are reproduced exactly; rows of
 /// vertices without connections are empty, because smoothing solves for these.
-Prolongation smoothed_prolongation(const Connection_graph& graph, const Aggregation& a,
-                                   double omega);
+internal::Prolongation smoothed_prolongation(const internal::Connection_graph& graph,
+                                             const internal::Aggregation& a, double omega);
 
 }  // namespace Conformal_geometry_processing
 

@@ -11,15 +11,16 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE std::size_t Prolongation::bytes() const
+CGP_INLINE std::size_t internal::Prolongation::bytes() const
 {
   return sizeof(int) * (offsets.size() + columns.size()) + sizeof(float) * weights.size();
 }
 
-CGP_INLINE Prolongation smoothed_prolongation(const Connection_graph& graph, const Aggregation& a,
-                                              double omega)
+CGP_INLINE internal::Prolongation smoothed_prolongation(const internal::Connection_graph& graph,
+                                                        const internal::Aggregation& a,
+                                                        double omega)
 {
-  Prolongation P;
+  internal::Prolongation P;
   P.coarse_size = a.size;
   P.offsets.reserve(static_cast<std::size_t>(graph.size()) + 1);
   P.offsets.push_back(0);

@@ -19,8 +19,6 @@ Quaternion<float> to_single(const Quaternion<double>& s);
 double to_double(float s);
 Quaternion<double> to_double(const Quaternion<float>& s);
 
-}  // namespace internal
-
 /// \ingroup PkgLinearAlgebra
 /// \brief The remainder of a matrix after rounding to single precision.
 ///
@@ -95,6 +93,8 @@ class Rounding_remainder {
   Vector<Entry> m_values;  // parallel to those of the rounded matrix
   bool m_is_finite = true;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

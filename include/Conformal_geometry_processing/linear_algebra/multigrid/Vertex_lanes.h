@@ -9,6 +9,7 @@
 #include <type_traits>
 
 namespace Conformal_geometry_processing {
+namespace internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief The four numbers of a vector at one vertex: the components w, x, y, z of a quaternion, or
@@ -142,6 +143,8 @@ class Scattered_product<Quaternion<Real>> {
  private:
   typename Lanes::Register m_x, m_ix, m_jx, m_kx;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief A partition of the vertices of a graph into connected groups.
 struct Aggregation {
@@ -16,13 +18,15 @@ struct Aggregation {
   int size = 0;                   ///< number of aggregates
 };
 
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Groups vertices with their neighborhoods: about nine vertices each on a triangle mesh.
 ///
 /// Vertices with free neighborhoods become centres, in the order of their numbers; each remaining
 /// vertex joins the neighborhood with the strongest connection (one exists, because otherwise the
 /// vertex would be a centre). Every aggregate has at least two vertices. Linear time.
-Aggregation aggregate(const Connection_graph& graph);
+internal::Aggregation aggregate(const internal::Connection_graph& graph);
 
 }  // namespace Conformal_geometry_processing
 

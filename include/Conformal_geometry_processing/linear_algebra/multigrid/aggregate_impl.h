@@ -28,9 +28,9 @@ CGP_INLINE void seed_aggregates(const Connection_graph& graph, Aggregation& a)
 
 }  // namespace internal
 
-CGP_INLINE Aggregation aggregate(const Connection_graph& graph)
+CGP_INLINE internal::Aggregation aggregate(const internal::Connection_graph& graph)
 {
-  Aggregation a;
+  internal::Aggregation a;
   a.aggregate_of.assign(static_cast<std::size_t>(graph.size()), -1);
   internal::seed_aggregates(graph, a);
   // Considers the initial neighborhoods only, so that aggregates stay round.

@@ -122,7 +122,7 @@ Sparse_rows<Scalar> folded_to_lower_triangle(const Sparse_rows<Scalar>& S)
 /// \pre every column of P has an entry
 template <class Scalar>
 Hermitian_sparse_matrix<Scalar> galerkin_product(const Hermitian_sparse_matrix<Scalar>& A,
-                                                 const Prolongation& P)
+                                                 const internal::Prolongation& P)
 {
   const internal::Sparse_rows<Scalar> folded =
       internal::folded_to_lower_triangle(internal::half_galerkin_product(A, P));

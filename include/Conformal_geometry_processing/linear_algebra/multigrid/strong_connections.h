@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief An undirected graph with positive weights: every edge is in the lists of both its ends.
 struct Connection_graph {
@@ -25,6 +27,8 @@ struct Connection_graph {
   float weight(int k) const { return weights[static_cast<std::size_t>(k)]; }
 };
 
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Finds the strongly connected pairs of rows: i and j are connected, with weight
 /// w = -Re A_ij, if w > threshold sqrt(A_ii A_jj).
@@ -33,18 +37,19 @@ struct Connection_graph {
 /// slowly along these connections. Positive entries (opposite obtuse angles) are ignored.
 /// \pre the diagonal of A is positive
 template <class Scalar>
-Connection_graph strong_connections(const Hermitian_sparse_matrix<Scalar>& A, double threshold)
+internal::Connection_graph strong_connections(const Hermitian_sparse_matrix<Scalar>& A,
+                                              double threshold)
 {
   const auto for_each_connection = [&](auto visit) {
     A.for_each_entry([&](int i, int j, const Scalar& a) {
       if (i == j) return;
-      const double w = -static_cast<double>(Scalar_traits<Scalar>::real(a));
+      const double w = -static_cast<double>(internal::Scalar_traits<Scalar>::real(a));
       const double d = static_cast<double>(A.diagonal(i)) * static_cast<double>(A.diagonal(j));
       if (w > 0 && w * w > threshold * threshold * d) visit(i, j, static_cast<float>(w));
     });
   };
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  Connection_graph g;
+  internal::Connection_graph g;
   g.offsets.assign(at(A.size()) + 1, 0);
   for_each_connection([&](int i, int j, float) { ++g.offsets[at(i) + 1], ++g.offsets[at(j) + 1]; });
   for (int i = 0; i < A.size(); ++i) g.offsets[at(i) + 1] += g.offsets[at(i)];

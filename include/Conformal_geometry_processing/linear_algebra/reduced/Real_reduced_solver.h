@@ -10,6 +10,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves with R = B^T (X + diag(shift)) B as a sparse real matrix, with a solver for real
 /// matrices. Simple, and the best choice if most of the vertices lie on the boundary.
@@ -41,6 +43,8 @@ class Real_reduced_solver {
   RealSolver m_solver;
   bool m_is_factorized = false;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -11,9 +11,9 @@
 namespace Conformal_geometry_processing {
 
 template <class RealSolver>
-Solver_status Real_reduced_solver<RealSolver>::analyze(const Sparse_pattern& pattern,
-                                                       const Reduced_rows& rows,
-                                                       const Ordering& order)
+Solver_status internal::Real_reduced_solver<RealSolver>::analyze(const Sparse_pattern& pattern,
+                                                                 const internal::Reduced_rows& rows,
+                                                                 const internal::Ordering& order)
 {
   return internal::guarded([&] {
     m_rows = {};
@@ -31,9 +31,9 @@ Solver_status Real_reduced_solver<RealSolver>::analyze(const Sparse_pattern& pat
 }
 
 template <class RealSolver>
-Solver_status Real_reduced_solver<RealSolver>::factorize(const Hermitian_sparse_matrix<Scalar>& X,
-                                                         const Vector<FT>& shift,
-                                                         const Reduced_basis<FT>& basis)
+Solver_status internal::Real_reduced_solver<RealSolver>::factorize(
+    const Hermitian_sparse_matrix<Scalar>& X, const Vector<FT>& shift,
+    const internal::Reduced_basis<FT>& basis)
 {
   return internal::guarded([&] {
     if (m_rows.size() == 0 || X.size() != m_rows.size() ||
@@ -52,7 +52,8 @@ Solver_status Real_reduced_solver<RealSolver>::factorize(const Hermitian_sparse_
 }
 
 template <class RealSolver>
-Solver_status Real_reduced_solver<RealSolver>::solve(const Block<Scalar>& b, Block<Scalar>& x) const
+Solver_status internal::Real_reduced_solver<RealSolver>::solve(const Block<Scalar>& b,
+                                                               Block<Scalar>& x) const
 {
   return internal::guarded([&] {
     if (!m_is_factorized || b.rows() != m_rows.size()) return Solver_status::wrong_state;
@@ -64,7 +65,7 @@ Solver_status Real_reduced_solver<RealSolver>::solve(const Block<Scalar>& b, Blo
 }
 
 template <class RealSolver>
-void Real_reduced_solver<RealSolver>::release()
+void internal::Real_reduced_solver<RealSolver>::release()
 {
   m_is_factorized = false;
   release_factor(m_solver);
@@ -75,7 +76,7 @@ void Real_reduced_solver<RealSolver>::release()
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class Real_reduced_solver<Supernodal_cholesky<double>>;
+extern template class internal::Real_reduced_solver<Supernodal_cholesky<double>>;
 
 }  // namespace Conformal_geometry_processing
 #endif

@@ -14,6 +14,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief The dense real Schur complement of the reduced rows after elimination of all others:
 /// B^T S B with the quaternionic Schur complement S, two coordinates for every row.
@@ -145,6 +147,8 @@ class Reduced_complement {
   std::vector<std::array<Scalar, 2>> m_planes;
   Dense_cholesky m_matrix;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

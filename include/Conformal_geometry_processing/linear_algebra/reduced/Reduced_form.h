@@ -10,6 +10,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Strategy for the factorization of a reduced system, and its ordering: either the whole
 /// system as a real matrix, or the unreduced rows as quaternions and the Schur complement of the
@@ -20,9 +22,11 @@ struct Reduced_form {
   double cost = 0;  ///< floating-point operations, weighted by their speed
 };
 
+}  // namespace internal
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Moves the reduced rows to the end of the ordering.
-Ordering reduced_last(Ordering order, const Reduced_rows& rows);
+internal::Ordering reduced_last(internal::Ordering order, const internal::Reduced_rows& rows);
 
 namespace internal {
 
@@ -53,15 +57,17 @@ double operations_of_real_form(const Supernodal_structure& S, const Reduced_rows
 /// A solution takes 1.2 to 2.2 times as long as without reduced rows if the complement is chosen,
 /// and 3 to 4.5 times as long with the real form; the complement takes half the memory of the real
 /// form on disks.
-Reduced_form choose_reduced_form(const Sparse_pattern& pattern, const Reduced_rows& rows,
-                                 const Ordering& order);
+internal::Reduced_form choose_reduced_form(const Sparse_pattern& pattern,
+                                           const internal::Reduced_rows& rows,
+                                           const internal::Ordering& order);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Chooses the cheaper form, with an ordering as in `choose_structure()`.
 /// \param positions 3 x n, or null
-Reduced_form choose_reduced_form(const Sparse_pattern& pattern, const Reduced_rows& rows,
-                                 const Eigen::Matrix3Xd* positions, int factorizations,
-                                 const Ordering_costs& costs = {});
+internal::Reduced_form choose_reduced_form(const Sparse_pattern& pattern,
+                                           const internal::Reduced_rows& rows,
+                                           const Eigen::Matrix3Xd* positions, int factorizations,
+                                           const internal::Ordering_costs& costs = {});
 
 }  // namespace Conformal_geometry_processing
 

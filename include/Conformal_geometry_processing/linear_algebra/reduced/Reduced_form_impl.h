@@ -17,7 +17,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Ordering reduced_last(Ordering order, const Reduced_rows& rows)
+CGP_INLINE internal::Ordering reduced_last(internal::Ordering order,
+                                           const internal::Reduced_rows& rows)
 {
   std::stable_partition(order.begin(), order.end(), [&](int i) { return !rows.is_reduced(i); });
   return order;
@@ -48,32 +49,35 @@ CGP_INLINE double operations_of_real_form(const Supernodal_structure& S, const R
 
 }  // namespace internal
 
-CGP_INLINE Reduced_form choose_reduced_form(const Sparse_pattern& pattern, const Reduced_rows& rows,
-                                            const Ordering& order)
+CGP_INLINE internal::Reduced_form choose_reduced_form(const Sparse_pattern& pattern,
+                                                      const internal::Reduced_rows& rows,
+                                                      const internal::Ordering& order)
 {
   const double of_quaternions = 0.52, of_complement = 0.57;
   const double m = 2. * rows.size_of_reduced();
-  Ordering last = reduced_last(order, rows);
+  internal::Ordering last = reduced_last(order, rows);
   const double complement_cost =
       of_quaternions * 16 *
-          Supernodal_structure(pattern, last, rows.size_of_reduced()).operations() +
+          internal::Supernodal_structure(pattern, last, rows.size_of_reduced()).operations() +
       of_complement * m * m * m / 3;
   const double real_cost =
-      internal::operations_of_real_form(Supernodal_structure(pattern, order), rows);
+      internal::operations_of_real_form(internal::Supernodal_structure(pattern, order), rows);
   if (real_cost < complement_cost) return {true, order, real_cost};
   return {false, std::move(last), complement_cost};
 }
 
-CGP_INLINE Reduced_form choose_reduced_form(const Sparse_pattern& pattern, const Reduced_rows& rows,
-                                            const Eigen::Matrix3Xd* positions, int factorizations,
-                                            const Ordering_costs& costs)
+CGP_INLINE internal::Reduced_form choose_reduced_form(const Sparse_pattern& pattern,
+                                                      const internal::Reduced_rows& rows,
+                                                      const Eigen::Matrix3Xd* positions,
+                                                      int factorizations,
+                                                      const internal::Ordering_costs& costs)
 {
-  Reduced_form by_degree = choose_reduced_form(pattern, rows, amd_ordering(pattern));
+  internal::Reduced_form by_degree = choose_reduced_form(pattern, rows, amd_ordering(pattern));
   const double seconds = by_degree.cost / 16 * costs.seconds_per_operation;
   if (positions == nullptr ||
       costs.expected_saving * factorizations * seconds <= costs.seconds_per_vertex * pattern.size())
     return by_degree;
-  Reduced_form by_dissection =
+  internal::Reduced_form by_dissection =
       choose_reduced_form(pattern, rows, sweep_nested_dissection(pattern, *positions));
   return by_dissection.cost < by_degree.cost ? by_dissection : by_degree;
 }

@@ -13,6 +13,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves systems with the real symmetric matrix R = B^T (X + diag(shift)) B, where X is
 /// quaternionic and Hermitian and some of the unknowns lie in planes of H: boundary vertices with
@@ -75,6 +77,8 @@ class Reduced_hermitian_solver {
 
   std::variant<Schur_reduced_solver, Real_reduced_solver<>> m_solver;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

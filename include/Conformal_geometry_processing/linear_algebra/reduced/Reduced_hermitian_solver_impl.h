@@ -12,22 +12,23 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Solver_status Reduced_hermitian_solver::analyze(const Sparse_pattern& pattern,
-                                                           const Reduced_rows& rows)
+CGP_INLINE Solver_status internal::Reduced_hermitian_solver::analyze(
+    const Sparse_pattern& pattern, const internal::Reduced_rows& rows)
 {
   return adopt(pattern, rows, nullptr);
 }
 
-CGP_INLINE Solver_status Reduced_hermitian_solver::analyze_with_positions(
-    const Sparse_pattern& pattern, const Reduced_rows& rows, const Eigen::Matrix3Xd& positions)
+CGP_INLINE Solver_status internal::Reduced_hermitian_solver::analyze_with_positions(
+    const Sparse_pattern& pattern, const internal::Reduced_rows& rows,
+    const Eigen::Matrix3Xd& positions)
 {
   if (positions.cols() != pattern.size()) return forget();
   return adopt(pattern, rows, &positions);
 }
 
-CGP_INLINE Solver_status Reduced_hermitian_solver::analyze(const Sparse_pattern& pattern,
-                                                           const Reduced_rows& rows,
-                                                           const Ordering& order)
+CGP_INLINE Solver_status internal::Reduced_hermitian_solver::analyze(
+    const Sparse_pattern& pattern, const internal::Reduced_rows& rows,
+    const internal::Ordering& order)
 {
   return internal::guarded([&] {
     const bool fits = pattern.size() > 0 && rows.size() == pattern.size() &&
@@ -37,38 +38,38 @@ CGP_INLINE Solver_status Reduced_hermitian_solver::analyze(const Sparse_pattern&
   });
 }
 
-CGP_INLINE Solver_status
-Reduced_hermitian_solver::factorize(const Hermitian_sparse_matrix<Scalar>& X,
-                                    const Vector<FT>& shift, const Reduced_basis<FT>& basis)
+CGP_INLINE Solver_status internal::Reduced_hermitian_solver::factorize(
+    const Hermitian_sparse_matrix<Scalar>& X, const Vector<FT>& shift,
+    const internal::Reduced_basis<FT>& basis)
 {
   return std::visit([&](auto& solver) { return solver.factorize(X, shift, basis); }, m_solver);
 }
 
-CGP_INLINE Solver_status Reduced_hermitian_solver::solve(const Block<Scalar>& b,
-                                                         Block<Scalar>& x) const
+CGP_INLINE Solver_status internal::Reduced_hermitian_solver::solve(const Block<Scalar>& b,
+                                                                   Block<Scalar>& x) const
 {
   return std::visit([&](auto& solver) { return solver.solve(b, x); }, m_solver);
 }
 
-CGP_INLINE void Reduced_hermitian_solver::release()
+CGP_INLINE void internal::Reduced_hermitian_solver::release()
 {
   std::visit([](auto& solver) { solver.release(); }, m_solver);
 }
 
-CGP_INLINE Solver_statistics Reduced_hermitian_solver::statistics() const
+CGP_INLINE Solver_statistics internal::Reduced_hermitian_solver::statistics() const
 {
   return std::visit([](auto& solver) { return solver.statistics(); }, m_solver);
 }
 
-CGP_INLINE Solver_status Reduced_hermitian_solver::forget()
+CGP_INLINE Solver_status internal::Reduced_hermitian_solver::forget()
 {
-  m_solver.emplace<Schur_reduced_solver>();
+  m_solver.emplace<internal::Schur_reduced_solver>();
   return Solver_status::wrong_state;
 }
 
-CGP_INLINE Solver_status Reduced_hermitian_solver::adopt(const Sparse_pattern& pattern,
-                                                         const Reduced_rows& rows,
-                                                         const Eigen::Matrix3Xd* positions)
+CGP_INLINE Solver_status internal::Reduced_hermitian_solver::adopt(
+    const Sparse_pattern& pattern, const internal::Reduced_rows& rows,
+    const Eigen::Matrix3Xd* positions)
 {
   const int factorizations = 2;
   return internal::guarded([&] {
@@ -77,13 +78,13 @@ CGP_INLINE Solver_status Reduced_hermitian_solver::adopt(const Sparse_pattern& p
   });
 }
 
-CGP_INLINE Solver_status Reduced_hermitian_solver::adopt(const Sparse_pattern& pattern,
-                                                         const Reduced_rows& rows,
-                                                         const Reduced_form& form)
+CGP_INLINE Solver_status internal::Reduced_hermitian_solver::adopt(
+    const Sparse_pattern& pattern, const internal::Reduced_rows& rows,
+    const internal::Reduced_form& form)
 {
   if (form.is_real)
-    return m_solver.emplace<Real_reduced_solver<>>().analyze(pattern, rows, form.order);
-  return m_solver.emplace<Schur_reduced_solver>().analyze(pattern, rows, form.order);
+    return m_solver.emplace<internal::Real_reduced_solver<>>().analyze(pattern, rows, form.order);
+  return m_solver.emplace<internal::Schur_reduced_solver>().analyze(pattern, rows, form.order);
 }
 
 }  // namespace Conformal_geometry_processing

@@ -17,6 +17,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Solves with R = B^T (X + diag(shift)) B by eliminating the unreduced rows first, as
 /// quaternions, and the reduced ones last, as real numbers.
@@ -129,6 +131,8 @@ class Schur_reduced_solver {
   std::optional<Reduced_complement> m_complement;
   bool m_is_factorized = false;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -17,7 +17,7 @@ namespace Conformal_geometry_processing {
 /// \brief Returns the pattern of B^T X B for quaternionic matrices X with the given pattern: four
 /// real rows for every row, two for a reduced one. O(entries)
 std::shared_ptr<const Sparse_pattern> reduced_pattern(const Sparse_pattern& pattern,
-                                                      const Reduced_rows& rows);
+                                                      const internal::Reduced_rows& rows);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Assembles R = B^T X B, a real symmetric matrix with entries <u, X_ij v> for all basis
@@ -25,9 +25,9 @@ std::shared_ptr<const Sparse_pattern> reduced_pattern(const Sparse_pattern& patt
 /// \param R a matrix with `reduced_pattern(X.pattern(), B.rows())`; its values are replaced
 template <class FT>
 void assemble_reduced_matrix(const Hermitian_sparse_matrix<Quaternion<FT>>& X,
-                             const Reduced_basis<FT>& B, Hermitian_sparse_matrix<FT>& R)
+                             const internal::Reduced_basis<FT>& B, Hermitian_sparse_matrix<FT>& R)
 {
-  const Reduced_rows& rows = B.rows();
+  const internal::Reduced_rows& rows = B.rows();
   std::array<int, 4> next{};  // next entry in each column of row j
   X.for_each_entry([&, last = -1](int i, int j, const Quaternion<FT>& x) mutable {
     if (j != last)
@@ -46,7 +46,7 @@ void assemble_reduced_matrix(const Hermitian_sparse_matrix<Quaternion<FT>>& X,
 /// \ingroup PkgLinearAlgebra
 /// \brief Repeats one number per row for each of its coordinates: the diagonal of B^T diag(m) B.
 template <class FT>
-Vector<FT> reduced_diagonal(const Vector<FT>& m, const Reduced_rows& rows)
+Vector<FT> reduced_diagonal(const Vector<FT>& m, const internal::Reduced_rows& rows)
 {
   Vector<FT> d(rows.dimension());
   for (int i = 0; i < rows.size(); ++i)
@@ -56,7 +56,8 @@ Vector<FT> reduced_diagonal(const Vector<FT>& m, const Reduced_rows& rows)
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Expands an ordering of the rows to their coordinates, which stay adjacent.
-Ordering reduced_ordering(const Ordering& order, const Reduced_rows& rows);
+internal::Ordering reduced_ordering(const internal::Ordering& order,
+                                    const internal::Reduced_rows& rows);
 
 }  // namespace Conformal_geometry_processing
 

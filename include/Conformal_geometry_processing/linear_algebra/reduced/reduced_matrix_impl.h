@@ -12,7 +12,7 @@
 namespace Conformal_geometry_processing {
 
 CGP_INLINE std::shared_ptr<const Sparse_pattern> reduced_pattern(const Sparse_pattern& pattern,
-                                                                 const Reduced_rows& rows)
+                                                                 const internal::Reduced_rows& rows)
 {
   auto reduced = std::make_shared<Sparse_pattern>();
   reduced->offsets.reserve(static_cast<std::size_t>(rows.dimension()) + 1);
@@ -31,9 +31,10 @@ CGP_INLINE std::shared_ptr<const Sparse_pattern> reduced_pattern(const Sparse_pa
   return reduced;
 }
 
-CGP_INLINE Ordering reduced_ordering(const Ordering& order, const Reduced_rows& rows)
+CGP_INLINE internal::Ordering reduced_ordering(const internal::Ordering& order,
+                                               const internal::Reduced_rows& rows)
 {
-  Ordering coordinates;
+  internal::Ordering coordinates;
   coordinates.reserve(static_cast<std::size_t>(rows.dimension()));
   for (int i : order)
     for (int c = 0; c < rows.dimension(i); ++c) coordinates.push_back(rows.first(i) + c);

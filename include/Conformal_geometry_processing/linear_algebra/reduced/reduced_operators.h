@@ -17,7 +17,7 @@ namespace Conformal_geometry_processing {
 /// `real_gram_matrix()`.
 template <class FT>
 auto reduced_operator(const Hermitian_sparse_matrix<Quaternion<FT>>& A,
-                      const Reduced_basis<FT>& basis)
+                      const internal::Reduced_basis<FT>& basis)
 {
   return [apply = block_operator(A), &basis](const Block<Quaternion<FT>>& x) {
     return basis.project(apply(x));

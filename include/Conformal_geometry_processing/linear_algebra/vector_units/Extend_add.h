@@ -11,6 +11,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Extend-add operation: adds the update of a child to the front of its parent. Some columns
 /// belong to the panel of the parent, the others to its own update (see `Panel_layout`).
@@ -109,6 +111,8 @@ class Extend_add {
     }
   }
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -12,6 +12,8 @@ namespace Conformal_geometry_processing {
 /// Maximal width of a panel in the substitution
 constexpr int max_panel_width = 64;
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief The update that a child passes to the front of its parent.
 template <class Real>
@@ -84,6 +86,8 @@ struct Front_kernels {
   Front_substitution<Real> narrow;  ///< with four numbers per row
   Front_substitution<Real> wide;    ///< with eight numbers per row
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

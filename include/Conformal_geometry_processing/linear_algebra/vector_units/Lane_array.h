@@ -7,6 +7,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief A register type for compilers without vector types: an array, whose loops the compiler
 /// may vectorize.
@@ -60,6 +62,8 @@ struct Lane_array {
   friend CGP_ALWAYS_INLINE Lane_array operator*(Lane_array a, Real b) { return a *= b; }
   friend CGP_ALWAYS_INLINE Lane_array operator*(Real a, Lane_array b) { return b *= a; }
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

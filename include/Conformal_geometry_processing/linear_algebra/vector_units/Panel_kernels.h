@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Elimination of one front by one vector unit, for scalars of `planes` real components;
 /// implements functions of `Front_kernels`.
@@ -145,6 +147,8 @@ class Panel_kernels {
     }
   }
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

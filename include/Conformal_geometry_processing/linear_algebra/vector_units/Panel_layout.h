@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Memory layout of a front, for registers of any width.
 ///
@@ -84,6 +86,8 @@ struct Panel_layout {
     return tile(nb, block(row), block(column)) + lane(column) * cell() + lane(row);
   }
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

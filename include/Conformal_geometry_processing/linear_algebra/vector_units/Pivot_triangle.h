@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Cholesky factor of a diagonal block of at most `group` columns
 template <class Unit, class Real, int planes>
@@ -77,6 +79,8 @@ class Pivot_triangle {
   Real m[group][group][planes];
   Real m_inverse[group];
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

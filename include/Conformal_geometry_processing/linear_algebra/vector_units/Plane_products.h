@@ -7,6 +7,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Products of scalars that are arrays of their real components: 1 of a real number, 2 of a
 /// complex one, 4 of a quaternion. The same dense kernels are used for all three.
@@ -87,6 +89,8 @@ struct Plane_products<4> {
     c[0] += a[3] * b[3], c[1] += a[3] * b[2], c[2] -= a[3] * b[1], c[3] -= a[3] * b[0];
   }
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -9,6 +9,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Dense kernels for one row block of a supernodal factor and the same number of rows of
 /// right-hand sides, for scalars of `planes` real components.
@@ -95,6 +97,8 @@ class Row_block_kernels {
     for (int q = 0; q < planes; ++q) a[q] = Simd::load(from + q * lanes);
   }
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

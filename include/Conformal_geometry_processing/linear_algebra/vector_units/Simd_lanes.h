@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/linear_algebra/vector_units/unit_tags.h>
 
 namespace Conformal_geometry_processing {
+namespace internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief A register of the unit, with elementwise arithmetic.
@@ -73,6 +74,8 @@ struct Simd_lanes {
     return log;
   }
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

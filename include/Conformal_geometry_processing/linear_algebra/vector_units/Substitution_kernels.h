@@ -10,6 +10,8 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
 /// \ingroup PkgLinearAlgebra
 /// \brief Substitution of one front by one vector unit; implements `Front_substitution`.
 ///
@@ -163,6 +165,8 @@ class Substitution_kernels {
     }
   }
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

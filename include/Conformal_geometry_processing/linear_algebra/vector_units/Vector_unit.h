@@ -9,19 +9,19 @@ namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Returns the name of the unit on this architecture, such as "SSE2".
-const char* to_string(Vector_unit unit);
+const char* to_string(internal::Vector_unit unit);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Returns whether the library has kernels for the unit and the machine supports it.
 ///
 /// The compiled library has kernels for all units of its architecture; header-only, there is one
 /// unit: the widest for which the including file is compiled.
-bool has_vector_unit(Vector_unit unit);
+bool has_vector_unit(internal::Vector_unit unit);
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Returns the unit for factors created from now on: the widest one available, unless
 /// `set_vector_unit()` has selected another one.
-Vector_unit vector_unit();
+internal::Vector_unit vector_unit();
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Selects the unit for every solver that is analyzed from now on, in the whole process.
@@ -29,7 +29,7 @@ Vector_unit vector_unit();
 /// For tests, and for bitwise reproducible results on different machines: results of different
 /// units differ by rounding. Existing solvers keep their unit. May be called from any thread.
 /// \returns false, and changes nothing, if `has_vector_unit()` is false
-bool set_vector_unit(Vector_unit unit);
+bool set_vector_unit(internal::Vector_unit unit);
 
 }  // namespace Conformal_geometry_processing
 

@@ -46,14 +46,14 @@ CGP_INLINE std::atomic<Vector_unit>& unit_setting()
 
 }  // namespace internal
 
-CGP_INLINE const char* to_string(Vector_unit unit)
+CGP_INLINE const char* to_string(internal::Vector_unit unit)
 {
   switch (unit) {
-    case Vector_unit::avx512:
+    case internal::Vector_unit::avx512:
       return "AVX-512";
-    case Vector_unit::avx2:
+    case internal::Vector_unit::avx2:
       return "AVX2";
-    case Vector_unit::baseline:
+    case internal::Vector_unit::baseline:
       break;
   }
 #if defined(__SSE2__) || defined(_M_X64)
@@ -65,17 +65,17 @@ CGP_INLINE const char* to_string(Vector_unit unit)
 #endif
 }
 
-CGP_INLINE bool has_vector_unit(Vector_unit unit)
+CGP_INLINE bool has_vector_unit(internal::Vector_unit unit)
 {
   return internal::machine_has(unit);
 }
 
-CGP_INLINE Vector_unit vector_unit()
+CGP_INLINE internal::Vector_unit vector_unit()
 {
   return internal::unit_setting();
 }
 
-CGP_INLINE bool set_vector_unit(Vector_unit unit)
+CGP_INLINE bool set_vector_unit(internal::Vector_unit unit)
 {
   if (!has_vector_unit(unit)) return false;
   internal::unit_setting() = unit;

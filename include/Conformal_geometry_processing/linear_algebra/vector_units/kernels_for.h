@@ -14,11 +14,11 @@ namespace Conformal_geometry_processing {
 /// \tparam Real the numbers stored, `double` or `float`
 /// \pre `has_vector_unit(unit)`
 template <class Real>
-Front_kernels<Real> kernels_for(int planes, Vector_unit unit = vector_unit());
+internal::Front_kernels<Real> kernels_for(int planes, internal::Vector_unit unit = vector_unit());
 
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-extern template Front_kernels<double> kernels_for<double>(int, Vector_unit);
-extern template Front_kernels<float> kernels_for<float>(int, Vector_unit);
+extern template internal::Front_kernels<double> kernels_for<double>(int, internal::Vector_unit);
+extern template internal::Front_kernels<float> kernels_for<float>(int, internal::Vector_unit);
 #endif
 
 }  // namespace Conformal_geometry_processing

@@ -10,18 +10,20 @@
 namespace Conformal_geometry_processing {
 
 template <class Real>
-Front_kernels<Real> kernels_for(int planes, [[maybe_unused]] Vector_unit unit)
+internal::Front_kernels<Real> kernels_for(int planes, [[maybe_unused]] internal::Vector_unit unit)
 {
 #ifdef CGP_HAS_X86_UNITS
-  if (unit == Vector_unit::avx512) return internal::compiled_kernels(Avx512_unit(), Real(), planes);
-  if (unit == Vector_unit::avx2) return internal::compiled_kernels(Avx2_unit(), Real(), planes);
+  if (unit == internal::Vector_unit::avx512)
+    return internal::compiled_kernels(internal::Avx512_unit(), Real(), planes);
+  if (unit == internal::Vector_unit::avx2)
+    return internal::compiled_kernels(internal::Avx2_unit(), Real(), planes);
 #endif
-  return unit_kernels<Library_unit, Real>(planes);
+  return unit_kernels<internal::Library_unit, Real>(planes);
 }
 
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-template Front_kernels<double> kernels_for<double>(int, Vector_unit);
-template Front_kernels<float> kernels_for<float>(int, Vector_unit);
+template internal::Front_kernels<double> kernels_for<double>(int, internal::Vector_unit);
+template internal::Front_kernels<float> kernels_for<float>(int, internal::Vector_unit);
 #endif
 
 }  // namespace Conformal_geometry_processing

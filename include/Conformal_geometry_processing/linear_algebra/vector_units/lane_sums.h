@@ -42,10 +42,10 @@ CGP_ALWAYS_INLINE Register every_other(const Register& a, const Register& b, Lan
 ///
 /// \tparam count a power of two
 template <class Unit, class Real, int count>
-CGP_ALWAYS_INLINE void sum_lanes(typename Simd_lanes<Unit, Real>::Register (&a)[count])
+CGP_ALWAYS_INLINE void sum_lanes(typename internal::Simd_lanes<Unit, Real>::Register (&a)[count])
 {
-  using Register = typename Simd_lanes<Unit, Real>::Register;
-  constexpr int lanes = Simd_lanes<Unit, Real>::size;
+  using Register = typename internal::Simd_lanes<Unit, Real>::Register;
+  constexpr int lanes = internal::Simd_lanes<Unit, Real>::size;
   const typename internal::Lanes_up_to<lanes>::List all{};
   int left = count;
   CGP_UNROLL(4)

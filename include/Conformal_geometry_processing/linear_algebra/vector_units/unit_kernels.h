@@ -37,7 +37,7 @@ Front_kernels<Real> unit_kernels_of()
 ///
 /// Only for a unit that the including file is compiled for; for others see `kernels_for()`.
 template <class Unit, class Real>
-Front_kernels<Real> unit_kernels(int planes)
+internal::Front_kernels<Real> unit_kernels(int planes)
 {
   return planes == 1   ? internal::unit_kernels_of<Unit, Real, 1>()
          : planes == 2 ? internal::unit_kernels_of<Unit, Real, 2>()

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_UNIT_TAGS_H
 
 namespace Conformal_geometry_processing {
+namespace internal {
 
 /// \ingroup PkgLinearAlgebra
 /// \brief The vector units for which the dense kernels of the factorizations are compiled,
@@ -58,6 +59,8 @@ using Library_unit = Target_unit;
 using Library_unit = Baseline_unit;
 #endif
 /// @}
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

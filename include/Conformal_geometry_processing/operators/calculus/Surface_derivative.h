@@ -18,6 +18,8 @@ Quaternion_vector<double> as_quaternions(const Eigen::VectorXd& numbers);
 /// vectors of R^3, one per column, as imaginary quaternions
 Quaternion_vector<double> as_quaternions(const Points& vectors);
 
+namespace internal {
+
 /// \ingroup PkgOperators
 /// \brief D and the decomposition of its values: the basis of the vector calculus on a surface [CGP
 /// 3.3, Table 3.1].
@@ -65,6 +67,8 @@ class Surface_derivative {
   Points m_normals;
   Eigen::VectorXd m_areas;
 };
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

@@ -27,11 +27,12 @@ CGP_INLINE Quaternion_vector<double> as_quaternions(const Points& vectors)
   return q;
 }
 
-CGP_INLINE Surface_derivative::Surface_derivative(const Mesh_view& mesh)
+CGP_INLINE internal::Surface_derivative::Surface_derivative(const Mesh_view& mesh)
     : m_mesh(mesh), m_D(dirac(mesh)), m_normals(face_normals(mesh)), m_areas(face_areas(mesh))
 {}
 
-CGP_INLINE Quaternion_vector<double> Surface_derivative::adjoint(Quaternion_vector<double> q) const
+CGP_INLINE Quaternion_vector<double> internal::Surface_derivative::adjoint(
+    Quaternion_vector<double> q) const
 {
   for (Eigen::Index f = 0; f < q.size(); ++f) q[f] *= m_areas[f];
   Quaternion_vector<double> p = m_D.adjoint_times(q);
@@ -40,17 +41,20 @@ CGP_INLINE Quaternion_vector<double> Surface_derivative::adjoint(Quaternion_vect
   return p;
 }
 
-CGP_INLINE Eigen::VectorXd Surface_derivative::real_part(const Quaternion_vector<double>& q)
+CGP_INLINE Eigen::VectorXd internal::Surface_derivative::real_part(
+    const Quaternion_vector<double>& q)
 {
   return components(q).row(0).transpose();
 }
 
-CGP_INLINE Eigen::VectorXd Surface_derivative::normal_part(const Quaternion_vector<double>& q) const
+CGP_INLINE Eigen::VectorXd internal::Surface_derivative::normal_part(
+    const Quaternion_vector<double>& q) const
 {
   return components(q).bottomRows<3>().cwiseProduct(m_normals).colwise().sum().transpose();
 }
 
-CGP_INLINE Points Surface_derivative::tangential_part(const Quaternion_vector<double>& q) const
+CGP_INLINE Points
+internal::Surface_derivative::tangential_part(const Quaternion_vector<double>& q) const
 {
   return components(q).bottomRows<3>() - m_normals * normal_part(q).asDiagonal();
 }

@@ -10,8 +10,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Eigen::VectorXd covariant_derivative(const Surface_derivative& d, const Points& X,
-                                                const Eigen::VectorXd& phi)
+CGP_INLINE Eigen::VectorXd covariant_derivative(const internal::Surface_derivative& d,
+                                                const Points& X, const Eigen::VectorXd& phi)
 {
   const Quaternion_vector<double> q = d(phi);
   Eigen::VectorXd derivative(q.size());
@@ -20,7 +20,7 @@ CGP_INLINE Eigen::VectorXd covariant_derivative(const Surface_derivative& d, con
   return derivative;
 }
 
-CGP_INLINE Points covariant_derivative(const Surface_derivative& d, const Points& X,
+CGP_INLINE Points covariant_derivative(const internal::Surface_derivative& d, const Points& X,
                                        const Points& Y)
 {
   Points derivative(3, X.cols());

@@ -10,7 +10,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Eigen::VectorXd curl(const Surface_derivative& d, const Points& X)
+CGP_INLINE Eigen::VectorXd curl(const internal::Surface_derivative& d, const Points& X)
 {
   return -d.real_part(d(X));
 }

@@ -12,7 +12,7 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgOperators
 /// \brief div X = Re(N D X), |F|: the flux out of a small circle, per area.
 /// \param X tangent vectors at the vertices, 3 x |V|
-Eigen::VectorXd divergence(const Surface_derivative& d, const Points& X);
+Eigen::VectorXd divergence(const internal::Surface_derivative& d, const Points& X);
 
 }  // namespace Conformal_geometry_processing
 

@@ -10,7 +10,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Eigen::VectorXd divergence(const Surface_derivative& d, const Points& X)
+CGP_INLINE Eigen::VectorXd divergence(const internal::Surface_derivative& d, const Points& X)
 {
   return -d.normal_part(d(X));
 }

@@ -17,7 +17,7 @@ Eigen::VectorXd first_fundamental_form(const Points& X, const Points& Y);
 /// \brief the second fundamental form, II(X, Y) = Re(Y D X) = <S X, Y>, |F|: positive on the unit
 /// sphere. (Minus the form that [CGP 2.2] defines, whose sign is inconsistent with the rest of it.)
 /// \param X tangent vectors at the vertices, 3 x |V| \param Y tangent vectors on the faces, 3 x |F|
-Eigen::VectorXd second_fundamental_form(const Surface_derivative& d, const Points& X,
+Eigen::VectorXd second_fundamental_form(const internal::Surface_derivative& d, const Points& X,
                                         const Points& Y);
 
 }  // namespace Conformal_geometry_processing

@@ -16,8 +16,8 @@ CGP_INLINE Eigen::VectorXd first_fundamental_form(const Points& X, const Points&
   return X.cwiseProduct(Y).colwise().sum().transpose();
 }
 
-CGP_INLINE Eigen::VectorXd second_fundamental_form(const Surface_derivative& d, const Points& X,
-                                                   const Points& Y)
+CGP_INLINE Eigen::VectorXd second_fundamental_form(const internal::Surface_derivative& d,
+                                                   const Points& X, const Points& Y)
 {
   return first_fundamental_form(shape_operator(d, X), Y);
 }

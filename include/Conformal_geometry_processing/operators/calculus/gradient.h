@@ -12,7 +12,7 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgOperators
 /// \brief grad phi = -N D phi, 3 x |F|: exactly the gradient of the function linear on every face.
 /// \param phi |V|
-Points gradient(const Surface_derivative& d, const Eigen::VectorXd& phi);
+Points gradient(const internal::Surface_derivative& d, const Eigen::VectorXd& phi);
 
 }  // namespace Conformal_geometry_processing
 

@@ -10,7 +10,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Points gradient(const Surface_derivative& d, const Eigen::VectorXd& phi)
+CGP_INLINE Points gradient(const internal::Surface_derivative& d, const Eigen::VectorXd& phi)
 {
   Quaternion_vector<double> q = d(phi);
   for (Eigen::Index f = 0; f < q.size(); ++f) q[f] = -imaginary(d.normals().col(f)) * q[f];

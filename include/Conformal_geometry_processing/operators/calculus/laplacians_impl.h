@@ -10,12 +10,13 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Eigen::VectorXd laplacian(const Surface_derivative& d, const Eigen::VectorXd& phi)
+CGP_INLINE Eigen::VectorXd laplacian(const internal::Surface_derivative& d,
+                                     const Eigen::VectorXd& phi)
 {
   return d.real_part(d.adjoint(d(phi)));
 }
 
-CGP_INLINE Points vector_laplacian(const Surface_derivative& d, const Points& X,
+CGP_INLINE Points vector_laplacian(const internal::Surface_derivative& d, const Points& X,
                                    const Points& normals)
 {
   Quaternion_vector<double> q = d(X);

@@ -12,17 +12,19 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Points dirac_normals(const Surface_derivative& d)
+CGP_INLINE Points dirac_normals(const internal::Surface_derivative& d)
 {
   return -components(d(d.mesh().positions())).bottomRows<3>() / 2;
 }
 
-CGP_INLINE Eigen::VectorXd dirac_mean_curvature(const Surface_derivative& d, const Points& normals)
+CGP_INLINE Eigen::VectorXd dirac_mean_curvature(const internal::Surface_derivative& d,
+                                                const Points& normals)
 {
   return -d.normal_part(d(normals)) / 2;
 }
 
-CGP_INLINE Eigen::VectorXd dirac_gauss_curvature(const Surface_derivative& d, const Points& normals)
+CGP_INLINE Eigen::VectorXd dirac_gauss_curvature(const internal::Surface_derivative& d,
+                                                 const Points& normals)
 {
   const auto X = dirac_energy(d.mesh(), no_potential(d.mesh()));
   const Eigen::VectorXd areas = vertex_areas(d.mesh());

@@ -10,7 +10,7 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Points shape_operator(const Surface_derivative& d, const Points& X)
+CGP_INLINE Points shape_operator(const internal::Surface_derivative& d, const Points& X)
 {
   return -d.tangential_part(d(X));
 }
