@@ -17,9 +17,9 @@
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Supernodal_cholesky`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Embedded_hermitian_solver`,}
-/// \cgalHasModels{`Conformal_geometry_processing::internal::Multigrid_solver` (by `Multigrid_solver_traits`),}
-/// \cgalHasModels{`Conformal_geometry_processing::internal::Petsc_hermitian_solver` (by `Petsc_hermitian_solver_traits`),}
-/// \cgalHasModels{`Conformal_geometry_processing::internal::Lagged_solver` (by `Lagged_solver_traits`).}
+/// \cgalHasModels{solvers of `Conformal_geometry_processing::Multigrid_solver_traits`,}
+/// \cgalHasModels{solvers of `Conformal_geometry_processing::Petsc_hermitian_solver_traits`,}
+/// \cgalHasModels{solvers of `Conformal_geometry_processing::Lagged_solver_traits`.}
 /// \cgalHasModelsEnd
 class SparseHermitianSolver {
  public:
