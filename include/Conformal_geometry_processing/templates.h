@@ -22,7 +22,6 @@
 #include <Conformal_geometry_processing/parameterization/Least_energy_map_templates.h>
 #include <Conformal_geometry_processing/spin/Conformal_shape_space_templates.h>
 #include <Conformal_geometry_processing/spin/Dirac_branch_templates.h>
-#include <Conformal_geometry_processing/spin/Dirac_search_templates.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem_templates.h>
 #include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
 #include <Conformal_geometry_processing/spin/Directions_search_templates.h>

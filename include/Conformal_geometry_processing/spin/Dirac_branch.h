@@ -3,104 +3,97 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_BRANCH_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_BRANCH_H
 
-#include <Conformal_geometry_processing/spin/Dirac_search.h>
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/follow_branch.h>
 
 #include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
 
 namespace Conformal_geometry_processing {
 
 namespace internal {
 
-/// \brief solves (D - rho) lambda = gamma lambda on a closed surface, on the branch of eigenvalues
-/// that tends to lambda = 1 as rho tends to zero [CGP (5.3)].
+/// \brief solves (D - rho) lambda = gamma lambda on a closed surface, on the branch of eigenpairs
+/// of D - t rho from lambda = 1 at t = 0 to t = 1 [CGP (5.3)].
 ///
-/// The thesis takes the eigenvalue of smallest modulus. If rho is strong or has a large mean, that
-/// eigenvalue can belong to another branch; a vector is accepted only if its overlap with the
-/// vector that it continues exceeds `same_branch`. If the first solve finds no such vector, rho is
-/// increased from zero in substeps. Each substep searches for the eigenvalue nearest to the
-/// predicted one, sigma: the eigenvalue of D - rho nearest to sigma is the smallest one of D - (rho
-/// + sigma). Costs one numeric factorization per substep, and one more each time X mixes vectors of
-/// opposite sign. The vectors of the first solve are kept: the continuation ends with the first
-/// substep that comes near enough to one of them.
+/// The thesis takes the eigenvalue of smallest modulus: for strong rho, or rho of large mean, that
+/// is on another branch. Here each stage
+/// 1. factors X at a point (t, sigma), the pole; first at t = 1, with the mean of rho removed;
+/// 2. extends the span of 1 by images under X^-1 H, which resemble (D - rho)^-1 on smooth vectors,
+///    so that few of them suffice for the eigenvectors near the pole;
+/// 3. follows the branch within the span as far as the span can be trusted (`follow_branch()`);
+/// 4. refines the vector there. Normally t is 1 and the factor of the first stage still serves as
+///    preconditioner; if not, that point is the next pole.
+///
+/// The result is stationary for vector and shift together: lambda is the smallest eigenvector of
+/// the energy X of rho + gamma, with gamma its own quotient. Therefore rho and rho + c have the
+/// same lambda, also on coarse meshes.
+///
+/// Costs one factorization for weak rho, two where gamma is far from minus the mean of rho, and
+/// one more for each stage.
 template <class SolverTraits, class EigensolverTraits>
 class Dirac_branch {
   using System = Dirac_system<SolverTraits>;
-  using Search = Dirac_search<SolverTraits, EigensolverTraits>;
+  using Vectors = Block<Quaternion<double>>;
 
  public:
-  /// the overlap with the continued vector that a vector must exceed
-  static constexpr double same_branch = Search::same_branch;
+  /// \param system the system of a closed surface; must outlive the object, as the others must
+  /// \param[out] s receives the solution, or what was reached if it has not converged
+  Dirac_branch(System& system, const Curvature_potential& rho, const Dirac_options& options,
+               Dirac_solution& s, const Go_further& go_further);
 
-  /// \param system the system of a closed surface; must outlive the object
-  explicit Dirac_branch(System& system) : m_system(system) {}
-
-  /// see `solve_dirac_equation()`
-  /// \param[in,out] s receives the solution
-  /// \pre `set_potential(rho)` has been called
-  void solve(const Curvature_potential& rho, const Dirac_options& options, Dirac_solution& s,
-             const Go_further& go_further);
+  void solve();
 
  private:
-  /// one potential of the continuation
-  struct Step {
-    Curvature_potential rho;
-    double sigma, tolerance;
-    bool is_between = false;  ///< not the last step: an approximate vector suffices as a guide
-  };
-  /// eigenvectors of X for the potential rho + sigma
-  struct Found {
-    Eigensolver_result r;
-    double sigma;
-  };
-  static constexpr int max_separations = 4;
+  /// t rho + sigma
+  Curvature_potential potential(double t, double sigma) const;
 
-  static Curvature_potential scaled(const Curvature_potential& rho, double t, double sigma);
+  /// factors X there
+  void place_pole(double t, double sigma);
 
-  /// Replaces s.lambda by the eigenvector nearest to it. Returns false and leaves s.lambda
-  /// unchanged if no vector found is on the same branch.
-  bool follow(const Step& step, const Dirac_options& options, Dirac_solution& s,
-              const Go_further& go_further);
+  /// whether the factor at hand is a good preconditioner at the point
+  bool is_near_pole(const Branch_point& p) const;
 
-  /// \brief finds the candidates for the continuation of s.lambda.
+  /// adds a vector to the span, unless it is in it
+  bool add(Quaternion_vector<double> v);
+
+  /// adds the next `words` images of the last vector
+  void extend(int words);
+
+  /// keeps only the identity and the last vectors: those of earlier stages describe D - t rho for
+  /// other t
+  void forget_early_vectors();
+
+  /// the end of a stage that begins at `first`: on its branch, as near to `end` as the span can be
+  /// trusted, which is extended if necessary
+  Branch_point predict(Branch_point first, double end);
+
+  /// \brief makes s.lambda the eigenvector near its present value at p.t, and p.gamma its
+  /// eigenvalue.
   ///
-  /// If X has mixed lambda with a vector of opposite sign, a shift by the signed eigenvalue of
-  /// lambda separates the two. The shift may bring in a third vector, so it is repeated; a mixture
-  /// that remains is an error of a coarse mesh.
-  Found find(const Step& step, Dirac_options options, Dirac_solution& s,
-             const Go_further& go_further, bool is_factored = false);
+  /// The secant method finds the shift that is the quotient of its own eigenvector: iterating
+  /// sigma <- gamma alone gains three digits a step on fine meshes and one bit on the coarsest.
+  void refine(Branch_point& p, double tolerance);
 
-  /// a result with the given vectors and unknown values and errors
-  static Eigensolver_result unconverged(const Block<Quaternion<double>>& vectors);
-  bool accept(const Found& found, double tolerance, Dirac_solution& s) const;
+  /// the eigenvector at (t, sigma), where X is assembled; factors X there if the factor at hand is
+  /// too far away
+  void iterate(double t, double sigma, double tolerance);
 
-  static double root(double mu) { return std::sqrt((std::max)(mu, 0.)); }
+  /// the smallest eigenvector of X as assembled, from s.lambda
+  void smallest(double tolerance);
 
-  Eigen::Index nearest_column(const Block<Quaternion<double>>& vectors,
-                              const Quaternion_vector<double>& guide) const;
-
-  /// Continues s.lambda from 1 at t = 0 to an eigenvector of D - t rho at t = 1, in the largest
-  /// steps that stay on the branch. Gives up when the substeps are used up.
-  /// \param smallest vectors found without shift, none of which is near 1
-  void continue_from_identity(const Curvature_potential& rho, const Dirac_options& options,
-                              const Found& smallest, Dirac_solution& s,
-                              const Go_further& go_further);
-
-  /// d gamma / dt for D - t rho at the eigenvector lambda
-  double slope_of(const Curvature_potential& rho, const Quaternion_vector<double>& lambda) const;
-
-  /// Refines the approximate eigenvector to the tolerance: as an eigenvector of [CGP (5.3)] if the
-  /// branch is among its smallest ones, otherwise of the shifted problem, whose matrix is factored.
-  void finish(const Curvature_potential& rho, const Dirac_options& options, const Found& smallest,
-              Dirac_solution& s, const Go_further& go_further);
-
-  /// whether one of the vectors found without shift is on the branch of s.lambda
-  bool is_continued_by(const Found& smallest, const Dirac_solution& s) const;
+  void conclude(const Branch_point& p);
 
   System& m_system;
+  const Curvature_potential& m_rho;
+  const Dirac_options& m_options;
+  Dirac_solution& m_s;
+  const Go_further& m_go_further;
+  const Quaternion_vector<double> m_one;
+  Vectors m_span;  // orthonormal with respect to the vertex areas
+  Branch_point m_pole;
 };
 
 }  // namespace internal

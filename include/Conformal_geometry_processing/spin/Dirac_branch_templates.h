@@ -3,196 +3,220 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_BRANCH_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_BRANCH_TEMPLATES_H
 
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Conformal_geometry_processing/operators/Dirac_gram.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/spin/Dirac_branch.h>
-#include <Conformal_geometry_processing/spin/Dirac_search_templates.h>
 #include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
-#include <Conformal_geometry_processing/spin/generalized_dirac.h>
-#include <Conformal_geometry_processing/spin/rayleigh_ritz_of_dirac.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
 namespace Conformal_geometry_processing {
 namespace internal {
 
 template <class SolverTraits, class EigensolverTraits>
-void Dirac_branch<SolverTraits, EigensolverTraits>::solve(const Curvature_potential& rho,
-                                                          const Dirac_options& options,
-                                                          Dirac_solution& s,
-                                                          const Go_further& go_further)
+Dirac_branch<SolverTraits, EigensolverTraits>::Dirac_branch(System& system,
+                                                            const Curvature_potential& rho,
+                                                            const Dirac_options& options,
+                                                            Dirac_solution& s,
+                                                            const Go_further& go_further)
+    : m_system(system),
+      m_rho(rho),
+      m_options(options),
+      m_s(s),
+      m_go_further(go_further),
+      m_one(Quaternion_vector<double>::Constant(system.areas().size(), {1, 0, 0, 0}))
 {
-  const Quaternion_vector<double> one =
-      Quaternion_vector<double>::Constant(m_system.areas().size(), {1, 0, 0, 0});
-  s.lambda = one;
-  const Found found = find({rho, 0, options.tolerance}, options, s, go_further, true);
-  if (!accept(found, options.tolerance, s) && !s.cancelled)
-    continue_from_identity(rho, options, found, s, go_further);
-  if (options.problem == Dirac_options::Eigenproblem::generalized && s.converged)
-    solve_generalized_dirac(m_system, rho, options, s, go_further);
-  s.eigenvalue = dirac_quotient(m_system.surface(), rho, s.lambda);
-  s.overlap = m_system.overlap(s.lambda, one);
-  s.lambda = m_system.normalized(std::move(s.lambda));
+  m_s.lambda = m_one;
+  add(m_one);
 }
 
 template <class SolverTraits, class EigensolverTraits>
-Curvature_potential Dirac_branch<SolverTraits, EigensolverTraits>::scaled(
-    const Curvature_potential& rho, double t, double sigma)
+void Dirac_branch<SolverTraits, EigensolverTraits>::solve()
 {
-  return {rho.on, (t * rho.values.array() + sigma).matrix()};
-}
-
-template <class SolverTraits, class EigensolverTraits>
-bool Dirac_branch<SolverTraits, EigensolverTraits>::follow(const Step& step,
-                                                           const Dirac_options& options,
-                                                           Dirac_solution& s,
-                                                           const Go_further& go_further)
-{
-  return accept(find(step, options, s, go_further), step.tolerance, s);
-}
-
-template <class SolverTraits, class EigensolverTraits>
-auto Dirac_branch<SolverTraits, EigensolverTraits>::find(const Step& step, Dirac_options options,
-                                                         Dirac_solution& s,
-                                                         const Go_further& go_further,
-                                                         bool is_factored) -> Found
-{
-  options.tolerance = step.tolerance;
-  Quaternion_vector<double> start = s.lambda;
-  double sigma = step.sigma, separation = 0;
-  for (int separations = 0;; ++separations) {
-    const Curvature_potential rho = scaled(step.rho, 1, sigma);
-    if (!is_factored || separations > 0) m_system.set_potential(rho, s.seconds);
-    Stopwatch watch;
-    Search search(m_system, rho, s.lambda, options, go_further);
-    search.run(start, separation);
-    s.iterations += search.iterations();
-    s.cancelled = search.is_cancelled();
-    s.seconds.eigenvectors += watch.lap();
-    if (!search.is_mixed() || separations == max_separations)
-      return {std::move(search.result()), sigma};
-    const Dirac_forms forms = dirac_forms(m_system.surface(), rho, search.mixture());
-    const auto separated = rayleigh_ritz_of_dirac(search.mixture(), forms);
-    const auto values = signed_eigenvalues(forms);
-    const Eigen::Index nearest = nearest_column(separated, s.lambda);
-    if (step.is_between) return {unconverged(separated), sigma};
-    start = separated.col(nearest);
-    sigma += values[static_cast<std::size_t>(nearest)];
-    separation = values[1] - values[0];
+  const double same_vector = 0.85;
+  Branch_point at, next;
+  double end = 1;
+  place_pole(1, dirac_quotient(m_system.surface(), m_rho, m_one));
+  extend(1);
+  for (m_s.substeps = 1; m_s.substeps <= m_options.max_substeps; ++m_s.substeps) {
+    next = predict(at, end);
+    if (!is_near_pole(next)) place_pole(next.t, next.gamma);
+    const Quaternion_vector<double> before = m_s.lambda;
+    const Quaternion_vector<double> predicted = combination(m_span, Vectors(next.c)).col(0);
+    m_s.lambda = predicted;
+    refine(next, next.t < 1 ? 1e-3 : m_options.tolerance);
+    if (m_s.cancelled || (!m_s.converged && m_s.iterations >= m_options.max_iterations)) break;
+    if (m_system.overlap(m_s.lambda, predicted) < same_vector) {
+      end = (at.t + next.t) / 2;
+      m_s.lambda = before;
+      continue;
+    }
+    at = next;
+    if (at.t == 1) return conclude(at);
+    end = 1;
+    forget_early_vectors();
+    add(m_s.lambda);
+    extend(3);
   }
+  m_s.substeps = (std::min)(m_s.substeps, m_options.max_substeps);
+  conclude(next);
+  m_s.converged = false;
 }
 
 template <class SolverTraits, class EigensolverTraits>
-Eigensolver_result Dirac_branch<SolverTraits, EigensolverTraits>::unconverged(
-    const Block<Quaternion<double>>& vectors)
+Curvature_potential Dirac_branch<SolverTraits, EigensolverTraits>::potential(double t,
+                                                                             double sigma) const
 {
-  Eigensolver_result r;
-  r.vectors = vectors;
-  r.values = Eigen::VectorXd::Zero(vectors.cols());
-  r.estimates = Eigen::VectorXd::Constant(vectors.cols(), 1);
-  return r;
+  return {m_rho.on, (t * m_rho.values.array() + sigma).matrix()};
 }
 
 template <class SolverTraits, class EigensolverTraits>
-bool Dirac_branch<SolverTraits, EigensolverTraits>::accept(const Found& found, double tolerance,
-                                                           Dirac_solution& s) const
+void Dirac_branch<SolverTraits, EigensolverTraits>::place_pole(double t, double sigma)
 {
-  const Eigensolver_result& r = found.r;
-  const Eigen::Index nearest = nearest_column(r.vectors, s.lambda);
-  const Quaternion_vector<double> lambda = r.vectors.col(nearest);
-  if (m_system.overlap(lambda, s.lambda) < same_branch) return false;
-  s.lambda = lambda;
-  s.energy = r.values[nearest];
-  s.residual = r.estimates[nearest];
-  s.converged = s.residual <= tolerance;
-  s.spectral_shift = found.sigma;
-  s.gap = r.gap ? root(r.values[0] + *r.gap) - root(r.values[0]) : 0;
+  m_pole.t = t;
+  m_pole.gamma = sigma;
+  m_system.set_potential(potential(t, sigma), m_s.seconds);
+  ++m_s.factorizations;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Dirac_branch<SolverTraits, EigensolverTraits>::is_near_pole(const Branch_point& p) const
+{
+  return p.t == m_pole.t && std::abs(p.gamma - m_pole.gamma) <= p.least_gap / 4;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Dirac_branch<SolverTraits, EigensolverTraits>::add(Quaternion_vector<double> v)
+{
+  const double length = std::sqrt(m_system.squared_norm(v)), rounding = 1e-12;
+  for (int pass = 0; pass < 2; ++pass)
+    for (Eigen::Index j = 0; j < m_span.cols(); ++j) {
+      const Quaternion_vector<double> u = m_span.col(j);
+      add_multiple(v, u, -inner_product(u, m_system.areas(), v));
+    }
+  const double rest = std::sqrt(m_system.squared_norm(v));
+  if (!(rest > rounding * length)) return false;
+  m_span.conservativeResize(v.size(), m_span.cols() + 1);
+  m_span.rightCols(1) = v;
+  scale_column(m_span, m_span.cols() - 1, 1 / rest);
   return true;
 }
 
 template <class SolverTraits, class EigensolverTraits>
-Eigen::Index Dirac_branch<SolverTraits, EigensolverTraits>::nearest_column(
-    const Block<Quaternion<double>>& vectors, const Quaternion_vector<double>& guide) const
+void Dirac_branch<SolverTraits, EigensolverTraits>::extend(int words)
 {
-  Eigen::VectorXd overlaps(vectors.cols());
-  for (Eigen::Index c = 0; c < vectors.cols(); ++c)
-    overlaps[c] = m_system.overlap(vectors.col(c), guide);
-  Eigen::Index nearest;
-  overlaps.maxCoeff(&nearest);
-  return nearest;
-}
-
-template <class SolverTraits, class EigensolverTraits>
-void Dirac_branch<SolverTraits, EigensolverTraits>::continue_from_identity(
-    const Curvature_potential& rho, const Dirac_options& options, const Found& smallest,
-    Dirac_solution& s, const Go_further& go_further)
-{
-  const double rough = 1e-3, growth = 1.5, same_problem = 0.1 * std::sqrt(m_system.unit());
-  double t = 0, gamma = 0;
-  // If the shift is small, the full step has been tried already.
-  double dt = std::abs(slope_of(rho, s.lambda)) < same_problem ? 0.5 : 1;
-  for (s.substeps = 1; s.substeps < options.max_substeps && !s.cancelled; ++s.substeps) {
-    // By first-order perturbation theory, d gamma / dt = -<lambda, rho lambda> / |lambda|^2.
-    const double next = (std::min)(t + dt, 1.), slope = slope_of(rho, s.lambda);
-    const Step step{scaled(rho, next, 0), gamma + slope * (next - t), rough, next < 1};
-    if (follow(step, options, s, go_further)) {
-      if (next == 1 || is_continued_by(smallest, s))
-        return finish(rho, options, smallest, s, go_further);
-      gamma = dirac_quotient(m_system.surface(), step.rho, s.lambda);
-      dt *= growth;
-      t = next;
-    } else {
-      dt /= 2;
-    }
+  Stopwatch watch;
+  for (int k = 0; k < words; ++k) {
+    const Quaternion_vector<double> last = m_span.rightCols(1).col(0);
+    const Vectors b = apply_dirac_form(m_system.surface(), potential(m_pole.t, m_pole.gamma), last);
+    Vectors w;
+    inverse_operator(m_system.solver())(b, w);
+    ++m_s.solves;
+    if (!add(w.col(0))) break;
   }
-  s.converged = false;
+  m_s.seconds.eigenvectors += watch.lap();
 }
 
 template <class SolverTraits, class EigensolverTraits>
-double Dirac_branch<SolverTraits, EigensolverTraits>::slope_of(
-    const Curvature_potential& rho, const Quaternion_vector<double>& lambda) const
+void Dirac_branch<SolverTraits, EigensolverTraits>::forget_early_vectors()
 {
-  const Curvature_potential none{rho.on, Eigen::VectorXd::Zero(rho.values.size())};
-  return dirac_quotient(m_system.surface(), rho, lambda) -
-         dirac_quotient(m_system.surface(), none, lambda);
+  const Eigen::Index kept = 5;
+  const Vectors last = m_span.rightCols((std::min)(kept, m_span.cols()));
+  m_span.resize(0, 0);
+  add(m_one);
+  for (Eigen::Index j = 0; j < last.cols(); ++j) add(last.col(j));
 }
 
 template <class SolverTraits, class EigensolverTraits>
-void Dirac_branch<SolverTraits, EigensolverTraits>::finish(const Curvature_potential& rho,
-                                                           const Dirac_options& options,
-                                                           const Found& smallest, Dirac_solution& s,
-                                                           const Go_further& go_further)
+Branch_point Dirac_branch<SolverTraits, EigensolverTraits>::predict(Branch_point first, double end)
 {
-  const double sigma = s.spectral_shift;
-  const bool is_among_them = is_continued_by(smallest, s);
-  if (is_among_them) accept(smallest, options.tolerance, s);
-  if (is_among_them && s.residual <= options.tolerance) {
-    if (options.problem == Dirac_options::Eigenproblem::generalized)
-      m_system.set_potential(rho, s.seconds);
-    return;
+  const double step = 1. / 48;
+  Branch_point p;
+  for (const double least_overlap : {0.98, 0.9, 0.85}) {
+    if (least_overlap < 0.98) extend(2);
+    const Dirac_gram gram(m_system.surface(), m_rho, m_span);
+    first.c = gram_matrix(m_span, block_operator(m_system.areas())(Vectors(m_s.lambda))).col(0);
+    components(first.c) /= components(first.c).norm();
+    p = follow_branch(gram, first, end, least_overlap);
+    if (p.t == end) return p;
   }
-  s.converged = false;
-  const bool are_two_known = smallest.sigma == 0 && smallest.r.vectors.cols() == 2;
-  if ((is_among_them || !are_two_known) &&
-      (follow({rho, 0, options.tolerance}, options, s, go_further) || s.cancelled))
-    return;
-  const Step shifted{rho, sigma, options.tolerance};
-  accept(find(shifted, options, s, go_further, are_two_known && !is_among_them), options.tolerance,
-         s);
+  if (p.t == first.t) p.t = (std::min)(end, first.t + step);
+  return p;
 }
 
 template <class SolverTraits, class EigensolverTraits>
-bool Dirac_branch<SolverTraits, EigensolverTraits>::is_continued_by(const Found& smallest,
-                                                                    const Dirac_solution& s) const
+void Dirac_branch<SolverTraits, EigensolverTraits>::refine(Branch_point& p, double tolerance)
 {
-  const auto& vectors = smallest.r.vectors;
-  return smallest.sigma == 0 &&
-         m_system.overlap(vectors.col(nearest_column(vectors, s.lambda)), s.lambda) >= same_branch;
+  const int max_passes = 12;
+  const double rough = 1e-3, slowest = -0.05, stationary = tolerance * std::sqrt(m_system.unit());
+  double sigma = p.gamma, last_sigma = 0, last_change = 0;
+  for (int pass = 0; pass < max_passes; ++pass) {
+    m_system.assemble(potential(p.t, sigma), m_s.seconds);
+    iterate(p.t, sigma, pass == 0 ? (std::max)(tolerance, rough) : tolerance);
+    const double change = dirac_quotient(m_system.surface(), potential(p.t, sigma), m_s.lambda);
+    p.gamma = sigma + change;
+    m_s.converged = m_s.residual <= tolerance && std::abs(change) <= stationary;
+    if (m_s.converged || m_s.cancelled || m_s.iterations >= m_options.max_iterations) return;
+    const double slope = pass == 0 ? -1 : (change - last_change) / (sigma - last_sigma);
+    last_sigma = sigma;
+    last_change = change;
+    sigma -= change / (std::min)(slope, slowest);
+  }
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Dirac_branch<SolverTraits, EigensolverTraits>::iterate(double t, double sigma,
+                                                            double tolerance)
+{
+  smallest(tolerance);
+  const bool is_pole = m_pole.t == t && m_pole.gamma == sigma;
+  if (m_s.residual <= tolerance || m_s.cancelled || is_pole) return;
+  place_pole(t, sigma);
+  smallest(tolerance);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Dirac_branch<SolverTraits, EigensolverTraits>::smallest(double tolerance)
+{
+  Stopwatch watch;
+  Eigensolver_options options;
+  options.tolerance = tolerance;
+  options.max_iterations = (std::max)(m_options.max_iterations - m_s.iterations, 0);
+  options.scale = std::sqrt(m_system.unit());
+  const auto go_further = [this, done = m_s.iterations](Eigensolver_progress p) {
+    p.iteration += done;
+    return m_go_further(p);
+  };
+  const Eigensolver_result r =
+      EigensolverTraits()(m_system.matrix(), m_system.areas(), m_system.solver(),
+                          Vectors(m_s.lambda), options, go_further);
+  m_s.lambda = r.vectors.col(0);
+  m_s.energy = r.values[0];
+  m_s.residual = r.estimates[0];
+  m_s.iterations += r.iterations;
+  m_s.solves += r.solves;
+  m_s.cancelled = r.cancelled;
+  m_s.seconds.eigenvectors += watch.lap();
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Dirac_branch<SolverTraits, EigensolverTraits>::conclude(const Branch_point& p)
+{
+  m_s.eigenvalue = p.gamma;
+  m_s.dirac_residual = dirac_misfit(m_system.surface(), potential(p.t, p.gamma), m_s.lambda);
+  m_s.spectral_shift = m_pole.gamma;
+  m_s.gap = std::isfinite(p.gap) ? p.gap : 0;
+  m_s.branch_gap = std::isfinite(p.least_gap) ? p.least_gap : 0;
+  m_s.overlap = m_system.overlap(m_s.lambda, m_one);
+  m_s.lambda = m_system.normalized(std::move(m_s.lambda));
 }
 
 }  // namespace internal

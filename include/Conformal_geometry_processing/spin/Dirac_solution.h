@@ -25,7 +25,7 @@ struct Dirac_options {
   Eigenproblem problem = Eigenproblem::standard;
   double tolerance = 1e-8;  ///< upper bound of `Dirac_solution::residual`
   int max_iterations = 200;
-  int max_substeps = 64;     ///< of the continuation, if one is needed
+  int max_substeps = 10;     ///< stages in which the branch is followed, each with a factorization
   unsigned random_seed = 0;  ///< of the second start vector
   /// with prescribed directions at a boundary: singular values of D - rho up to this bound, in
   /// 1/length, count as zero, and the solution is the combination of their vectors nearest to the
@@ -45,12 +45,18 @@ struct Dirac_evidence {
   double eigenvalue = 0;  ///< gamma, signed, in 1/length
   double residual = 0;    ///< estimate of the error of lambda: the norm of X lambda - mu M_V lambda
                           ///< dual to the energy, divided by sqrt(4 pi / area) |lambda|
-  double gap = 0;      ///< distance from sqrt(mu) to that of the next known vector, in 1/length: an
-                       ///< upper bound of the true gap, inaccurate if the gap is wide
-  double overlap = 0;  ///< |<lambda, 1>| / (|lambda| |1|), one for the identity
-  int iterations = 0;  ///< of the eigensolver, over all substeps
-  int substeps = 1;    ///< of the continuation from rho = 0; one if no continuation was needed
-  double spectral_shift = 0;    ///< sigma: the eigenvalue nearest to it was sought; zero in (5.3)
+  /// |(D - rho - gamma) lambda| / |lambda|, in 1/length: what the mesh leaves of the equation
+  double dirac_residual = 0;
+  double gap = 0;  ///< distance from gamma to the next eigenvalue known, in 1/length: an upper
+                   ///< bound of the true gap; zero if no other is known
+  double branch_gap = 0;  ///< the least gap on the way from rho = 0, on closed surfaces: where it
+                          ///< is small, another branch crosses
+  double overlap = 0;           ///< |<lambda, 1>| / (|lambda| |1|), one for the identity
+  int iterations = 0;           ///< of the eigensolver
+  int substeps = 1;             ///< stages in which the branch was followed from rho = 0
+  int factorizations = 0;       ///< of X
+  int solves = 0;               ///< with a factor of X, one right-hand side each
+  double spectral_shift = 0;    ///< sigma of the last factor, of X for rho + sigma
   bool is_generalized = false;  ///< the generalized problem was requested, solved and accepted
   double generalized_eigenvalue = 0;  ///< eigenvalue of (5.2), gamma + (mu - gamma^2) / gamma
 
@@ -64,8 +70,9 @@ struct Dirac_evidence {
 /// a solution of the Dirac equation
 struct Dirac_solution : Dirac_evidence {
   Quaternion_vector<double> lambda;  ///< |V|; mean real and positive, mean of |lambda|^2 one
-  double energy = 0;                 ///< mu = <lambda, X lambda> / <lambda, M_V lambda> >= 0
-  Seconds seconds;                   ///< of each stage
+  double energy = 0;  ///< mu = <lambda, X lambda> / <lambda, M_V lambda> >= 0, of rho + gamma on
+                      ///< closed surfaces
+  Seconds seconds;    ///< of each stage
 };
 
 }  // namespace internal

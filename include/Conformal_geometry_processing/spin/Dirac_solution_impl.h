@@ -12,8 +12,9 @@ namespace Conformal_geometry_processing {
 
 CGP_INLINE internal::Dirac_evidence in_units(internal::Dirac_evidence evidence, double unit)
 {
-  for (double* number : {&evidence.eigenvalue, &evidence.gap, &evidence.spectral_shift,
-                         &evidence.generalized_eigenvalue})
+  for (double* number :
+       {&evidence.eigenvalue, &evidence.dirac_residual, &evidence.gap, &evidence.branch_gap,
+        &evidence.spectral_shift, &evidence.generalized_eigenvalue})
     *number /= unit;
   evidence.converged = evidence.converged && std::isfinite(evidence.eigenvalue);
   return evidence;

@@ -16,6 +16,7 @@ CGP_INLINE std::ostream& operator<<(std::ostream& out, const Spin_report& r)
   out << "Dirac equation         " << (r.converged ? "solved" : "NOT solved") << ", residual "
       << r.residual << " after " << r.iterations << " iterations";
   if (r.substeps > 1) out << " in " << r.substeps << " substeps";
+  out << ", " << r.factorizations << " factorizations";
   out << "\neigenvalue             " << r.eigenvalue << " (next one " << r.gap
       << " away, overlap with the identity " << r.overlap << ")\n"
       << "closure                " << r.closure_residual << " of the edge lengths\n";

@@ -14,7 +14,6 @@ template class internal::Dirac_energy_inverse<Supernodal_cholesky<Quaternion<dou
 template class internal::Prescribed_directions<Default_solver_traits>;
 template class internal::Prescribed_positions<Default_solver_traits>;
 template class internal::Dirac_system<Default_solver_traits>;
-template class internal::Dirac_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class internal::Dirac_branch<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class internal::Directions_search<Default_solver_traits>;
 template internal::Dirac_solution solve_dirac_equation<Lobpcg_eigensolver_traits>(

@@ -30,18 +30,23 @@ void require_on_faces(const Curvature_potential& rho);
 /// accepted only if it is the smallest, has converged, and is on the same branch.
 ///
 /// Solved as K lambda = (1/g) X lambda, whose right-hand side is positive definite.
-/// \param system of a closed surface, whose potential was rho in the last solve
+/// Costs one factorization more than the standard problem.
+/// \param system of a closed surface
 /// \param s a converged solution of the standard problem; unchanged if the generalized one is
 /// rejected
 /// \pre `require_on_faces(rho)` holds
 template <class SolverTraits>
-void solve_generalized_dirac(const internal::Dirac_system<SolverTraits>& system,
+void solve_generalized_dirac(internal::Dirac_system<SolverTraits>& system,
                              const Curvature_potential& rho, const Dirac_options& options,
                              internal::Dirac_solution& s, const internal::Go_further& go_further)
 {
   const double gamma = dirac_quotient(system.surface(), rho, s.lambda);
-  if (s.spectral_shift != 0 || gamma == 0 || s.energy <= 0) return;
-  const double guess = gamma / s.energy;  // 1 / g
+  system.set_potential(rho, s.seconds);
+  ++s.factorizations;
+  const double mu =
+      inner_product(s.lambda, system.matrix() * s.lambda).w / system.squared_norm(s.lambda);
+  if (gamma == 0 || mu <= 0) return;
+  const double guess = gamma / mu;  // 1 / g
   const auto K = dirac_form(system.surface(), rho);
   const auto energy = block_operator(system.matrix());
   const auto form = block_operator(K);
@@ -67,11 +72,14 @@ void solve_generalized_dirac(const internal::Dirac_system<SolverTraits>& system,
   const Eigensolver_result r =
       lobpcg(apply_k, apply_x, inverse_operator(system.solver()), start, eigen, go_further);
   s.iterations += r.iterations;
+  s.solves += 2 * r.solves;
   s.cancelled = r.cancelled;
   const Quaternion_vector<double> lambda = r.vectors.col(0);
   const double same_branch = 0.99;
   if (!r.converged || system.overlap(lambda, s.lambda) < same_branch) return;
-  s.lambda = lambda;
+  s.eigenvalue = dirac_quotient(system.surface(), rho, lambda);
+  s.overlap = system.overlap_with_identity(lambda);
+  s.lambda = system.normalized(lambda);
   s.residual = r.estimates[0];
   s.is_generalized = true;
   s.generalized_eigenvalue = (gamma > 0 ? -1 : 1) / r.values[0];

@@ -68,13 +68,16 @@ internal::Dirac_solution solve_dirac_equation(internal::Dirac_system<SolverTrait
   if (options.problem == Dirac_options::Eigenproblem::generalized)
     internal::require_generalized(system, rho);
   internal::Dirac_solution s;
-  if (system.is_closed() || system.directions()) system.set_potential(rho, s.seconds);
   if (system.is_closed()) {
-    internal::Dirac_branch<SolverTraits, EigensolverTraits>(system).solve(rho, options, s,
-                                                                          go_further);
+    internal::Dirac_branch<SolverTraits, EigensolverTraits>(system, rho, options, s, go_further)
+        .solve();
+    if (options.problem == Dirac_options::Eigenproblem::generalized && s.converged)
+      solve_generalized_dirac(system, rho, options, s, go_further);
     return s;
   }
+  s.factorizations = 1;
   if (system.directions()) {
+    system.set_potential(rho, s.seconds);
     internal::Directions_search<SolverTraits>(system).solve(rho, options, s, go_further);
     return s;
   }
