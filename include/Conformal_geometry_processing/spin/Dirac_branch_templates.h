@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/Dirac_gram.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/spin/Dirac_branch.h>
@@ -169,6 +170,7 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::refine(Branch_point& p, doub
     last_sigma = sigma;
     last_change = change;
     sigma -= change / (std::min)(slope, slowest);
+    if (sigma == last_sigma) return;  // rounding errors keep the residual above the tolerance
   }
 }
 
