@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Spin_report, of_two_mollified_steps_tells_what_was_measured_in_the_first)
@@ -39,4 +41,68 @@ TEST(Spin_report, of_two_transformations_adds_what_was_spent_and_keeps_the_worse
   EXPECT_EQ(all.period_defect, .75);
   EXPECT_EQ(all.residual, 1e-8);
   EXPECT_EQ(all.gap, 3);
+}
+
+namespace {
+
+using Fault = CGP::Spin_report::Fault;
+
+CGP::Spin_report success()
+{
+  CGP::Spin_report report;
+  report.converged = true;
+  return report;
+}
+
+void expect_fault(const CGP::Spin_report& report, Fault fault)
+{
+  EXPECT_EQ(report.fault(CGP::Spin_report::Limits()), fault) << to_string(fault);
+  EXPECT_EQ(static_cast<bool>(report), fault == Fault::none);
+}
+
+}  // namespace
+
+TEST(Spin_report, is_a_success_without_fault_only)
+{
+  CGP::Spin_report report = success();
+  expect_fault(report, Fault::none);
+  report.closure_residual = 0.2;
+  expect_fault(report, Fault::open);
+  report.missing_share = 0.8;
+  expect_fault(report, Fault::left_out);
+  report.direction_error.mean = 0.5;
+  expect_fault(report, Fault::directions);
+  report.boundary_fault = CGP::Spin_report::Boundary_fault::degenerate;
+  expect_fault(report, Fault::boundary);
+  report.converged = false;
+  expect_fault(report, Fault::not_solved);
+  report.eigenvalue = std::numeric_limits<double>::quiet_NaN();
+  expect_fault(report, Fault::not_finite);
+  report.steps = 0;
+  expect_fault(report, Fault::nothing_left);
+  report.cancelled = true;
+  expect_fault(report, Fault::cancelled);
+}
+
+// A tolerance of 1e300 makes every vector converge.
+TEST(Spin_report, is_no_success_with_a_large_residual_whatever_was_asked_for)
+{
+  CGP::Spin_report report = success();
+  report.residual = 1e-3;
+  expect_fault(report, Fault::not_solved);
+}
+
+TEST(Spin_report, is_no_success_if_the_map_is_not_conformal)
+{
+  CGP::Spin_report report = success();
+  report.conformality.quasi_conformal_of_new_area = 2;
+  expect_fault(report, Fault::map);
+}
+
+TEST(Spin_report, realises_what_is_reached_and_not_left_out)
+{
+  CGP::Spin_report report = success();
+  report.reached = 0.5;
+  report.missing_share = 0.2;
+  EXPECT_NEAR(report.realised_share(), 0.4, 1e-15);
 }

@@ -59,10 +59,12 @@ struct [[nodiscard]] Flow_report {
   /// whether the flow has converged
   bool converged() const;
 
-  /// whether it has converged, or made the requested number of steps
+  /// whether it has converged, or made the requested number of steps, and is conformal from start
+  /// to end, see `Conformality::fault()`
   explicit operator bool() const
   {
-    return converged() || stop == Flow_step_report::Stop::steps_done;
+    return (converged() || stop == Flow_step_report::Stop::steps_done) &&
+           conformality.fault({}) == Conformality::Fault::none;
   }
 };
 

@@ -15,11 +15,29 @@ namespace Conformal_geometry_processing {
 /// \brief Measures of conformality of the map between two surfaces of the same connectivity, part
 /// of the report of every transformation of the library.
 struct Conformality {
-  internal::Distribution quasi_conformal;  ///< of Q >= 1 over the area
+  internal::Distribution quasi_conformal;  ///< of Q >= 1 over the old area
+  /// mean of Q over the new area: it sees bad faces that were small and have become most of the
+  /// surface
+  double quasi_conformal_of_new_area = 1;
   internal::Length_cross_ratio_change length_cross_ratio;
   internal::Area_distortion scale;  ///< of lengths
   int flipped_faces = 0;
+  double flipped_share = 0;  ///< of the number of faces
+
+  /// bounds of what counts as a conformal map
+  struct Limits {
+    double quasi_conformal = 1.5;  ///< of the mean of Q over the old and over the new area
+    double flipped_share = 0.01;   ///< of the faces
+    double collapsed_share = 0.5;  ///< of the old area
+  };
+
+  /// which of the limits is exceeded, the first one; numbers that are not finite exceed all
+  enum class Fault { none, not_conformal, flipped, collapsed };
+  Fault fault(const Limits& limits) const;
 };
+
+/// \relates Conformality
+const char* to_string(Conformality::Fault fault);
 
 /// \ingroup PkgMeasure
 /// \param positions the new ones, 3 x |V|

@@ -9,11 +9,44 @@
 
 namespace Conformal_geometry_processing {
 
+// Comparisons are such that NaN is beyond every limit.
+CGP_INLINE Conformality::Fault Conformality::fault(const Limits& limits) const
+{
+  for (const double Q : {quasi_conformal.mean, quasi_conformal_of_new_area})
+    if (!(Q <= limits.quasi_conformal)) return Fault::not_conformal;
+  if (!(flipped_share <= limits.flipped_share)) return Fault::flipped;
+  if (!(scale.collapsed_share <= limits.collapsed_share)) return Fault::collapsed;
+  return Fault::none;
+}
+
+CGP_INLINE const char* to_string(Conformality::Fault fault)
+{
+  switch (fault) {
+    case Conformality::Fault::not_conformal:
+      return "the map is not conformal";
+    case Conformality::Fault::flipped:
+      return "too many faces are flipped";
+    case Conformality::Fault::collapsed:
+      return "too much of the surface has collapsed";
+    case Conformality::Fault::none:
+      break;
+  }
+  return "none";
+}
+
 CGP_INLINE Conformality conformality(const Mesh_view& mesh, const Points& positions,
                                      const Points& expected_normals)
 {
-  return {quasi_conformal_error(mesh, positions), length_cross_ratio_change(mesh, positions),
-          area_distortion(mesh, positions), flipped_faces(mesh, positions, expected_normals)};
+  const Eigen::VectorXd Q = quasi_conformal_errors(mesh, positions), areas = face_areas(mesh);
+  const Eigen::VectorXd new_areas = areas.array() * length_scales(mesh, positions).array().square();
+  Conformality c;
+  c.quasi_conformal = distribution(Q, areas);
+  c.quasi_conformal_of_new_area = Q.dot(new_areas) / new_areas.sum();
+  c.length_cross_ratio = length_cross_ratio_change(mesh, positions);
+  c.scale = area_distortion(mesh, positions);
+  c.flipped_faces = flipped_faces(mesh, positions, expected_normals);
+  c.flipped_share = double(c.flipped_faces) / mesh.size_of_faces();
+  return c;
 }
 
 }  // namespace Conformal_geometry_processing

@@ -21,6 +21,8 @@ namespace internal {
 struct Area_distortion {
   double min_scale = 1, max_scale = 1;  ///< range of `length_scales()`
   double log_deviation = 0;  ///< standard deviation of the log of the scale, weighted by area
+  /// share of the old area that shrank below a tenth of the root mean square scale
+  double collapsed_share = 0;
 };
 
 }  // namespace internal

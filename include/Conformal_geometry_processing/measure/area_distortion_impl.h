@@ -28,7 +28,9 @@ CGP_INLINE internal::Area_distortion area_distortion(const Mesh_view& mesh, cons
   const Eigen::VectorXd u = scale.array().log();
   const double mean = areas.dot(u) / areas.sum();
   const double variance = areas.dot((u.array() - mean).square().matrix()) / areas.sum();
-  return {scale.minCoeff(), scale.maxCoeff(), std::sqrt(variance)};
+  const double least = std::sqrt(areas.dot(scale.cwiseAbs2()) / areas.sum()) / 10;
+  const double collapsed = (scale.array() < least).select(areas.array(), 0).sum() / areas.sum();
+  return {scale.minCoeff(), scale.maxCoeff(), std::sqrt(variance), collapsed};
 }
 
 }  // namespace Conformal_geometry_processing

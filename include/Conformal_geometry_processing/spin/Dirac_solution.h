@@ -49,13 +49,13 @@ struct Dirac_evidence {
   double dirac_residual = 0;
   double gap = 0;  ///< distance from gamma to the next eigenvalue known, in 1/length: an upper
                    ///< bound of the true gap; zero if no other is known
-  double branch_gap = 0;  ///< the least gap on the way from rho = 0, on closed surfaces: where it
-                          ///< is small, another branch crosses
-  double overlap = 0;           ///< |<lambda, 1>| / (|lambda| |1|), one for the identity
-  int iterations = 0;           ///< of the eigensolver
-  int substeps = 1;             ///< stages in which the branch was followed from rho = 0
-  int factorizations = 0;       ///< of X
-  int solves = 0;               ///< with a factor of X, one right-hand side each
+  double branch_gap = 0;   ///< the least gap on the way from rho = 0, on closed surfaces: where it
+                           ///< is small, another branch crosses
+  double overlap = 0;      ///< |<lambda, 1>| / (|lambda| |1|), one for the identity
+  int iterations = 0;      ///< of the eigensolver
+  int substeps = 1;        ///< stages in which the branch was followed from rho = 0
+  int factorizations = 0;  ///< of X
+  int solves = 0;          ///< with a factor of X, one right-hand side each
   double spectral_shift = 0;    ///< sigma of the last factor, of X for rho + sigma
   bool is_generalized = false;  ///< the generalized problem was requested, solved and accepted
   double generalized_eigenvalue = 0;  ///< eigenvalue of (5.2), gamma + (mu - gamma^2) / gamma

@@ -57,13 +57,48 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     double certificate = 0;
   } seconds;
 
-  /// whether the transformation succeeded: the equation is solved, all numbers are finite, and the
-  /// boundary data could be realised
+  /// the share of rho that the new surface has: the rest was left out to keep handles closed
+  double realised_share() const { return reached * (1 - missing_share); }
+
+  /// bounds of what counts as success
+  struct Limits {
+    double residual = 1e-4;         ///< whatever tolerance was requested
+    double closure = 0.1;           ///< of `closure_residual`
+    double direction_error = 0.18;  ///< of its mean, in radians: ten degrees
+    double realised_share = 0.25;   ///< the least
+    Conformality::Limits map;
+  };
+
+  /// what `fault()` objects to
+  enum class Fault {
+    none,
+    cancelled,
+    not_finite,    ///< of the eigenvalue: the mesh is too small or too thin
+    not_solved,    ///< the equation
+    boundary,      ///< see `boundary_fault`
+    directions,    ///< those at the boundary are missed
+    nothing_left,  ///< no part of rho keeps the handles closed
+    left_out,      ///< too much of rho is left out
+    open,          ///< the new edges do not close up
+    map            ///< see `Conformality::fault()`
+  };
+
+  /// \brief the verdict: the first reason why the transformation is not what was requested, or
+  /// none.
+  ///
+  /// It is solved, conformal, closed, not flipped, not collapsed, and has the boundary and the
+  /// better part of the rho that were requested.
+  Fault fault(const Limits& limits) const;
+
+  /// whether there is no `fault()` beyond the limits by default
   explicit operator bool() const;
 };
 
 /// \relates Spin_report
 const char* to_string(Spin_report::Boundary_fault fault);
+
+/// \relates Spin_report
+const char* to_string(Spin_report::Fault fault);
 
 namespace internal {
 

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Conformal_geometry_processing {
 
@@ -25,9 +26,52 @@ CGP_INLINE const char* to_string(Spin_report::Boundary_fault fault)
   return "none";
 }
 
+CGP_INLINE const char* to_string(Spin_report::Fault fault)
+{
+  using Fault = Spin_report::Fault;
+  switch (fault) {
+    case Fault::cancelled:
+      return "cancelled";
+    case Fault::not_finite:
+      return "the eigenvalue is not finite";
+    case Fault::not_solved:
+      return "the Dirac equation is not solved";
+    case Fault::boundary:
+      return "the boundary data are not realisable";
+    case Fault::directions:
+      return "directions at the boundary are missed";
+    case Fault::nothing_left:
+      return "no part of rho keeps the handles closed";
+    case Fault::left_out:
+      return "too much of rho is left out";
+    case Fault::open:
+      return "the edges of the new surface do not close up";
+    case Fault::map:
+      return "the map is not conformal, flips or collapses";
+    case Fault::none:
+      break;
+  }
+  return "none";
+}
+
 CGP_INLINE Spin_report::operator bool() const
 {
-  return converged && !cancelled && boundary_fault == Spin_report::Boundary_fault::none;
+  return fault(Limits()) == Fault::none;
+}
+
+// Comparisons are such that NaN is beyond every limit.
+CGP_INLINE Spin_report::Fault Spin_report::fault(const Limits& limits) const
+{
+  if (cancelled) return Fault::cancelled;
+  if (steps == 0) return Fault::nothing_left;
+  if (!std::isfinite(eigenvalue)) return Fault::not_finite;
+  if (!converged || !(residual <= limits.residual)) return Fault::not_solved;
+  if (boundary_fault != Boundary_fault::none) return Fault::boundary;
+  if (!(direction_error.mean <= limits.direction_error)) return Fault::directions;
+  if (!(realised_share() >= limits.realised_share)) return Fault::left_out;
+  if (!(closure_residual <= limits.closure)) return Fault::open;
+  if (conformality.fault(limits.map) != Conformality::Fault::none) return Fault::map;
+  return Fault::none;
 }
 
 namespace internal {
@@ -52,8 +96,12 @@ CGP_INLINE void append(Spin_report& all, const Spin_report& next)
   static_cast<internal::Dirac_evidence&>(all) = next;
   all.residual = (std::max)(before.residual, next.residual);
   if (all.steps > 0) all.gap = (std::min)(before.gap, next.gap);
+  if (all.steps > 0) all.branch_gap = (std::min)(before.branch_gap, next.branch_gap);
   if (all.steps > 0) all.overlap = (std::min)(before.overlap, next.overlap);
   all.iterations += before.iterations;
+  all.factorizations += before.factorizations;
+  all.solves += before.solves;
+  all.dirac_residual = (std::max)(before.dirac_residual, next.dirac_residual);
   all.substeps = (std::max)(before.substeps, next.substeps);
   all.steps += next.steps;
   all.direction_error = next.direction_error;
