@@ -160,17 +160,19 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::refine(Branch_point& p, doub
   const double rough = 1e-3, slowest = -0.05, stationary = tolerance * std::sqrt(m_system.unit());
   double sigma = p.gamma, last_sigma = 0, last_change = 0;
   for (int pass = 0; pass < max_passes; ++pass) {
+    const double now = pass == 0 ? (std::max)(tolerance, rough) : tolerance;
     m_system.assemble(potential(p.t, sigma), m_s.seconds);
-    iterate(p.t, sigma, pass == 0 ? (std::max)(tolerance, rough) : tolerance);
+    iterate(p.t, sigma, now);
     const double change = dirac_quotient(m_system.surface(), potential(p.t, sigma), m_s.lambda);
     p.gamma = sigma + change;
     m_s.converged = m_s.residual <= tolerance && std::abs(change) <= stationary;
     if (m_s.converged || m_s.cancelled || m_s.iterations >= m_options.max_iterations) return;
-    const double slope = pass == 0 ? -1 : (change - last_change) / (sigma - last_sigma);
+    const bool has_moved = pass > 0 && sigma != last_sigma;
+    if (pass > 1 && !has_moved) return;  // rounding errors keep the residual above the tolerance
+    const double slope = has_moved ? (change - last_change) / (sigma - last_sigma) : -1;
     last_sigma = sigma;
     last_change = change;
     sigma -= change / (std::min)(slope, slowest);
-    if (sigma == last_sigma) return;  // rounding errors keep the residual above the tolerance
   }
 }
 
