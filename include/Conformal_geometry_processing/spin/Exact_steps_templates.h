@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/spin/Exact_steps.h>
+#include <Conformal_geometry_processing/spin/Framed_surface.h>
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/closed_step_templates.h>
 #include <Conformal_geometry_processing/spin/closure_residual.h>
