@@ -11,6 +11,9 @@ void measure_convergence_in_space();
 /// steps of the flow on a surface with three handles and on an annulus
 void measure_convergence_in_time();
 
+/// edits of tori on finer and finer meshes, and the conformal class of a torus in the flow
+void measure_handles();
+
 }  // namespace cgp_benchmark
 
 #endif

@@ -63,8 +63,9 @@ struct Spin_options {
   std::string lambda;  ///< the name of the vertex properties, none if empty
   bool generalized = false, force = false;
   std::optional<double> mollification;  ///< share of the mean edge; 0: never, none: where it helps
-  bool open_handles = false;      ///< rho is applied as it is, though it opens handles and holes
-  std::string solver = "native";  // or cholmod, eigen
+  bool open_handles = false;  ///< rho is applied as it is, though it opens handles and holes
+  std::optional<double> max_period_defect;  ///< of handles and holes; none: by the edge length
+  std::string solver = "native";            // or cholmod, eigen
   Verification_limits limits;
 };
 
@@ -78,8 +79,9 @@ struct Flow_options {
   int filter_order = 1;
   Balance_choice balance = Balance_choice::none;
   Boundary_choice boundary = Boundary_choice::free;
-  std::optional<double> mollification;  ///< share of the mean edge; none or 0: no triangulation
-  int every = 0;                        ///< steps from a snapshot to the next; none if zero
+  std::optional<double> mollification;      ///< share of the mean edge; none or 0: no triangulation
+  std::optional<double> max_period_defect;  ///< in each step, as for `Spin_options`
+  int every = 0;                            ///< steps from a snapshot to the next; none if zero
   bool force = false;
   Verification_limits limits;
 };

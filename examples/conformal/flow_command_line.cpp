@@ -28,6 +28,7 @@ void add_flow_options(CLI::App& command, Flow_options& flow)
       ->capture_default_str();
   add_boundary(command, flow.boundary);
   add_mollification(command, flow.mollification);
+  add_period_defect(command, flow.max_period_defect);
   add_choice(command, "--balance", flow.balance, {"none", "initial", "canonical"},
              "undoes drift of closed surfaces by sphere inversions: towards the initial areas, "
              "or those of the canonical metric (genus > 0)");

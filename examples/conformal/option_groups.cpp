@@ -153,6 +153,7 @@ void add_solver(CLI::App& command, Spin_options& options)
       .add_option("--solver", options.solver, "native, cholmod (where it was built in) or eigen")
       ->check(CLI::IsMember({"native", "cholmod", "eigen"}))
       ->capture_default_str();
+  add_period_defect(command, options.max_period_defect);
 }
 
 void add_mollification(CLI::App& command, std::optional<double>& mollification,
@@ -207,6 +208,15 @@ void add_prescription(CLI::App& command, Prescription_options& prescription)
                    "has its binormals turned towards the normals, by a formula likewise")
       ->check(formula);
   what->require_option(1);
+}
+
+void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect)
+{
+  command
+      .add_option("--max-period-defect", max_period_defect,
+                  "largest part of the edges that may fail to close up around handles and holes; "
+                  "by default a quarter of the discretisation error")
+      ->check(above_zero);
 }
 
 void add_eigenvector(CLI::App& command, Common_options& options)

@@ -60,6 +60,7 @@ inline constexpr const char* tried_otherwise =
 /// \param otherwise what happens without this option, as the end of a sentence
 void add_mollification(CLI::App& command, std::optional<double>& mollification,
                        const std::string& otherwise = "");
+void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect);
 void add_boundary(CLI::App& command, Boundary_choice& boundary);
 void add_prescription(CLI::App& command, Prescription_options& prescription);
 void add_eigenvector(CLI::App& command, Common_options& options);

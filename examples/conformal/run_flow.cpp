@@ -34,6 +34,7 @@ CGP::Flow_options options_of(const Flow_options& options, const Common_options& 
   flow.balance = balance_of(options.balance);
   flow.boundary = kept_boundary(options.boundary);
   if (options.mollification.value_or(0) > 0) flow.mollification = options.mollification;
+  flow.max_period_defect = options.max_period_defect;
   flow.dirac.tolerance = common.tolerance;
   flow.dirac.random_seed = common.seed;
   return flow;

@@ -10,6 +10,8 @@
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 
+#include <optional>
+
 namespace conformal {
 namespace {
 
@@ -17,9 +19,11 @@ using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
 
 template <class SolverTraits>
 Spin_solution solve_by(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                       const CGP::Dirac_options& options, const Go_further& go_further)
+                       std::optional<double> max_period_defect, const CGP::Dirac_options& options,
+                       const Go_further& go_further)
 {
   CGP::Spin_transformation_options own{problem.boundary};
+  own.max_period_defect = max_period_defect;
   if (!problem.closes_loops) own.exactness.reset();
   if (problem.mollification > 0) own.mollification = problem.mollification;
   CGP::Spin_result result = CGP::Spin_transformation<SolverTraits>(mesh, own, "spin")
@@ -39,13 +43,14 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
   dirac.kernel_tolerance = problem.kernel_tolerance;
+  const std::optional<double> defect = options.max_period_defect;
   if (options.solver == "eigen")
-    return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, problem, dirac, go_further);
+    return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, problem, defect, dirac, go_further);
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
   if (options.solver == "cholmod")
-    return solve_by<CGP::Cholmod_hermitian_solver_traits>(mesh, problem, dirac, go_further);
+    return solve_by<CGP::Cholmod_hermitian_solver_traits>(mesh, problem, defect, dirac, go_further);
 #endif
-  return solve_by<CGP::Default_solver_traits>(mesh, problem, dirac, go_further);
+  return solve_by<CGP::Default_solver_traits>(mesh, problem, defect, dirac, go_further);
 }
 
 }  // namespace conformal

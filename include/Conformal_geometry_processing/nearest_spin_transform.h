@@ -91,6 +91,12 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamType{`Exactness`, or `std::nullopt`}
 ///     \cgalParamDefault{`Exactness::adjoint`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_period_defect}
+///     \cgalParamDescription{the largest part of the edges that may fail to close up around handles
+///                           and holes, all steps together}
+///     \cgalParamType{`double`, positive}
+///     \cgalParamDefault{a quarter of the discretisation error, which falls with the edge length}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{mollification}
 ///     \cgalParamDescription{admits faces of the mesh and of the target of any thinness, also of
 ///                           area zero, see `spin_transform()`}
@@ -123,7 +129,7 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
           internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::tolerance_t,
           internal_np::maximum_number_of_substeps_t, internal_np::vertex_scale_map_t,
           internal_np::blend_t, internal_np::boundary_direction_t, internal_np::exactness_t,
-          internal_np::mollification_t>,
+          internal_np::maximum_period_defect_t, internal_np::mollification_t>,
       "nearest_spin_transform(): unknown named parameter, see the manual for those it accepts");
   using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
                                                  Default_solver_traits>;

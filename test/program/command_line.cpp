@@ -42,6 +42,8 @@ TEST_F(Command_line, nonsense_is_a_usage_error_of_one_line)
   EXPECT_TRUE(fails(run("spin a.off -o b.ply --rho-expression x --rho-file y"), 2, "2 were given"));
   EXPECT_TRUE(fails(run("spin --wrong 3 a.off -o b.ply --rho-expression x"), 2, "--wrong"));
   EXPECT_TRUE(fails(run("spin a.off -o b.ply --rho-expression x --threads 0"), 2, "above 0"));
+  EXPECT_TRUE(
+      fails(run("spin a.off -o b.ply --rho-expression x --max-period-defect 0"), 2, "above 0"));
   EXPECT_TRUE(fails(run("spin a.off -o b.ply --rho-expression x --amplitude inf"), 2, "finite"));
   EXPECT_TRUE(
       fails(run("spin a.off -o b.ply --rho-expression x --projection w"), 2, "{uv,x,y,z,sphere}"));

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
+// Tests include/Conformal_geometry_processing/spin/Spin_result.h
+// Tests include/Conformal_geometry_processing/spin/Spin_transformation_options.h
 // Tests include/Conformal_geometry_processing/spin/restore_area.h
 // Tests include/Conformal_geometry_processing/spin/Spin_report.h
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>

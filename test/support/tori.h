@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "support/mesh_tools.h"
+#include "support/random.h"
 
 /// Tori around the z axis: vertex i n + j is at u = i/m (around the axis), v = j/n (around the
 /// tube); normals point outward.
@@ -29,6 +30,17 @@ Mesh_view tube_torus(double R, int m, int n, Radius radius)
 inline Mesh_view torus(double R, double r, int m, int n)
 {
   return tube_torus(R, m, n, [r](double, double) { return r; });
+}
+
+/// the torus of revolution with every vertex moved along it at random, by up to 0.3 edges each way
+inline Mesh_view irregular_torus(double R, double r, int m, int n)
+{
+  Random random(1);
+  return Conformal_geometry_processing::torus_grid(m, n, 0, [&](int i, int j) {
+    const double u = 2 * pi * (i + .3 * random.number()) / m;
+    const double v = 2 * pi * (j + .3 * random.number()) / n, distance = R + r * std::cos(v);
+    return Eigen::Vector3d(distance * std::cos(u), distance * std::sin(u), r * std::sin(v));
+  });
 }
 
 /// the bumpy torus of the specification, generic: area 4 pi

@@ -41,6 +41,7 @@
   X(tolerance)                                          \
   X(eigenproblem)                                       \
   X(exactness)                                          \
+  X(maximum_period_defect)                              \
   X(eigenvalue_solver)                                  \
   X(sparse_solver)                                      \
   X(one_form_generators)                                \

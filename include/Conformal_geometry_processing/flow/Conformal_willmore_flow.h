@@ -42,13 +42,22 @@ namespace Conformal_geometry_processing {
 /// curvature. On surfaces with handles or holes, the edges must close up around them. Area and
 /// centroid are preserved.
 ///
+/// The conformal class of a surface with handles is kept but for two errors. The periods of a step
+/// are of second order in tau: left alone they add up to O(tau); `Flow_options::max_period_defect`
+/// bounds them. The other is the mesh's: D - rho has four equations per face for four unknowns per
+/// vertex, half as many, so the edges of a face close only in the sense of least squares, and
+/// forcing them to shears the faces. These shears are O(h^2) of the change of the surface, do not
+/// cancel, and have the sense in which the energy falls; their sum does not depend on tau. The sum
+/// of the `closure_residual`s tells how large it is; only a finer mesh makes it smaller.
+///
 /// A step is accepted if its equation is solved, its distortion is small enough, its edges close
 /// up, and the energy decreases (not required of steps that turn a boundary to prescribed
 /// directions). Otherwise it is repeated with half of tau. The surface of this object is always
 /// that of the last complete step.
 ///
 /// Ordering and symbolic factorization are computed once, in the constructor. A trial costs one
-/// numeric factorization of the Dirac matrix and about ten solves with it.
+/// numeric factorization of the Dirac matrix and about ten solves with it; one more of each if its
+/// edges have to be closed.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/flow/Constrained_direction_templates.h>
 #include <Conformal_geometry_processing/flow/step_fault.h>
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/spin/closed_step_templates.h>
 
 #include <Eigen/Core>
 
@@ -95,11 +96,12 @@ auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::try_st
     const Eigen::VectorXd& rho, Flow_step_report& report, const Go_further& go_further) -> Verdict
 {
   try {
-    Spin_result result =
-        m_transformation.step(Curvature_potential::on_vertices(rho), m_options.dirac, go_further);
-    report.spin = result.report;
-    if (!result.report.cancelled) report.period_defect = m_direction.period_defect(result.lambda);
-    return result.report.cancelled ? Verdict::cancelled : judge(std::move(result), report);
+    internal::Closed_step next = internal::closed_step(
+        m_transformation, Curvature_potential::on_vertices(rho),
+        {m_options.max_period_defect, m_options.dirac.tolerance}, 1, m_options.dirac, go_further);
+    report.spin = next.result.report;
+    report.period_defect = report.spin.period_defect;
+    return report.spin.cancelled ? Verdict::cancelled : judge(std::move(next.result), report);
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;
     report.message = error.what();

@@ -61,9 +61,6 @@ class Constrained_direction {
   /// the component of a change of curvature that keeps the edges exact
   Eigen::VectorXd exact_part(const Eigen::VectorXd& rho);
 
-  /// the period defect of a transformation of the present surface, see `Exactness_constraints`
-  double period_defect(const Quaternion_vector<double>& lambda);
-
  private:
   Result constrained(const Eigen::VectorXd& raw);
   const Exactness_constraints& exactness();

@@ -9,7 +9,6 @@
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
-#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
 
@@ -60,13 +59,6 @@ Eigen::VectorXd internal::Constrained_direction<SolverTraits, EigensolverTraits,
                                                 Direction>::exact_part(const Eigen::VectorXd& rho)
 {
   return rho.isZero(0) ? rho : exactness().basis().project_out(rho);
-}
-
-template <class SolverTraits, class EigensolverTraits, class Direction>
-double internal::Constrained_direction<SolverTraits, EigensolverTraits, Direction>::period_defect(
-    const Quaternion_vector<double>& lambda)
-{
-  return exactness().period_defect(transformed_edges(m_transformation.system().surface(), lambda));
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>

@@ -58,6 +58,11 @@ struct Flow_options {
   /// sheared beyond recognition. With a boundary, always the adjoint
   std::optional<Exactness> exactness = Exactness::adjoint;
 
+  /// the largest part of the edges that may fail to close up in one step; more is removed as far as
+  /// possible, for one factorization each time, by a change of rho. None: a quarter of the
+  /// discretisation error of the step, see `internal::Period_limit`
+  std::optional<double> max_period_defect = std::nullopt;
+
   /// admits faces of any thinness, see `Spin_transformation_options`. Curvature and energy are then
   /// computed on the triangulation, if the direction takes a `Surface_ref`, and distortion on the
   /// `well_shaped_faces()` of the initial mesh

@@ -6,7 +6,10 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
-#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/Period_limit.h>
+#include <Conformal_geometry_processing/spin/Spin_result.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation_options.h>
+#include <Conformal_geometry_processing/spin/closed_step.h>
 
 #include <Eigen/Core>
 
@@ -24,7 +27,7 @@ namespace internal {
 template <class Transformation>
 class Exact_steps {
  public:
-  /// \param transformation is moved along the path
+  /// \param transformation is moved along the path, to the last surface that a step starts from
   /// \param rho in 1/length
   Exact_steps(Transformation& transformation, const Curvature_potential& rho,
               const Spin_transformation_options& options);
@@ -40,21 +43,29 @@ class Exact_steps {
 
   /// \brief tries `step` times v and smaller steps until one is accepted.
   /// \returns nothing if no step of at least the minimal size is accepted, or the visitor cancels
-  std::optional<Spin_result> largest_step(const Eigen::VectorXd& v, const Dirac_options& options,
+  std::optional<Closed_step> largest_step(const Eigen::VectorXd& v, const Dirac_options& options,
                                           const Go_further& go_further, Spin_report& all,
                                           double& step);
-  bool can_go_on_from(const Points& positions);
-  double best_step(double step, double defect) const;
-  double next_step(double step, double defect, double rest) const;
+
+  /// moves the transformation to the positions, unless they are the end of the path
+  bool can_go_on_from(const Points& positions, bool is_end);
+
+  /// the step whose defect would be the limit
+  double best_step(double step, const Spin_report& report) const;
+  double next_step(double step, const Spin_report& report, double rest) const;
 
   /// continues from the surface found: converts rho to it with rho |df| fixed
-  void take(const Eigen::VectorXd& v, double share);
+  /// \param v the exact part of the missing rho \param rho the part of it that the step realised
+  void take(const Eigen::VectorXd& v, double share, const Eigen::VectorXd& rho);
+
+  /// the certificate from the first surface to the last
+  void finish(Spin_result& all) const;
 
   /// the areas that belong to the values of rho, in the unit of the mesh
   Eigen::VectorXd areas() const;
 
   /// the angles between the boundary and the prescribed directions, or its initial ones
-  void measure_directions(Spin_report& report) const;
+  void measure_directions(const Points& positions, Spin_report& report) const;
 
   /// root of the integral of rho^2, without the mean of rho if constants have no effect; invariant
   /// under scaling
@@ -62,6 +73,7 @@ class Exact_steps {
 
   Transformation& m_transformation;
   const Spin_transformation_options& m_options;
+  Period_limit m_limit;
   Normalized_frame m_frame;       // of the first surface
   Mesh_view m_before;             // on which the whole path is measured
   Curvature_potential m_missing;  // remaining rho, on the present surface

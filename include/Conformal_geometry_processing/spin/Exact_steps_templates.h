@@ -4,8 +4,12 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACT_STEPS_TEMPLATES_H
 
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/spin/Exact_steps.h>
+#include <Conformal_geometry_processing/spin/Framed_surface.h>
 #include <Conformal_geometry_processing/spin/certify.h>
+#include <Conformal_geometry_processing/spin/closed_step_templates.h>
+#include <Conformal_geometry_processing/spin/closure_residual.h>
 #include <Conformal_geometry_processing/spin/restore_area.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
@@ -14,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -24,6 +29,7 @@ Exact_steps<Transformation>::Exact_steps(Transformation& transformation,
                                          const Spin_transformation_options& options)
     : m_transformation(transformation),
       m_options(options),
+      m_limit{options.max_period_defect},
       m_frame(transformation.domain().frame()),
       m_before(transformation.domain().measured()),
       m_missing(rho),
@@ -39,18 +45,13 @@ Spin_result Exact_steps<Transformation>::run(const Dirac_options& options,
                                              const Go_further& go_further)
 {
   const double wanted = norm(m_missing.values);
+  m_limit.tolerance = options.tolerance;
   Spin_result all;
   all.lambda = Quaternion_vector<double>::Constant(m_before.size_of_vertices(), {1, 0, 0, 0});
   all.report.steps = 0;
   all.report.reached = 0;
   go_all_the_way(options, go_further, all);
-  if (all.report.steps > 0) {  // each step keeps the area of its own faces
-    Points f = m_frame.to_frame(m_transformation.positions());
-    restore_area(m_before, f, all.lambda);
-    all.positions = m_frame.from_frame(f);
-    certify(m_before, m_frame.to_frame(all.positions), all.lambda, all.report);
-    measure_directions(all.report);
-  }
+  if (all.report.steps > 0) finish(all);
   if (wanted > 0) all.report.missing_share = norm(m_left_out + m_missing.values) / wanted;
   return all;
 }
@@ -64,15 +65,15 @@ void Exact_steps<Transformation>::go_all_the_way(const Dirac_options& options,
     if (!exact) return;
     const Eigen::VectorXd& v = *exact;
     const double rest = 1 - all.report.reached;
-    const std::optional<Spin_result> next =
-        largest_step(v / rest, options, go_further, all.report, step);
+    std::optional<Closed_step> next = largest_step(v / rest, options, go_further, all.report, step);
     if (!next) return;
-    take(v, step / rest);
+    take(v, step / rest, next->rho.values);
     for (Eigen::Index i = 0; i < all.lambda.size(); ++i)
-      all.lambda[i] = all.lambda[i] * next->lambda[i];
-    append(all.report, next->report);
+      all.lambda[i] = all.lambda[i] * next->result.lambda[i];
+    all.positions = std::move(next->result.positions);
+    append(all.report, next->result.report);
     all.report.reached += step;
-    step = next_step(step, next->report.period_defect, 1 - all.report.reached);
+    step = next_step(step, next->result.report, 1 - all.report.reached);
   }
   all.report.reached = 1;  // up to rounding
 }
@@ -90,69 +91,94 @@ std::optional<Eigen::VectorXd> Exact_steps<Transformation>::exact_part(bool has_
 }
 
 template <class Transformation>
-std::optional<Spin_result> Exact_steps<Transformation>::largest_step(const Eigen::VectorXd& v,
+std::optional<Closed_step> Exact_steps<Transformation>::largest_step(const Eigen::VectorXd& v,
                                                                      const Dirac_options& options,
                                                                      const Go_further& go_further,
                                                                      Spin_report& all, double& step)
 {
-  const Exactness_constraints& exactness = m_transformation.exactness(m_missing.on);
   for (;;) {
-    Spin_result next = m_transformation.step({m_missing.on, step * v}, options, go_further);
-    if (next.report.cancelled) {
+    Closed_step next =
+        closed_step(m_transformation, {m_missing.on, step * v}, m_limit, step, options, go_further);
+    const Spin_report& report = next.result.report;
+    if (report.cancelled) {
       all.cancelled = true;
       return std::nullopt;
     }
-    double& defect = next.report.period_defect;
-    defect = exactness.period_defect(
-        transformed_edges(m_transformation.system().surface(), next.lambda));
-    const bool is_good = next.report.converged && defect <= m_options.max_period_defect * step;
-    if (is_good && can_go_on_from(next.positions)) return next;
+    const bool is_good = report.converged && report.period_defect <= m_limit(report, step);
+    const bool is_end = next_step(step, report, 1 - all.reached - step) == 0;
+    if (is_good && can_go_on_from(next.result.positions, is_end)) return next;
     if (step <= m_options.min_step) {
-      if (all.steps == 0) all.boundary_fault = next.report.boundary_fault;
-      if (all.steps == 0) all.mollification = next.report.mollification;
+      if (all.steps == 0) all.boundary_fault = report.boundary_fault;
+      if (all.steps == 0) all.mollification = report.mollification;
       return std::nullopt;
     }
-    const double better = next.report.converged && !is_good ? best_step(step, defect) : 0;
+    const double better = report.converged && !is_good ? best_step(step, report) : 0;
     step = (std::max)(m_options.min_step, std::clamp(better, step / 8, step / 2));
   }
 }
 
 // Faces that degenerate during the steps are not an error in the caller's mesh.
 template <class Transformation>
-bool Exact_steps<Transformation>::can_go_on_from(const Points& positions)
+bool Exact_steps<Transformation>::can_go_on_from(const Points& positions, bool is_end)
 {
+  const Framed_surface& domain = m_transformation.domain();
   try {
-    m_transformation.set_positions(positions);
+    if (is_end)
+      Framed_surface::require_faces({positions, domain.mesh().corners()}, domain.is_mollified(),
+                                    "Exact_steps");
+    else
+      m_transformation.set_positions(positions);
   } catch (const Precondition_error&) {
     return false;
   }
   return true;
 }
 
-// Defects grow with the square of the step, but the share of them allowed for a step grows
-// linearly.
+// Defects grow with the square of the step, or faster if they were removed to first order, but the
+// share of them allowed for a step grows linearly.
 template <class Transformation>
-double Exact_steps<Transformation>::best_step(double step, double defect) const
+double Exact_steps<Transformation>::best_step(double step, const Spin_report& report) const
 {
   const double caution = 0.8;
-  return caution * m_options.max_period_defect * step * step / defect;
+  return caution * step * m_limit(report, step) / report.period_defect;
 }
 
-// At most twice the last one; avoids a tiny last step.
+// At least the minimal step and at most twice the last one; avoids a tiny last step.
 template <class Transformation>
-double Exact_steps<Transformation>::next_step(double step, double defect, double rest) const
+double Exact_steps<Transformation>::next_step(double step, const Spin_report& report,
+                                              double rest) const
 {
-  const double better = (std::min)(best_step(step, defect), 2 * step);
-  return rest - better < m_options.min_step ? (rest < m_options.min_step / 2 ? 0 : rest) : better;
+  const double rounding = 1e-12;
+  if (rest < rounding) return 0;
+  const double better = (std::min)(best_step(step, report), 2 * step);
+  const double next = (std::max)(better, m_options.min_step);
+  return rest - next < m_options.min_step ? rest : next;
 }
 
 template <class Transformation>
-void Exact_steps<Transformation>::take(const Eigen::VectorXd& v, double share)
+void Exact_steps<Transformation>::take(const Eigen::VectorXd& v, double share,
+                                       const Eigen::VectorXd& rho)
 {
   const Eigen::VectorXd now = areas(), shrinking = m_areas.cwiseQuotient(now).cwiseSqrt();
   m_areas = now;
-  m_left_out = shrinking.cwiseProduct(m_left_out + m_missing.values - v);
-  m_missing.values = (1 - share) * shrinking.cwiseProduct(v);
+  const Eigen::VectorXd rest = (1 - share) * v;
+  m_left_out = shrinking.cwiseProduct(m_left_out + m_missing.values - rho - rest);
+  m_missing.values = shrinking.cwiseProduct(rest);
+}
+
+// Each step keeps the area of its own faces; all together keep that of the first.
+template <class Transformation>
+void Exact_steps<Transformation>::finish(Spin_result& all) const
+{
+  Points f = m_frame.to_frame(all.positions);
+  restore_area(m_before, f, all.lambda);
+  all.positions = m_frame.from_frame(f);
+  f = m_frame.to_frame(all.positions);  // after rounding
+  if (all.report.steps > 1)
+    all.report.closure_residual = closure_residual(m_before, cotan_weights(m_before), f,
+                                                   transformed_edges(m_before, all.lambda));
+  certify(m_before, f, all.lambda, all.report);
+  measure_directions(all.positions, all.report);
 }
 
 template <class Transformation>
@@ -163,13 +189,14 @@ Eigen::VectorXd Exact_steps<Transformation>::areas() const
 }
 
 template <class Transformation>
-void Exact_steps<Transformation>::measure_directions(Spin_report& report) const
+void Exact_steps<Transformation>::measure_directions(const Points& positions,
+                                                     Spin_report& report) const
 {
   const auto* const directions = m_transformation.system().directions();
   if (!directions) return;
   const Framed_surface& domain = m_transformation.domain();
   const Eigen::VectorXd errors =
-      domain.direction_errors(*directions, domain.mesh().positions(), m_directions);
+      domain.direction_errors(*directions, domain.frame().to_frame(positions), m_directions);
   report.direction_error = {errors.mean(), errors.maxCoeff()};
 }
 

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <cmath>
@@ -27,6 +28,19 @@ CGP_INLINE double internal::Exactness_constraints::period_defect(
   // Uses |w|, because w is negative opposite large angles and then defines no norm.
   const double total = weights.cwiseAbs().dot(edges.rowwise().squaredNorm());
   return forms.coefficients(weights, edges).norm() / std::sqrt(total);
+}
+
+CGP_INLINE Eigen::VectorXd internal::Exactness_constraints::closing_change(
+    const Eigen::MatrixX3d& edges) const
+{
+  if (functions.cols() == 0) return Eigen::VectorXd::Zero(areas.size());
+  // By rows, so that the three axes of a form are together, as in the functions.
+  const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> periods =
+      forms.coefficients(weights, edges);
+  const double damping = 0.01;
+  Eigen::MatrixXd gram = functions.transpose() * areas.asDiagonal() * functions;
+  gram.diagonal().array() += damping * damping * gram.diagonal().maxCoeff();
+  return functions * gram.ldlt().solve(-periods.reshaped<Eigen::RowMajor>() / 2);
 }
 
 }  // namespace Conformal_geometry_processing

@@ -27,6 +27,7 @@ struct Nearest_spin_options {
   /// the tangent, can be realised for any target
   Eigen::Vector3d direction{1, 0, 0};
   std::optional<Exactness> exactness = Exactness::adjoint;  ///< see `Spin_transformation_options`
+  std::optional<double> max_period_defect = std::nullopt;   ///< likewise
   /// see `Spin_transformation_options`; if set, spins of thin faces, of the mesh or of the target,
   /// are taken from their neighbours, and the spin structure of the target is not checked
   std::optional<double> mollification = std::nullopt;

@@ -138,6 +138,7 @@ Nearest_spin_transformation<SolverTraits, EigensolverTraits>::transformation_opt
 {
   Spin_transformation_options own;
   own.exactness = options.exactness;
+  own.max_period_defect = options.max_period_defect;
   own.mollification = options.mollification;
   const internal::Boundary_frames frames =
       options.mollification ? boundary_frames(Delaunay_view(target, *options.mollification))

@@ -56,9 +56,8 @@ class Poisson_reconstruction {
   /// \param edges |E| x 3, edge k runs from `surface.ends(k)[0]` to `surface.ends(k)[1]`
   Points positions(const Eigen::MatrixX3d& edges) const;
 
-  /// \brief |d0 f - e| / |e|: zero if and only if the edge vectors close up around every face.
-  ///
-  /// The norms use |w|, because w is negative opposite large angles and then defines no norm.
+  /// \brief the `internal::closure_residual()` of positions f and edge vectors e, 3 x |V| and |E| x
+  /// 3: zero if and only if the edge vectors close up around every face and are those of f.
   double residual(const Points& f, const Eigen::MatrixX3d& edges) const;
 
   Solver_statistics statistics() const { return m_solver.statistics(); }

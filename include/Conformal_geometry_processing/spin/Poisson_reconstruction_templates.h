@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/divergence.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
+#include <Conformal_geometry_processing/spin/closure_residual.h>
 
 #include <Eigen/Core>
 
@@ -41,14 +42,7 @@ template <class SolverTraits>
 double Poisson_reconstruction<SolverTraits>::residual(const Points& f,
                                                       const Eigen::MatrixX3d& edges) const
 {
-  double difference = 0, total = 0;
-  for (int k = 0; k < m_surface.size_of_edges(); ++k) {
-    const Eigen::Vector3d e = edges.row(k);
-    const Eigen::Vector3d d = f.col(m_surface.ends(k)[1]) - f.col(m_surface.ends(k)[0]);
-    difference += std::abs(m_weights[k]) * (d - e).squaredNorm();
-    total += std::abs(m_weights[k]) * e.squaredNorm();
-  }
-  return std::sqrt(difference / total);
+  return internal::closure_residual(m_surface, m_weights, f, edges);
 }
 
 }  // namespace Conformal_geometry_processing

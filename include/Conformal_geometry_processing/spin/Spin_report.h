@@ -46,9 +46,11 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     double measured_area = 0;  ///< their share of the area; at least 95 %
   } mollification;
 
-  double closure_residual = 0;  ///< how far the new edges are from closing up, relative
-  Conformality conformality;    ///< of the map from the old surface to the new one
-  double min_spin_ratio = 0;    ///< min |lambda| / max |lambda|; near zero if the map degenerates
+  /// how far the new edges are from conjugate(lambda) df lambda, relative; over several steps from
+  /// the first surface to the last
+  double closure_residual = 0;
+  Conformality conformality;  ///< of the map from the old surface to the new one
+  double min_spin_ratio = 0;  ///< min |lambda| / max |lambda|; near zero if the map degenerates
 
   /// wall clock seconds
   struct Seconds : internal::Dirac_evidence::Seconds {
@@ -108,8 +110,8 @@ void append(Spin_report::Mollification& all, const Spin_report::Mollification& n
 
 /// \relates Spin_report
 /// \brief appends the report of a second transformation to that of the first: sums costs, and takes
-/// the worse evidence. Quantities measured from start to end (conformality, spins) are left to the
-/// caller.
+/// the worse evidence. What is measured from start to end (conformality, spins, and the closure, of
+/// which only the worst step is known here) is left to the caller.
 void append(Spin_report& all, const Spin_report& next);
 
 }  // namespace Conformal_geometry_processing

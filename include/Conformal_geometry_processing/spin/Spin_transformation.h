@@ -5,11 +5,11 @@
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 #include <Conformal_geometry_processing/spin/Framed_surface.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
-#include <Conformal_geometry_processing/spin/Spin_report.h>
+#include <Conformal_geometry_processing/spin/Spin_result.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation_options.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
 #include <Eigen/Core>
@@ -19,29 +19,6 @@
 #include <string>
 
 namespace Conformal_geometry_processing {
-
-/// \ingroup PkgSpin
-/// the transformed surface with its report
-struct Spin_result {
-  Points positions;                  ///< 3 x |V|
-  Quaternion_vector<double> lambda;  ///< |V|; df~ = conjugate(lambda) df lambda
-  Spin_report report;
-};
-
-/// \ingroup PkgSpin
-/// options of `Spin_transformation` for boundaries, handles and thin faces
-struct Spin_transformation_options {
-  Boundary_condition boundary = {};  ///< for surfaces with boundary; the default is a free one
-  /// how the edges are kept exact around handles and holes, see `exactness_constraints()`; if
-  /// empty, the surface is sheared where they do not close up
-  std::optional<Exactness> exactness = Exactness::adjoint;
-  /// admits faces of any thinness, also of area zero: solves the equation on the intrinsic Delaunay
-  /// triangulation, and adds to all edges the length that thin faces lack to form triangles, at
-  /// most this share of the mean length, 0 < share < 1; 1e-6 is a good value
-  std::optional<double> mollification = std::nullopt;
-  double max_period_defect = 0.02;  ///< relative to the edges, over all steps together
-  double min_step = 1. / 256;       ///< the smallest share of rho for a step
-};
 
 /// \ingroup PkgSpin
 /// \brief computes spin transformations of a surface: finds the conformally equivalent surface
@@ -56,10 +33,12 @@ struct Spin_transformation_options {
 ///
 /// On a surface with handles or holes, the edges of a transformed surface have periods along the
 /// loops, and forcing the surface to close shears it. To first order the periods vanish if rho is
-/// orthogonal to three functions for each loop, so the remaining periods decrease with the square
-/// of the step. `transform()` applies the part of rho that keeps the surface closed, in as many
-/// steps as the tolerance requires, each from the surface found so far towards the missing
-/// curvature [CGP 4.5.2]. A step costs a second factorization, and about 10 solves for each handle.
+/// orthogonal to three functions for each loop [CGP 4.5.2]. `transform()` applies the part of rho
+/// that keeps the surface closed, and changes it by the little that removes the periods of second
+/// order, see `internal::closed_step()`. Where that does not reach the tolerance, it takes several
+/// steps, each from the surface found so far towards the missing curvature. The first
+/// transformation of a surface costs a second factorization, and about 10 solves for each handle;
+/// so does each further step, and a factorization of the Laplacian.
 ///
 /// With mollification, triangles may be needles, caps, or of area zero. Area, centroid and
 /// certificate then refer to the `well_shaped_faces()`, which exclude the thinnest faces, at most 5

@@ -250,6 +250,10 @@ void Spin_transformation<SolverTraits, EigensolverTraits>::judge_boundary(const 
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
+extern template internal::Closed_step internal::closed_step(
+    Spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>&,
+    const Curvature_potential&, const internal::Period_limit&, double, const Dirac_options&,
+    const internal::Go_further&);
 extern template class Spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 
 }  // namespace Conformal_geometry_processing

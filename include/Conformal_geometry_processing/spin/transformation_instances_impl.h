@@ -18,6 +18,10 @@ template internal::Exactness_constraints exactness_constraints<Default_solver_tr
     internal::Dirac_system<Default_solver_traits>&,
     const internal::Grounded_solver<Default_solver_traits>&, const Eigen::MatrixXd&,
     Curvature_potential::On, std::optional<Exactness>);
+template internal::Closed_step internal::closed_step(
+    Spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>&,
+    const Curvature_potential&, const internal::Period_limit&, double, const Dirac_options&,
+    const internal::Go_further&);
 template class Spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class Nearest_spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_PERIOD_LIMIT_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PERIOD_LIMIT_H
+
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+
+#include <optional>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// \brief the largest period defect of a transformation that counts as closed.
+///
+/// A defect shears the surface by about as much. By default it may be a quarter of the distortion
+/// that the step has anyway, mean Q - 1: that is the discretisation error, O(h) and in proportion
+/// to rho, so that the defect neither stops the convergence under refinement nor costs steps that
+/// no one would notice. Never more than 2 % of the edges, because on bad meshes Q is large.
+struct Period_limit {
+  std::optional<double> maximum;  ///< over all steps together, relative to the edges; see above
+  double tolerance = 0;           ///< of the spins: smaller defects are errors of the solver
+
+  /// \param report of the transformation
+  /// \param share of the way that it makes
+  double operator()(const Spin_report& report, double share) const;
+};
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Period_limit_impl.h>
+#endif
+
+#endif

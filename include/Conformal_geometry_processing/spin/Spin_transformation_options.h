@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_OPTIONS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_OPTIONS_H
+
+#include <Conformal_geometry_processing/forms/exactness_functions.h>
+#include <Conformal_geometry_processing/spin/Boundary_condition.h>
+
+#include <optional>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// options of `Spin_transformation` for boundaries, handles and thin faces
+struct Spin_transformation_options {
+  Boundary_condition boundary = {};  ///< for surfaces with boundary; the default is a free one
+  /// how the edges are kept exact around handles and holes, see `exactness_constraints()`; if
+  /// empty, the surface is sheared where they do not close up
+  std::optional<Exactness> exactness = Exactness::adjoint;
+  /// admits faces of any thinness, also of area zero: solves the equation on the intrinsic Delaunay
+  /// triangulation, and adds to all edges the length that thin faces lack to form triangles, at
+  /// most this share of the mean length, 0 < share < 1; 1e-6 is a good value
+  std::optional<double> mollification = std::nullopt;
+  /// the largest part of the edges, all steps together, that may fail to close up around handles
+  /// and holes; none: a quarter of the discretisation error, which falls with the edge length, see
+  /// `internal::Period_limit`
+  std::optional<double> max_period_defect = std::nullopt;
+  double min_step = 1. / 256;  ///< the smallest share of rho for a step but the last
+};
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CLOSED_STEP_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CLOSED_STEP_H
+
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/spin/Dirac_solution.h>
+#include <Conformal_geometry_processing/spin/Period_limit.h>
+#include <Conformal_geometry_processing/spin/Spin_result.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// a transformation of a surface with handles or holes
+struct Closed_step {
+  Spin_result result;       ///< with its period defect
+  Curvature_potential rho;  ///< realised, in 1/length
+  Eigen::MatrixX3d edges;   ///< before they are made to close up; |E| x 3
+};
+
+/// \brief transforms a surface by the rho next to a given one with which its edges close up.
+///
+/// The constraints of `Exactness_constraints` are those of an infinitely small rho, so the periods
+/// of a finite step are of second order. A quasi-Newton iteration removes them: the derivative of
+/// the periods at rho = 0 gives the smallest change of rho that makes them vanish to first order,
+/// and every change divides them by about ten. It stops at the limit, or when a change leaves more
+/// than a quarter of the defect: the step is then too large, or its periods lie where no rho moves
+/// them, as on isothermic surfaces, where one of the functions vanishes.
+///
+/// Costs one numeric factorization of the Dirac matrix for each change.
+///
+/// \tparam Transformation a `Spin_transformation`, which keeps its surface
+/// \param rho in 1/length, one number per vertex or per face
+/// \param share of the way that the step makes, for the limit
+/// \throw as `Spin_transformation::step()`
+template <class Transformation>
+Closed_step closed_step(Transformation& transformation, const Curvature_potential& rho,
+                        const Period_limit& limit, double share, const Dirac_options& options,
+                        const Go_further& go_further);
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/closed_step_templates.h>
+#endif
+
+#endif

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Exact_steps.h
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/templates.h>
+
+#include <gtest/gtest.h>
+
+#include <type_traits>
+
+#include "support/meshes.h"
+
+/// How many matrices are factored for an edit of a surface with handles.
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+
+/// the default solvers, counted by kind
+struct Counting_solver_traits {
+  inline static int real = 0, quaternionic = 0;
+
+  template <class Scalar>
+  struct Solver : CGP::Default_solver_traits::Solver<Scalar> {
+    CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>& A,
+                                 const CGP::Vector<double>& shift)
+    {
+      ++(std::is_same_v<Scalar, double> ? real : quaternionic);
+      return CGP::Default_solver_traits::Solver<Scalar>::factorize(A, shift);
+    }
+  };
+};
+
+using Transformation = CGP::Spin_transformation<Counting_solver_traits>;
+
+CGP::Spin_report edited(Transformation& transformation, double amplitude)
+{
+  Counting_solver_traits::real = Counting_solver_traits::quaternionic = 0;
+  const Eigen::VectorXd rho = amplitude * (3 * transformation.positions().row(1).array()).sin();
+  return transformation.transform(CGP::Curvature_potential::on_vertices(rho)).report;
+}
+
+}  // namespace
+
+TEST(Exact_steps_costs, are_one_factorization_for_each_edit_after_the_first_in_one_step)
+{
+  Transformation transformation(btorus(16));
+  EXPECT_EQ(edited(transformation, .1).steps, 1);
+  EXPECT_EQ(Counting_solver_traits::quaternionic, 2);  // the constraints, and the edit
+  EXPECT_EQ(Counting_solver_traits::real, 1);
+  EXPECT_EQ(edited(transformation, .2).steps, 1);
+  EXPECT_EQ(Counting_solver_traits::quaternionic, 1);
+  EXPECT_EQ(Counting_solver_traits::real, 0);
+}
+
+TEST(Exact_steps_costs, are_one_factorization_more_for_each_change_that_closes_the_surface)
+{
+  CGP::Spin_transformation_options options;
+  options.max_period_defect = 1e-5;
+  Transformation transformation(btorus(16), options);
+  (void)edited(transformation, .5);
+  const CGP::Spin_report report = edited(transformation, .5);
+  EXPECT_EQ(report.steps, 1);
+  EXPECT_LE(report.period_defect, 1e-5);
+  EXPECT_GE(Counting_solver_traits::quaternionic, 2);
+  EXPECT_LE(Counting_solver_traits::quaternionic, 4);
+  EXPECT_EQ(Counting_solver_traits::real, 0);
+}

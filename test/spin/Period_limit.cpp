@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Period_limit.h
+#include <Conformal_geometry_processing/spin/Period_limit.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using Conformal_geometry_processing::Spin_report;
+using Conformal_geometry_processing::internal::Period_limit;
+
+Spin_report distorted_by(double distortion)
+{
+  Spin_report report;
+  report.conformality.quasi_conformal.mean = 1 + distortion;
+  return report;
+}
+
+}  // namespace
+
+TEST(Period_limit, is_shared_among_the_steps_if_it_is_given)
+{
+  const Period_limit limit{.004, 1e-8};
+  for (const double share : {1., .5, .25}) EXPECT_EQ(limit(distorted_by(.04), share), .004 * share);
+}
+
+TEST(Period_limit, falls_with_the_discretisation_error_otherwise)
+{
+  const Period_limit limit{{}, 1e-8};
+  for (const double distortion : {.04, .02, .01, 1e-5}) {
+    EXPECT_LE(limit(distorted_by(distortion), 1), .25 * distortion * (1 + 1e-9));
+    EXPECT_NEAR(limit(distorted_by(distortion), 1) / limit(distorted_by(distortion / 2), 1), 2,
+                1e-9);
+  }
+}
+
+TEST(Period_limit, is_neither_below_the_error_of_the_spins_nor_above_two_per_cent)
+{
+  const Period_limit limit{{}, 1e-8};
+  EXPECT_EQ(limit(distorted_by(0), 1), 1e-8);
+  EXPECT_GT((Period_limit{{}, 0}(distorted_by(0), 1)), 0);  // rounding
+  EXPECT_EQ(limit(distorted_by(3), 1), .02);
+  EXPECT_EQ(limit(distorted_by(3), .5), .01);
+}
