@@ -60,11 +60,21 @@ void tell(const CGP::internal::Dirac_spectrum& s, const Spectrum_options& option
   session.report().set("result/pencil_eigenvalues", numbers(s.pencil_eigenvalues));
   session.report().set("result/residual", s.residuals.maxCoeff());
   session.report().set("result/restarts", s.restarts);
+  session.report().set("result/complete_from", s.shift - s.complete_radius);
+  session.report().set("result/complete_to", s.shift + s.complete_radius);
+  session.report().set("result/is_complete", s.is_complete());
+  if (!s.is_complete())
+    session.note("between the eigenvalues shown others may be missing, except from " +
+                 text_of(s.shift - s.complete_radius) + " to " +
+                 text_of(s.shift + s.complete_radius) + ": the mesh does not resolve the " +
+                 std::to_string(s.wanted) + " that were asked for");
   const double resolution = options.resolution * s.eigenvalues.cwiseAbs().maxCoeff();
   Table table;
   table.add("eigenvalue", std::string("multiplicity"));
   for (const auto& [value, multiplicity] : CGP::with_multiplicities(s.eigenvalues, resolution))
     table.add(text_of(value), multiplicity);
+  table.add("complete from", s.shift - s.complete_radius);
+  table.add("complete to", s.shift + s.complete_radius);
   session.print(table.text());
 }
 

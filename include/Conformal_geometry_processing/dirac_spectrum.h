@@ -45,9 +45,8 @@ Dirac_spectrum_options dirac_spectrum_options(const NamedParameters& np)
 ///
 /// Computes in double precision for any kernel. One factorization, and for each eigenvalue a few
 /// solves and, for each pair of eigenvalues, several hundred operations per vertex: a hundred
-/// eigenvalues on 8 000 triangles take seconds. Eigenvalues have an error of O(h^2); those very
-/// close to the shift have a larger one, see `Dirac_spectral_problem`, the class for several rho on
-/// one mesh.
+/// eigenvalues on 8 000 triangles take seconds. Eigenvalues have an error of O(h^2), also those at
+/// the shift; see `Dirac_spectral_problem`, the class for several rho on one mesh.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -108,7 +107,8 @@ Dirac_spectrum_options dirac_spectrum_options(const NamedParameters& np)
 /// \cgalNamedParamsEnd
 ///
 /// \returns the eigenvalues nearest to the shift first; rows of the vectors are in the order of
-/// `vertices(mesh)`. Check `converged`.
+/// `vertices(mesh)`. Check `is_complete()`: where the mesh does not resolve all that are asked for,
+/// there may be fewer, and some may be missing beyond `complete_radius`.
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
 /// finite coordinates and positive areas, if the directions do not fit it, or if `count` exceeds
 /// the number of eigenvalues

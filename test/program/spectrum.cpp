@@ -34,6 +34,12 @@ TEST_F(Spectrum, tells_eigenvalues_with_their_multiplicities)
   ASSERT_EQ(values.size(), 7u);
   for (std::size_t k = 0; k < 7; ++k) EXPECT_NEAR(values[k], expected[k], 0.06) << k;
   EXPECT_LT(json["result"]["residual"], 1e-6);
+  EXPECT_TRUE(json["result"]["is_complete"]);
+  const double reach = json["result"]["complete_to"];
+  EXPECT_GE(reach, 1);
+  EXPECT_LT(reach, 1.6);  // the next ones are 1.5 and -1.5
+  EXPECT_EQ(json["result"]["complete_from"], -reach);
+  EXPECT_NE(r.out.find("complete to"), std::string::npos);
   std::istringstream csv(content(path("a.csv")));
   std::string line;
   std::getline(csv, line);
@@ -49,6 +55,15 @@ TEST_F(Spectrum, tells_eigenvalues_with_their_multiplicities)
   for (double value = 0, count = 0; table >> value >> count;)
     multiplicities.push_back(static_cast<int>(count));
   EXPECT_EQ(multiplicities, (std::vector<int>{1, 1, 2, 3}));
+}
+
+TEST_F(Spectrum, says_that_the_mesh_does_not_resolve_what_was_asked_for)
+{
+  write("a.off", off(cgp_test::icosphere(1)));
+  const Program_run r = run("spectrum a.off --count 42 --json a.json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_NE(r.err.find("the mesh does not resolve the 42"), std::string::npos) << r.err;
+  EXPECT_FALSE(nlohmann::json::parse(content(path("a.json")))["result"]["is_complete"]);
 }
 
 TEST_F(Spectrum, next_to_a_shift_and_with_a_boundary)

@@ -22,6 +22,23 @@ TEST(With_multiplicities, joins_what_is_nearer_than_the_resolution)
   EXPECT_EQ(groups[2].multiplicity, 3);
 }
 
+TEST(Dirac_spectrum, is_complete_if_all_that_was_asked_for_is_in_the_window)
+{
+  CGP::internal::Dirac_spectrum s;
+  s.shift = 2;
+  s.wanted = 2;
+  s.eigenvalues = Eigen::Vector2d(2.5, 1.25);
+  s.complete_radius = 0.8;
+  EXPECT_FALSE(s.is_complete());  // not converged
+  s.converged = true;
+  EXPECT_TRUE(s.is_complete());
+  s.complete_radius = 0.7;
+  EXPECT_FALSE(s.is_complete());
+  s.complete_radius = 0.8;
+  s.wanted = 3;
+  EXPECT_FALSE(s.is_complete());
+}
+
 TEST(With_multiplicities, of_nothing_is_nothing)
 {
   EXPECT_TRUE(CGP::with_multiplicities(Eigen::VectorXd(), 1).empty());

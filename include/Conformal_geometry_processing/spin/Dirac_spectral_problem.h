@@ -9,13 +9,12 @@
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/Spectral_pairs.h>
 
 #include <Eigen/Core>
 
-#include <cmath>
 #include <functional>
 #include <string>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -23,18 +22,19 @@ namespace internal {
 
 /// \ingroup PkgSpin
 /// \brief finds the eigenvalues nearest to a shift s, and eigenfunctions, of D - rho, on closed
-/// surfaces and on surfaces with boundary where D is self-adjoint [CGP (5.2), 5.8.2].
+/// surfaces and on surfaces with boundary where D is self-adjoint [CGP 5.8.2].
 ///
-/// With A = D - rho - s, these are the eigenpairs of A*A lambda = g B*A lambda with the largest
-/// |1/g|, which the Krylov-Schur method finds. A*A is positive definite and is factored once per
-/// call of `find()`. For A = D it is singular: the constants are in the kernel of both sides and
-/// determine no eigenvalue. They are split off first, and the other eigenfunctions have mean zero.
+/// The eigenvectors of X lambda = mu M_V lambda [CGP (5.3)] for A = D - rho - s with the smallest
+/// mu = g^2 + delta^2 span those of A with |g| below a bound, where delta is the discretisation
+/// error; Rayleigh-Ritz of the signed form in this span separates s + g from s - g. Nothing depends
+/// on the distance of the shift to an eigenvalue, and X is factored once per call of `find()`,
+/// shifted to be well conditioned. The pencil A*A lambda = g B*A lambda [CGP (5.2)] would find the
+/// same vectors except those with |g| < delta, whose eigenvalues (g^2 + delta^2) / g are anywhere.
 ///
-/// The eigenvalue of this pencil is s + (g_0^2 + delta^2) / g_0, where s + g_0 is the true
-/// eigenvalue and delta the discretisation error. Vectors nearer to the shift than delta therefore
-/// appear farther away than others; they are computed from the standard problem [CGP (5.3)] with
-/// the same factor. The returned eigenvalues are quotients of the vectors, with an error of O(h^2)
-/// for any shift.
+/// More vectors are computed until the discretisation error leaves none of the wanted ones out
+/// (`complete_radius()`); those found are kept. The returned eigenvalues are quotients of the
+/// vectors, with an error of O(h^2) for any shift. For rho + s = 0, the constants are split off
+/// first, and the other eigenfunctions have mean zero.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits = Default_solver_traits>
@@ -65,43 +65,26 @@ class Dirac_spectral_problem {
                       const Go_further& go_further = {});
 
  private:
-  /// an eigenvector with its quotient and its eigenvalue of the pencil, both minus the shift, in
-  /// the frame
-  struct Pair {
-    double quotient, of_pencil, residual;
-    Quaternion_vector<double> vector;
-
-    friend bool operator<(const Pair& a, const Pair& b)
-    {
-      return std::abs(a.quotient) < std::abs(b.quotient);
-    }
-  };
-
   static const Mesh_view& checked(const Mesh_view& mesh, const Boundary_condition& condition,
                                   const std::string& function);
   void require_input(const Curvature_potential& rho, int count, double shift) const;
 
-  Krylov_result iterate(const Pencil& pencil, int wanted, const Dirac_spectrum_options& options,
-                        const Go_further& go_further = {}) const;
+  /// the number of eigenvectors besides the constants
+  int size_of_space() const;
 
-  Pair pair(const Quaternion_vector<double>& v, double residual) const;
+  /// computes eigenvectors until the `wanted` ones nearest to the shift are complete
+  void search(int wanted, const Dirac_spectrum_options& options, const Go_further& go_further,
+              Dirac_spectrum& s) const;
 
-  /// \brief the eigenpairs nearest to the shift first; replaces those that the pencil misplaces.
-  std::vector<Pair> with_those_at_the_shift(const Krylov_result& r,
-                                            const Dirac_spectrum_options& options) const;
+  Krylov_result iterate(int wanted, const Krylov_result& known,
+                        const Dirac_spectrum_options& options, const Go_further& go_further) const;
 
-  /// \brief the eigenvectors nearer to the shift than the discretisation error: those of X lambda =
-  /// mu M_V lambda [CGP (5.3)] with sqrt(mu) below the moduli of all eigenvalues of the pencil. For
-  /// all other vectors, sqrt(mu) nearly equals such a modulus.
-  std::vector<Pair> at_the_shift(const Krylov_result& r,
-                                 const Dirac_spectrum_options& options) const;
+  /// in the frame, nearest to the shift first
+  Spectral_pairs pairs(const Krylov_result& square) const;
 
-  /// the number of vectors with sqrt(mu) below a bound
-  int count_below(double bound, const Krylov_result& standard) const;
-  /// <v, X v>
-  double energy(const Quaternion_vector<double>& v) const;
   void set_potential(Curvature_potential rho);
-  void fill(const std::vector<Pair>& pairs, double shift, Dirac_spectrum& s) const;
+  void append_constants(int count, Dirac_spectrum& s) const;
+  void append(const Spectral_pairs& pairs, int count, Dirac_spectrum& s) const;
 
   std::string m_function;
   Normalized_frame m_frame;

@@ -6,20 +6,20 @@
 #include <Conformal_geometry_processing/algebra/random_quaternions.h>
 #include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
 #include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
 #include <Conformal_geometry_processing/spin/dirac_pencils.h>
-#include <Conformal_geometry_processing/spin/rayleigh_ritz_of_dirac.h>
+#include <Conformal_geometry_processing/spin/signed_eigenvectors.h>
+#include <Conformal_geometry_processing/spin/spectral_subspace_size.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -41,21 +41,11 @@ internal::Dirac_spectrum internal::Dirac_spectral_problem<SolverTraits>::find(
   require_input(rho, count, options.shift);
   set_potential({rho.on, (rho.values.array() + options.shift).matrix() * m_frame.unit()});
   internal::Dirac_spectrum s;
-  s.size_of_constants = static_cast<int>((std::min<Eigen::Index>)(count, m_constants.cols()));
-  internal::Krylov_result r;
-  r.converged = true;
-  std::vector<Pair> pairs;
-  if (count > s.size_of_constants) {
-    const int wanted = count - s.size_of_constants;
-    r = iterate(internal::pencil_of_form(m_system, m_rho, m_constants), wanted, options,
-                go_further);
-    pairs = with_those_at_the_shift(r, options);
-    pairs.resize((std::min)(pairs.size(), static_cast<std::size_t>(wanted)));
-  }
-  s.restarts = r.restarts;
-  s.converged = r.converged;
-  s.cancelled = r.cancelled;
-  fill(pairs, options.shift, s);
+  s.shift = options.shift;
+  s.wanted = count;
+  s.converged = true;
+  append_constants((std::min)(count, static_cast<int>(m_constants.cols())), s);
+  if (count > s.size_of_constants) search(count - s.size_of_constants, options, go_further, s);
   return s;
 }
 
@@ -86,9 +76,45 @@ void internal::Dirac_spectral_problem<SolverTraits>::require_input(const Curvatu
 }
 
 template <class SolverTraits>
+int internal::Dirac_spectral_problem<SolverTraits>::size_of_space() const
+{
+  const int all = m_system.directions() ? m_system.directions()->basis().rows().dimension()
+                                        : m_mesh.size_of_vertices();
+  return all - static_cast<int>(m_constants.cols());
+}
+
+template <class SolverTraits>
+void internal::Dirac_spectral_problem<SolverTraits>::search(
+    int wanted, const internal::Dirac_spectrum_options& options, const Go_further& go_further,
+    internal::Dirac_spectrum& s) const
+{
+  const int all = size_of_space(), most = (std::min)(all, largest_subspace_size(wanted));
+  if (wanted > all)
+    throw Precondition_error(m_function, std::to_string(wanted) +
+                                             " eigenvalues besides the constants are wanted, of " +
+                                             std::to_string(all));
+  internal::Krylov_result square;
+  internal::Spectral_pairs best;
+  int size = (std::min)(most, first_subspace_size(wanted));
+  for (bool is_last = false; !is_last;) {
+    square = iterate(size, square, options, go_further);
+    s.restarts += square.restarts;
+    internal::Spectral_pairs found = pairs(square);
+    is_last =
+        !square.converged || size == most || found.is_limited_by_mesh || is_complete(found, wanted);
+    size = next_subspace_size(size, most, found, wanted);
+    if (complete_radius(found, wanted) >= complete_radius(best, wanted)) best = std::move(found);
+  }
+  s.converged = square.converged;
+  s.cancelled = square.cancelled;
+  if (s.converged) s.complete_radius = complete_radius(best, wanted) / m_frame.unit();
+  append(best, wanted, s);
+}
+
+template <class SolverTraits>
 internal::Krylov_result internal::Dirac_spectral_problem<SolverTraits>::iterate(
-    const internal::Pencil& pencil, int wanted, const internal::Dirac_spectrum_options& options,
-    const Go_further& go_further) const
+    int wanted, const internal::Krylov_result& known,
+    const internal::Dirac_spectrum_options& options, const Go_further& go_further) const
 {
   internal::Krylov_options krylov;
   krylov.wanted = wanted;
@@ -99,80 +125,34 @@ internal::Krylov_result internal::Dirac_spectral_problem<SolverTraits>::iterate(
                                   block_operator(m_system.areas())(random_quaternions(
                                       m_system.areas().size(), columns, seed++)));
   };
-  return krylov_schur(pencil, m_mesh.size_of_vertices(), noise, krylov, go_further);
+  return krylov_schur(internal::pencil_of_masses(m_system, m_constants), m_mesh.size_of_vertices(),
+                      noise, krylov, go_further, known);
 }
 
 template <class SolverTraits>
-auto internal::Dirac_spectral_problem<SolverTraits>::pair(const Quaternion_vector<double>& v,
-                                                          double residual) const -> Pair
+internal::Spectral_pairs internal::Dirac_spectral_problem<SolverTraits>::pairs(
+    const internal::Krylov_result& square) const
 {
-  const internal::Dirac_forms forms = internal::forms_in_space(m_system, m_rho, v);
-  const double form = forms.dirac(0, 0).w;
-  return {form / forms.mass(0, 0).w, energy(v) / form, residual, v};
-}
-
-template <class SolverTraits>
-auto internal::Dirac_spectral_problem<SolverTraits>::with_those_at_the_shift(
-    const internal::Krylov_result& r, const internal::Dirac_spectrum_options& options) const
-    -> std::vector<Pair>
-{
-  std::vector<Pair> pairs = at_the_shift(r, options);
-  const std::size_t count = pairs.size();
-  for (Eigen::Index k = 0; k < r.values.size(); ++k) {
-    const Quaternion_vector<double> v = r.vectors.col(k);
-    double share = 0;  // share of v in the span of these vectors
-    for (std::size_t i = 0; i < count; ++i)
-      share += std::pow(m_system.overlap(pairs[i].vector, v), 2);
-    if (share < 0.5) pairs.push_back(pair(v, r.residuals[k]));
+  internal::Signed_eigenvectors e =
+      signed_eigenvectors(internal::pencil_of_form(m_system, m_rho, m_constants), square);
+  const Eigen::Index size = e.vectors.cols();
+  internal::Spectral_pairs p;
+  p.quotients = p.energies = p.squared_images = p.of_pencil = Eigen::VectorXd(size);
+  const Curvature_potential none = no_potential(m_mesh);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const Quaternion_vector<double> v = e.vectors.col(k);
+    const internal::Dirac_forms forms = internal::forms_in_space(m_system, m_rho, v);
+    const double form = forms.dirac(0, 0).w, energy = inner_product(v, m_system.matrix() * v).w;
+    p.quotients[k] = form / forms.mass(0, 0).w;
+    p.energies[k] = energy / m_system.squared_norm(v);
+    p.squared_images[k] = std::pow(dirac_misfit(m_mesh, none, v), 2);
+    p.of_pencil[k] = energy / form;
   }
-  std::stable_sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-
-template <class SolverTraits>
-auto internal::Dirac_spectral_problem<SolverTraits>::at_the_shift(
-    const internal::Krylov_result& r, const internal::Dirac_spectrum_options& options) const
-    -> std::vector<Pair>
-{
-  double nearest = std::numeric_limits<double>::infinity();
-  for (double theta : r.values) nearest = (std::min)(nearest, std::abs(1 / theta));
-  internal::Dirac_spectrum_options rough = options;
-  rough.tolerance = (std::max)(1e-3, options.tolerance);
-  const int most = static_cast<int>(r.values.size());
-  int count = 0;
-  for (int wanted = (std::min)(2, most);; wanted = (std::min)(2 * wanted, most)) {
-    count = count_below(0.8 * nearest,
-                        iterate(internal::pencil_of_masses(m_system, m_constants), wanted, rough));
-    if (count < wanted || wanted == most) break;
-  }
-  std::vector<Pair> pairs;
-  if (count == 0) return pairs;
-  const internal::Krylov_result exact =
-      iterate(internal::pencil_of_masses(m_system, m_constants), count, options);
-  const Vectors separated = rayleigh_ritz_of_dirac(
-      exact.vectors, internal::forms_in_space(m_system, m_rho, exact.vectors));
-  for (Eigen::Index k = 0; k < separated.cols(); ++k)
-    pairs.push_back(pair(separated.col(k), exact.residuals.maxCoeff()));
-  return pairs;
-}
-
-template <class SolverTraits>
-int internal::Dirac_spectral_problem<SolverTraits>::count_below(
-    double bound, const internal::Krylov_result& standard) const
-{
-  int count = 0;
-  for (Eigen::Index k = 0; k < standard.values.size(); ++k) {
-    const Quaternion_vector<double> v = standard.vectors.col(k);
-    count += energy(v) < bound * bound * m_system.squared_norm(v);
-  }
-  return count;
-}
-
-template <class SolverTraits>
-double internal::Dirac_spectral_problem<SolverTraits>::energy(
-    const Quaternion_vector<double>& v) const
-{
-  return inner_product(v, m_system.matrix() * v).w;
+  p.residuals = std::move(e.residuals);
+  p.vectors = std::move(e.vectors);
+  p.reach = square.values.size() < size_of_space() ? e.reach - m_system.shift()
+                                                   : std::numeric_limits<double>::infinity();
+  return resolved_nearest_first(p);
 }
 
 template <class SolverTraits>
@@ -184,28 +164,35 @@ void internal::Dirac_spectral_problem<SolverTraits>::set_potential(Curvature_pot
   m_constants =
       is_zero ? internal::constants_in_space(m_system) : Vectors(m_system.areas().size(), 0);
   internal::Dirac_evidence::Seconds seconds;
-  m_system.set_potential(m_rho, seconds, 1e-9);
+  m_system.set_potential(m_rho, seconds);
 }
 
 template <class SolverTraits>
-void internal::Dirac_spectral_problem<SolverTraits>::fill(const std::vector<Pair>& pairs,
-                                                          double shift,
-                                                          internal::Dirac_spectrum& s) const
+void internal::Dirac_spectral_problem<SolverTraits>::append_constants(
+    int count, internal::Dirac_spectrum& s) const
 {
-  const Eigen::Index constants = s.size_of_constants,
-                     size = constants + static_cast<Eigen::Index>(pairs.size());
-  s.eigenvalues = s.pencil_eigenvalues = Eigen::VectorXd::Constant(size, shift);
-  s.residuals = Eigen::VectorXd::Zero(size);
-  s.vectors.resize(m_mesh.size_of_vertices(), size);
-  for (Eigen::Index k = 0; k < constants; ++k)
+  s.size_of_constants = count;
+  s.eigenvalues = s.pencil_eigenvalues = Eigen::VectorXd::Constant(count, s.shift);
+  s.residuals = Eigen::VectorXd::Zero(count);
+  s.vectors.resize(m_mesh.size_of_vertices(), count);
+  for (Eigen::Index k = 0; k < count; ++k)
     s.vectors.col(k) = m_system.normalized(m_constants.col(k));
-  Eigen::Index k = constants;
-  for (const Pair& p : pairs) {
-    s.eigenvalues[k] = shift + p.quotient / m_frame.unit();
-    s.pencil_eigenvalues[k] = shift + p.of_pencil / m_frame.unit();
-    s.residuals[k] = p.residual;
-    s.vectors.col(k++) = m_system.normalized(p.vector);
-  }
+}
+
+template <class SolverTraits>
+void internal::Dirac_spectral_problem<SolverTraits>::append(const internal::Spectral_pairs& pairs,
+                                                            int count,
+                                                            internal::Dirac_spectrum& s) const
+{
+  const Eigen::Index first = s.size(), size = (std::min<Eigen::Index>)(count, pairs.size());
+  for (Eigen::VectorXd* values : {&s.eigenvalues, &s.pencil_eigenvalues, &s.residuals})
+    values->conservativeResize(first + size);
+  s.vectors.conservativeResize(Eigen::NoChange, first + size);
+  s.eigenvalues.tail(size) = s.shift + pairs.quotients.head(size).array() / m_frame.unit();
+  s.pencil_eigenvalues.tail(size) = s.shift + pairs.of_pencil.head(size).array() / m_frame.unit();
+  s.residuals.tail(size) = pairs.residuals.head(size);
+  for (Eigen::Index k = 0; k < size; ++k)
+    s.vectors.col(first + k) = m_system.normalized(pairs.vectors.col(k));
 }
 
 }  // namespace Conformal_geometry_processing

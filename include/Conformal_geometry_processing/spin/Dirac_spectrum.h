@@ -29,21 +29,31 @@ struct Dirac_spectrum_options {
 /// and each quaternionic dimension counts once. With directions kept at a boundary, they are real
 /// vector spaces.
 struct Dirac_spectrum {
+  double shift = 0;  ///< the eigenvalues nearest to it; in 1/length
+  int wanted = 0;    ///< the number of eigenvalues that were asked for
   /// signed, in 1/length: `dirac_quotient()` of the vectors
   Eigen::VectorXd eigenvalues;
-  /// eigenvalues of A*A lambda = g B*A lambda for A = D - rho - shift, plus the shift [CGP (5.2)]:
-  /// their distance to the shift is too large by the squared discretisation error over that
-  /// distance
+  /// <v, A*A v> / <v, B*A v> for A = D - rho - shift, plus the shift, which is the eigenvalue of
+  /// [CGP (5.2)] up to the square of the error of v: its distance to the shift is too large by the
+  /// squared discretisation error over that distance, and not meaningful below that error
   Eigen::VectorXd pencil_eigenvalues;
-  Eigen::VectorXd residuals;          ///< relative, of the discrete problem
+  Eigen::VectorXd residuals;  ///< relative, of the discrete problem [CGP (5.3)] in the whole space
   Block<Quaternion<double>> vectors;  ///< |V| x count; the mean of |lambda|^2 is one
   int size_of_constants = 0;          ///< number of constant spins, which come first, with exact
                                       ///< eigenvalues
-  int restarts = 0;                   ///< of the iteration
-  bool converged = false;
+  /// Every eigenvalue nearer to the shift than this is listed, as often as its multiplicity, if its
+  /// discretisation error is not far larger than those of the listed; in 1/length. Others are
+  /// eigenvalues too, but some between them may be missing. Infinite if all are listed.
+  double complete_radius = 0;
+  int restarts = 0;        ///< of the iteration
+  bool converged = false;  ///< the iteration for the discrete problem
   bool cancelled = false;
 
   Eigen::Index size() const { return eigenvalues.size(); }
+
+  /// whether these are the wanted eigenvalues: as many as were asked for, all within
+  /// `complete_radius` of the shift
+  bool is_complete() const;
 };
 
 /// \ingroup PkgSpin

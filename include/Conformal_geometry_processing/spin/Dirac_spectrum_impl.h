@@ -13,6 +13,12 @@
 
 namespace Conformal_geometry_processing {
 
+CGP_INLINE bool internal::Dirac_spectrum::is_complete() const
+{
+  if (!converged || size() < wanted) return false;
+  return ((eigenvalues.array() - shift).abs() <= complete_radius).all();
+}
+
 CGP_INLINE std::vector<internal::Multiple_eigenvalue> with_multiplicities(
     const Eigen::VectorXd& eigenvalues, double resolution)
 {

@@ -34,6 +34,18 @@ Block<Quaternion<double>> constants_in_space(const Dirac_system<SolverTraits>& s
   return v;
 }
 
+/// the part of a right-hand side b that vanishes on the constants
+template <class SolverTraits>
+Block<Quaternion<double>> beside_constants(const Dirac_system<SolverTraits>& system,
+                                           const Block<Quaternion<double>>& constants,
+                                           Block<Quaternion<double>> b)
+{
+  using Vectors = Block<Quaternion<double>>;
+  add_combination(b, Vectors(block_operator(system.areas())(constants)),
+                  Vectors(-gram_matrix(constants, b, system.coefficients())));
+  return b;
+}
+
 /// \brief X^-1 b without its constant component: that of b is rounding error, which the factor
 /// would amplify.
 template <class SolverTraits>
@@ -42,14 +54,14 @@ Block<Quaternion<double>> solve_beside(const Dirac_system<SolverTraits>& system,
                                        Block<Quaternion<double>> b)
 {
   using Vectors = Block<Quaternion<double>>;
+  Vectors x = system.solve(beside_constants(system, constants, std::move(b)));
   const Vectors masses = block_operator(system.areas())(constants);
-  add_combination(b, masses, Vectors(-gram_matrix(constants, b, system.coefficients())));
-  Vectors x = system.solve(b);
   add_combination(x, constants, Vectors(-gram_matrix(masses, x, system.coefficients())));
   return x;
 }
 
-/// K = M_V, N = X with the shift of its factor
+/// K = M_V, N = X with the shift of its factor. K vanishes on the constants too: what rounding
+/// brings in of them, which have the smallest N, would otherwise appear as the largest eigenvalue.
 template <class SolverTraits>
 Pencil pencil_of_masses(const Dirac_system<SolverTraits>& system,
                         const Block<Quaternion<double>>& constants)
@@ -57,8 +69,8 @@ Pencil pencil_of_masses(const Dirac_system<SolverTraits>& system,
   using Vectors = Block<Quaternion<double>>;
   Pencil pencil;
   pencil.coefficients = system.coefficients();
-  pencil.K = [&system](const Vectors& v) {
-    return system.projected(block_operator(system.areas())(v));
+  pencil.K = [&system, &constants](const Vectors& v) {
+    return system.projected(beside_constants(system, constants, block_operator(system.areas())(v)));
   };
   pencil.N = [&system](const Vectors& v) {
     Vectors w = block_operator(system.matrix())(v);

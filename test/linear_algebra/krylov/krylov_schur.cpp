@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <vector>
 
 #include "linear_algebra/spectral_problem.h"
 
@@ -78,6 +79,46 @@ TEST(Krylov_schur, finds_every_copy_of_an_eigenvalue_even_more_than_a_block_has_
   for (int j = 0; j < 9; ++j) EXPECT_NEAR(r.values[j], -2, 1e-12);
   EXPECT_NEAR(r.values[9], 1, 1e-12);
   EXPECT_LT(problem.sine(r.vectors.leftCols(9), 9), 1e-7);
+}
+
+/// noise without the eigenvectors from `missing[k]` on to the fourth one, the k-th time
+auto noise_without(const Spectral_problem& problem, std::vector<int> missing)
+{
+  return [&problem, missing, k = std::size_t(0)](Eigen::Index columns) mutable {
+    Block v = random_block<Q>(problem.size(), static_cast<int>(columns), k + 1);
+    const int first = k < missing.size() ? missing[k] : 4;
+    ++k;
+    const Block hidden = problem.vectors().middleCols(first, 4 - first);
+    CGP::add_combination(v, hidden, Block(-CGP::gram_matrix(hidden, problem.n()(v))));
+    return v;
+  };
+}
+
+TEST(Krylov_schur, goes_on_as_long_as_random_vectors_find_something_new)
+{
+  // Four copies of 1, of which the random vectors show one after the other.
+  Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(120, 0.7, 0.01);
+  values.head(4).setOnes();
+  const Spectral_problem problem(values);
+  CGP::internal::Krylov_options options = wanting(4);
+  options.tolerance = 1e-2;  // reached before rounding errors bring in what is hidden
+  const auto r =
+      CGP::krylov_schur(pencil_of(problem), 120, noise_without(problem, {1, 2, 3, 4}), options);
+  ASSERT_TRUE(r.converged);
+  for (int j = 0; j < 4; ++j) EXPECT_NEAR(r.values[j], 1, 1e-3);
+}
+
+TEST(Krylov_schur, keeps_what_is_known_and_adds_to_it)
+{
+  const Spectral_problem problem(reciprocals(120));
+  const CGP::internal::Pencil pencil = pencil_of(problem);
+  const auto few = CGP::krylov_schur(pencil, 120, noise(120), wanting(4));
+  const auto more = CGP::krylov_schur(pencil, 120, noise(120), wanting(9), {}, few);
+  ASSERT_TRUE(more.converged);
+  for (int j = 0; j < 9; ++j) EXPECT_NEAR(more.values[j], problem.value(j), 1e-12);
+  const auto again = CGP::krylov_schur(pencil, 120, noise(120), wanting(9), {}, more);
+  ASSERT_TRUE(again.converged);
+  EXPECT_EQ(again.restarts, 1);  // nothing is left to converge, and another round adds nothing
 }
 
 TEST(Krylov_schur, finds_all_eigenpairs_of_a_small_matrix)

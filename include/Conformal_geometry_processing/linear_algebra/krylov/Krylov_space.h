@@ -42,6 +42,10 @@ class Krylov_space {
   bool has_room() const { return size() + m_next.cols() <= m_V.capacity(); }
   Eigen::Index rows() const { return m_V.rows(); }
 
+  /// \brief Takes over eigenvectors, N-orthonormal, without computing their images.
+  /// \pre V is empty, and there is room for them
+  void adopt(const Vectors& eigenvectors, const Vector<double>& theta);
+
   /// \brief Continues with other vectors, after orthogonalization against V.
   /// \pre V is empty, or its columns are eigenvectors
   void begin_with(Block<Quaternion<double>> v) { orthonormalize(std::move(v)); }
@@ -65,6 +69,9 @@ class Krylov_space {
   Vectors combination(const Vectors& y) const { return m_V.combination(y); }
 
  private:
+  /// Sets the projection on eigenvectors
+  void set_projection(const Vector<double>& theta);
+
   /// Sets `m_next` to an N-orthonormal basis of the components of w orthogonal to V, and
   /// `m_remainder` such that w = V * something + next * remainder.
   void orthonormalize(Vectors w);

@@ -25,6 +25,14 @@ CGP_INLINE Krylov_space::Krylov_space(const Pencil& pencil, Eigen::Index rows,
       m_next(rows, 0)
 {}
 
+CGP_INLINE void Krylov_space::adopt(const Vectors& eigenvectors, const Vector<double>& theta)
+{
+  if (theta.size() == 0) return;
+  m_V.append(eigenvectors);
+  m_NV.append(m_pencil.N(eigenvectors));
+  set_projection(theta);
+}
+
 CGP_INLINE void Krylov_space::extend()
 {
   const Eigen::Index first = size(), count = m_next.cols();
@@ -56,6 +64,11 @@ CGP_INLINE void Krylov_space::restart(const Vectors& y, const Vector<double>& th
 {
   m_V.combine(y);
   m_NV.combine(y);
+  set_projection(theta);
+}
+
+CGP_INLINE void Krylov_space::set_projection(const Vector<double>& theta)
+{
   for (Eigen::Index j = 0; j < size(); ++j)
     for (Eigen::Index i = 0; i < size(); ++i)
       m_projection(i, j) = {i == j ? theta[j] : 0., 0, 0, 0};

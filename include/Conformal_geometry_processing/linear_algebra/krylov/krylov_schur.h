@@ -49,7 +49,8 @@ struct Krylov_result {
 /// With N = (A - s)^2 and K = A - s those are the eigenvalues s + 1/theta of A next to s. Full
 /// orthogonalization makes it possible to find multiple eigenvalues: as many copies as a block has
 /// columns, at least sqrt(wanted) + 2; further copies are found by restarts from random vectors
-/// when all pairs have converged, until these find nothing new. Deterministic, if `noise` is.
+/// beside all pairs whenever these have converged, until they stay as they are. Deterministic, if
+/// `noise` is.
 ///
 /// Costs one K, one solution and about 100 (wanted + 6 sqrt(wanted)) n operations for each of the
 /// vectors; the memory of 3 wanted + 12 sqrt(wanted) of them.
@@ -58,13 +59,17 @@ struct Krylov_result {
 /// \param noise called with a number of columns: returns that many vectors in the space, new ones
 /// each time
 /// \param go_further called with `Krylov_progress` before every restart; false cancels
+/// \param known eigenpairs of the same pencil, such as those of a run that wanted fewer: they are
+/// kept and not computed again
+/// \pre `known` are at most as many as are wanted
 /// \throw Precondition_error if `wanted` is less than one or exceeds the number of eigenpairs
 /// \throw Solver_error if an operator returns values that are not finite
 internal::Krylov_result krylov_schur(
     const internal::Pencil& pencil, Eigen::Index rows,
     const std::function<Block<Quaternion<double>>(Eigen::Index)>& noise,
     const internal::Krylov_options& options = {},
-    const std::function<bool(const internal::Krylov_progress&)>& go_further = {});
+    const std::function<bool(const internal::Krylov_progress&)>& go_further = {},
+    const internal::Krylov_result& known = {});
 
 }  // namespace Conformal_geometry_processing
 

@@ -48,6 +48,15 @@ CGP_INLINE Eigen::Index converged_pairs(const Vector<double>& values,
   return count;
 }
 
+/// Whether no eigenvalue has grown: random vectors have found nothing new beside those before.
+CGP_INLINE bool has_nothing_new(const Vector<double>& values, const Vector<double>& before,
+                                double tolerance)
+{
+  if (values.size() != before.size()) return false;
+  const auto growth = values.array().abs() - before.array().abs();
+  return (growth <= tolerance * values.array().abs()).all();
+}
+
 CGP_INLINE Vector<double> true_residuals(const Pencil& pencil, const Block<Quaternion<double>>& x,
                                          const Vector<double>& values)
 {
@@ -68,7 +77,8 @@ CGP_INLINE internal::Krylov_result krylov_schur(
     const internal::Pencil& pencil, Eigen::Index rows,
     const std::function<Block<Quaternion<double>>(Eigen::Index)>& noise,
     const internal::Krylov_options& options,
-    const std::function<bool(const internal::Krylov_progress&)>& go_further)
+    const std::function<bool(const internal::Krylov_progress&)>& go_further,
+    const internal::Krylov_result& known)
 {
   const Eigen::Index wanted = options.wanted;
   if (wanted < 1) throw Precondition_error("krylov_schur", "at least one eigenpair must be wanted");
@@ -76,15 +86,18 @@ CGP_INLINE internal::Krylov_result krylov_schur(
       static_cast<Eigen::Index>(std::ceil(std::sqrt(static_cast<double>(wanted)))) + 2;
   internal::Krylov_space space(pencil, rows, wanted + 9 * block);
   internal::Krylov_result result;
+  space.adopt(known.vectors, known.values);
   space.begin_with(noise(block));
-  for (bool is_confirmed = false;; ++result.restarts) {
+  for (Vector<double> before;; ++result.restarts) {  // the values when all converged the last time
     while (space.has_next() && space.has_room()) space.extend();
     const auto pairs = internal::dominant_first(quaternionic_householder(space.projection()));
     const Eigen::Index found = (std::min)(pairs.values.size(), wanted);
     const Eigen::Index converged = internal::converged_pairs(
         pairs.values.head(found), space.residuals(pairs.vectors.leftCols(found)),
         options.tolerance);
-    result.converged = converged == wanted && is_confirmed;
+    const bool have_all_converged = converged == found;
+    result.converged = converged == wanted && internal::has_nothing_new(pairs.values.head(found),
+                                                                        before, options.tolerance);
     result.cancelled = go_further && !go_further({result.restarts, static_cast<int>(converged)});
     if (result.converged || result.cancelled || result.restarts == options.max_restarts) {
       result.values = pairs.values.head(found);
@@ -92,10 +105,10 @@ CGP_INLINE internal::Krylov_result krylov_schur(
       result.residuals = internal::true_residuals(pencil, result.vectors, result.values);
       return result;
     }
-    is_confirmed = converged == found;
-    const Eigen::Index kept = is_confirmed ? found : (std::min)(wanted + block, space.size());
+    if (have_all_converged) before = pairs.values.head(found);
+    const Eigen::Index kept = have_all_converged ? found : (std::min)(wanted + block, space.size());
     space.restart(pairs.vectors.leftCols(kept), pairs.values.head(kept));
-    if (!is_confirmed && space.has_next()) continue;
+    if (!have_all_converged && space.has_next()) continue;
     space.begin_with(noise(block));
     if (!space.has_next() && found < wanted)
       throw Precondition_error("krylov_schur", std::to_string(wanted) +

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/signed_eigenvectors.h
+#include <Conformal_geometry_processing/spin/signed_eigenvectors.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "linear_algebra/spectral_problem.h"
+
+namespace {
+
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+using Block = CGP::Block<CGP::Quaternion<double>>;
+
+/// K with eigenvalues of both signs, and N = K M^-1 K + error M, all with masses M
+class Signed_eigenvectors : public testing::Test {
+ protected:
+  static constexpr double error = 0.01;
+
+  static Eigen::VectorXd squares(const Eigen::VectorXd& values)
+  {
+    return (values.array().square() + error).matrix();
+  }
+
+  Signed_eigenvectors()
+  {
+    form.K = signs.k();
+    form.N = square.k();
+    form.solve = square.inverse();
+  }
+
+  /// the first eigenpairs of M x = theta N x, where those of opposite sign are mixed
+  CGP::internal::Krylov_result first(Eigen::Index count) const
+  {
+    Block v = signs.vectors();
+    for (Eigen::Index j = 0; j + 1 < v.cols(); ++j)
+      if (values[j] == -values[j + 1]) {
+        const Block pair = v.middleCols(j, 2);
+        Block rotation(2, 2);
+        rotation << Quaternion<double>{.8, 0, 0, 0}, Quaternion<double>{0, .6, 0, 0},
+            Quaternion<double>{0, .6, 0, 0}, Quaternion<double>{.8, 0, 0, 0};
+        v.middleCols(j, 2) = CGP::combination(pair, rotation);
+      }
+    CGP::internal::Krylov_result r;
+    r.values = squares(values).head(count).cwiseInverse();
+    r.vectors = v.leftCols(count);
+    r.residuals = Eigen::VectorXd::LinSpaced(count, 1e-9, count * 1e-9);
+    for (Eigen::Index j = 0; j < count; ++j)
+      CGP::scale_column(r.vectors, j, std::sqrt(r.values[j]));
+    return r;
+  }
+
+  const Eigen::VectorXd values =
+      (Eigen::VectorXd(12) << .05, 1, -1, 2, 2.5, 3, -3, 4, 5, -6, 7, 8).finished();
+  const Spectral_problem signs{values}, square{squares(values)};
+  CGP::internal::Pencil form;
+};
+
+}  // namespace
+
+TEST_F(Signed_eigenvectors, are_separated_and_orthonormal)
+{
+  const auto r = CGP::signed_eigenvectors(form, first(8));
+  ASSERT_EQ(r.vectors.cols(), 8);
+  const Block S = CGP::gram_matrix(r.vectors, form.K(r.vectors));
+  std::vector<double> found;
+  for (Eigen::Index j = 0; j < 8; ++j) found.push_back(S(j, j).w);
+  std::vector<double> expected(values.begin(), values.begin() + 8);
+  std::sort(expected.begin(), expected.end());
+  for (std::size_t j = 0; j < 8; ++j) EXPECT_NEAR(found[j], expected[j], 1e-11);
+  const Block gram = CGP::gram_matrix(r.vectors, signs.n()(r.vectors));
+  EXPECT_LT((dense(gram) - Eigen::MatrixXd::Identity(32, 32)).norm(), 1e-11);
+  EXPECT_NEAR(r.reach, 16 + error, 1e-10);
+  EXPECT_LT(signs.sine(r.vectors.col(2), 1, 0), 1e-9);  // of .05, after -3 and -1
+}
+
+TEST_F(Signed_eigenvectors, are_left_out_where_the_opposite_ones_are_missing)
+{
+  const auto r = CGP::signed_eigenvectors(form, first(6));  // cuts between 3 and -3
+  ASSERT_EQ(r.vectors.cols(), 5);
+  EXPECT_NEAR(r.reach, 9 + error, 1e-10);
+  EXPECT_LT(signs.sine(r.vectors, 5, 0), 1e-9);
+}
+
+TEST_F(Signed_eigenvectors, combine_the_residuals_like_the_vectors)
+{
+  const auto r = CGP::signed_eigenvectors(form, first(3));
+  ASSERT_EQ(r.vectors.cols(), 3);
+  EXPECT_NEAR(r.residuals[1], 1e-9, 1e-14);  // of .05, which is not mixed
+  // -1 is .6 of the second and .8 of the third
+  EXPECT_NEAR(r.residuals[0], 1e-9 * std::hypot(.6 * 2, .8 * 3), 1e-13);
+  EXPECT_NEAR(r.residuals[2], 1e-9 * std::hypot(.8 * 2, .6 * 3), 1e-13);
+}
