@@ -105,6 +105,22 @@ inline Branch_point branch_of_identity(CGP::internal::Dirac_system<>& system,
   return at;
 }
 
+/// Brute force: at a point where X(rho + gamma) has an eigenvector near, the one whose own quotient
+/// is the shift. sigma <- gamma converges, on the coarsest meshes by one bit a step.
+inline Branch_point settled(CGP::internal::Dirac_system<>& system, const Curvature_potential& rho,
+                            Branch_point at)
+{
+  double last = at.gamma + 1;
+  for (int k = 0; k < 60 && std::abs(at.gamma - last) > 1e-9; ++k) {
+    CGP::internal::Dirac_evidence::Seconds seconds;
+    system.set_potential(scaled(rho, 1, at.gamma), seconds);
+    at.lambda = smallest(system, guide_and_noise(system, at.lambda), 1, 1e-9).vectors.col(0);
+    last = at.gamma;
+    at.gamma = CGP::dirac_quotient(system.surface(), rho, at.lambda);
+  }
+  return at;
+}
+
 /// the eigenvector of the smallest eigenvalue of X, whatever its branch
 inline Quaternion_vector<double> smallest_eigenvector(CGP::internal::Dirac_system<>& system,
                                                       const Curvature_potential& rho)

@@ -63,7 +63,7 @@ TEST(Generalized_dirac, has_the_eigenvalue_that_the_error_of_the_standard_proble
     const CGP::internal::Dirac_solution s =
         CGP::solve_dirac_equation(system, potential(sphere, amplitude), generalized());
     ASSERT_TRUE(s.is_generalized);
-    const double expected = standard.energy / standard.eigenvalue;  // (gamma^2 + delta^2) / gamma
+    const double gamma = standard.eigenvalue, expected = gamma + standard.energy / gamma;
     EXPECT_NEAR(s.generalized_eigenvalue, expected, 2e-3 * std::abs(expected));
     EXPECT_LT(greatest_difference(s.lambda, standard.lambda), 0.02);
   }
@@ -82,19 +82,17 @@ TEST(Generalized_dirac, finds_positive_and_negative_eigenvalues)
   }
 }
 
-// Where gamma passes zero, (gamma^2 + delta^2) / gamma is anything.
+// Where gamma passes zero, gamma + delta^2 / gamma is anything.
 TEST(Generalized_dirac, is_not_trusted_where_the_eigenvalue_vanishes)
 {
   const Mesh_view sphere = icosphere(2);
   CGP::internal::Dirac_system<> system(sphere);
-  double mean = 0;
-  for (int i = 0; i < 4; ++i)
-    mean += CGP::solve_dirac_equation(system, potential(sphere, 1, mean)).eigenvalue;
+  const double mean = CGP::solve_dirac_equation(system, potential(sphere, 1)).eigenvalue;
   for (const double offset : {0., 1e-6, -1e-6}) {
     const Curvature_potential rho = potential(sphere, 1, mean + offset);
     const CGP::internal::Dirac_solution standard = CGP::solve_dirac_equation(system, rho),
                                         s = CGP::solve_dirac_equation(system, rho, generalized());
-    EXPECT_LT(std::abs(s.eigenvalue), 1e-5);
+    EXPECT_NEAR(s.eigenvalue, -offset, 1e-8);
     EXPECT_TRUE(s.converged);
     EXPECT_FALSE(s.is_generalized);
     EXPECT_EQ(s.generalized_eigenvalue, 0);
@@ -112,13 +110,21 @@ TEST(Generalized_dirac, keeps_the_standard_solution_for_rho_zero)
   EXPECT_NEAR(s.overlap, 1, 1e-14);
 }
 
-TEST(Generalized_dirac, is_not_tried_where_the_branch_needed_a_shift)
+// D has the eigenvalues 0, 1 and -2 on the sphere: with the mean 2 of rho the branch of the
+// identity has -2, and -1 is nearer to zero.
+TEST(Generalized_dirac, is_rejected_where_an_eigenvalue_of_the_same_sign_is_smaller)
 {
   const Mesh_view sphere = icosphere(2);
-  const CGP::internal::Dirac_solution s = solved(sphere, potential(sphere, 1, 2), generalized());
+  CGP::internal::Dirac_system<> system(sphere);
+  const CGP::internal::Dirac_solution standard = CGP::solve_dirac_equation(system,
+                                                                           potential(sphere, 1, 2)),
+                                      s = CGP::solve_dirac_equation(system, potential(sphere, 1, 2),
+                                                                    generalized());
   EXPECT_TRUE(s.converged);
-  EXPECT_NE(s.spectral_shift, 0);
   EXPECT_FALSE(s.is_generalized);
+  EXPECT_EQ(s.lambda, standard.lambda);
+  EXPECT_EQ(s.eigenvalue, standard.eigenvalue);
+  EXPECT_EQ(s.factorizations, standard.factorizations + 1);
 }
 
 TEST(Generalized_dirac, can_be_cancelled)

@@ -59,9 +59,15 @@ Eigen::VectorXd dense_eigenvalues(const Mesh_view& mesh, const Curvature_potenti
       .eigenvalues();
 }
 
+/// rho + c on either
+Curvature_potential plus(const Curvature_potential& rho, double c)
+{
+  return {rho.on, (rho.values.array() + c).matrix()};
+}
+
 /// Counts its operations
 struct Counting_solver_traits {
-  static inline int factorizations = 0;
+  static inline int factorizations = 0, solves = 0;
 
   template <class Scalar>
   struct Solver : CGP::Supernodal_cholesky<Scalar> {
@@ -70,6 +76,12 @@ struct Counting_solver_traits {
     {
       ++factorizations;
       return CGP::Supernodal_cholesky<Scalar>::factorize(A, shift);
+    }
+
+    CGP::Solver_status solve(const CGP::Block<Scalar>& b, CGP::Block<Scalar>& x) const
+    {
+      solves += static_cast<int>(b.cols());
+      return CGP::Supernodal_cholesky<Scalar>::solve(b, x);
     }
   };
 };
@@ -97,8 +109,9 @@ TEST(Solve_dirac_equation, for_constant_rho_is_solved_by_the_identity)
     for (const auto& rho : {constant_on_faces(mesh, c), constant_on_vertices(mesh, c)}) {
       const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
       EXPECT_TRUE(s.converged) << c;
-      EXPECT_LT(distance_to_one(s.lambda), 1e-6) << c;
-      EXPECT_NEAR(s.eigenvalue, -c, 1e-6) << c;
+      EXPECT_LT(distance_to_one(s.lambda), 1e-12) << c;
+      EXPECT_NEAR(s.eigenvalue, -c, 1e-12) << c;
+      EXPECT_LT(s.dirac_residual, 1e-12) << c;
     }
   }
 }
@@ -112,11 +125,11 @@ TEST(Solve_dirac_equation, of_a_weak_rho_has_the_smallest_eigenvalue_of_the_dens
        {Curvature_potential::on_faces(0.5 / radius * rho_of_section_3_on_faces(sphere)),
         Curvature_potential::on_vertices(0.5 / radius * rho_of_section_3_on_vertices(sphere))}) {
     const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
-    const Eigen::VectorXd mu = dense_eigenvalues(mesh, rho);
+    const Eigen::VectorXd mu = dense_eigenvalues(mesh, plus(rho, s.eigenvalue));
     EXPECT_NEAR(s.energy, mu[0], 1e-12);
-    const double gap = std::sqrt(mu[4]) - std::sqrt(mu[0]);
-    EXPECT_GE(s.gap, gap - 1e-9);  // of a vector that need not have converged
-    EXPECT_LE(s.gap, gap + 0.1 / radius);
+    EXPECT_NEAR(s.dirac_residual, std::sqrt(mu[0]), 1e-10);
+    EXPECT_GE(s.gap, std::sqrt(mu[4]));  // of a vector in the span, which is smaller than the space
+    EXPECT_LE(s.branch_gap, s.gap);
   }
 }
 
@@ -147,7 +160,8 @@ TEST(Solve_dirac_equation, residual_is_that_of_the_equation)
     const CGP::internal::Dirac_solution s = solved(mesh, rho, options);
     ASSERT_TRUE(s.converged);
     EXPECT_LE(s.residual, tolerance);
-    Quaternion_vector<double> r = CGP::block_operator(CGP::dirac_energy(mesh, rho))(s.lambda);
+    const auto X = CGP::dirac_energy(mesh, plus(rho, s.eigenvalue));
+    Quaternion_vector<double> r = CGP::block_operator(X)(s.lambda);
     const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
     for (int v = 0; v < mesh.size_of_vertices(); ++v) r[v] -= (s.energy * areas[v]) * s.lambda[v];
     // The largest eigenvalue of X is about 12: the dual norm bounds the plain one.
@@ -155,59 +169,58 @@ TEST(Solve_dirac_equation, residual_is_that_of_the_equation)
   }
 }
 
-TEST(Solve_dirac_equation, adds_the_mean_of_rho_to_the_eigenvalue_and_nothing_to_lambda)
+// The shift is the eigenvalue itself. With the mean -1 of rho, the normal, which has the eigenvalue
+// -2 on the sphere, and the branch of the identity have nearly opposite eigenvalues.
+TEST(Solve_dirac_equation, adds_a_constant_to_the_eigenvalue_and_nothing_to_lambda)
 {
   const Mesh_view mesh = icosphere(3);
   CGP::internal::Dirac_system<> system(mesh);
-  const CGP::internal::Dirac_solution s0 = CGP::solve_dirac_equation(system, shifted(mesh, 0));
-  for (const double c : {0.1, -0.2}) {  // up to the discretisation error of the square
-    const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, shifted(mesh, c));
-    EXPECT_NEAR(s.eigenvalue, s0.eigenvalue - c, 2e-3);
-    EXPECT_LT(greatest_difference(s.lambda, s0.lambda), 2e-2);
+  CGP::Dirac_options options;
+  options.tolerance = 1e-10;
+  const CGP::internal::Dirac_solution s0 =
+      CGP::solve_dirac_equation(system, shifted(mesh, 0), options);
+  for (const double c : {0.1, -0.2, -0.98, -1., -1.02, 1., 3.}) {
+    const CGP::internal::Dirac_solution s =
+        CGP::solve_dirac_equation(system, shifted(mesh, c), options);
+    EXPECT_TRUE(s.converged) << c;
+    EXPECT_NEAR(s.eigenvalue, s0.eigenvalue - c, 1e-9) << c;
+    EXPECT_NEAR(s.spectral_shift, s0.spectral_shift - c, 1e-9) << c;
+    EXPECT_LT(greatest_difference(s.lambda, s0.lambda), 1e-8) << c;
+    EXPECT_EQ(s.factorizations, s0.factorizations) << c;
   }
 }
 
-// D - (rho + 1) and D - (rho + 3) are shifted back to the same operator.
-TEST(Solve_dirac_equation, does_not_tell_apart_large_means_of_rho)
-{
-  const Mesh_view mesh = icosphere(3);
-  CGP::internal::Dirac_system<> system(mesh);
-  const CGP::internal::Dirac_solution s1 = CGP::solve_dirac_equation(system, shifted(mesh, 1));
-  const CGP::internal::Dirac_solution s3 = CGP::solve_dirac_equation(system, shifted(mesh, 3));
-  EXPECT_TRUE(s1.converged && s3.converged);
-  EXPECT_NE(s1.spectral_shift, 0);
-  EXPECT_NEAR(s3.spectral_shift, s1.spectral_shift - 2, 1e-9);
-  EXPECT_NEAR(s3.eigenvalue, s1.eigenvalue - 2, 1e-9);
-  EXPECT_LT(greatest_difference(s1.lambda, s3.lambda), 1e-7);
-}
-
-// The normal has the eigenvalue -2 on the sphere: with these means X cannot separate it from the
-// branch of the identity, whose eigenvalue is nearly the opposite.
-TEST(Solve_dirac_equation, is_not_confused_by_an_eigenvalue_of_opposite_sign)
+TEST(Solve_dirac_equation, takes_one_factorization_where_rho_is_weak_whatever_its_mean)
 {
   const Mesh_view mesh = icosphere(2);
   CGP::internal::Dirac_system<> system(mesh);
-  const CGP::internal::Dirac_solution s0 = CGP::solve_dirac_equation(system, shifted(mesh, 0));
-  for (const double c : {-0.98, -1., -1.02}) {
-    const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, shifted(mesh, c));
-    EXPECT_TRUE(s.converged);
-    EXPECT_NEAR(s.eigenvalue, s0.eigenvalue - c, 0.02);
-    EXPECT_LT(greatest_difference(s.lambda, s0.lambda), 0.1);
-  }
+  for (const double mean : {0., -1.01, 4.})
+    for (const double amplitude : {0.2, 1.}) {
+      const auto rho = Curvature_potential::on_vertices(
+          amplitude * rho_of_section_3_on_vertices(mesh).array() + mean);
+      const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+      EXPECT_TRUE(s.converged);
+      EXPECT_EQ(s.factorizations, 1) << mean << ' ' << amplitude;
+      EXPECT_EQ(s.substeps, 1);
+    }
 }
 
-TEST(Solve_dirac_equation, takes_one_factorization_or_two_where_signs_are_mixed)
+TEST(Solve_dirac_equation, counts_its_factorizations_and_solves)
 {
   const Mesh_view mesh = icosphere(2);
   CGP::internal::Dirac_system<Counting_solver_traits> system(mesh);
-  int& count = Counting_solver_traits::factorizations = 0;
-  EXPECT_TRUE(CGP::solve_dirac_equation(system, shifted(mesh, 0)).converged);
-  EXPECT_EQ(count, 1);
-  const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(
-      system, Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh).array() - 1.01));
-  EXPECT_TRUE(s.converged);
-  EXPECT_NE(s.spectral_shift, 0);
-  EXPECT_EQ(count, 3);
+  CGP::Dirac_options options;
+  for (const double amplitude : {0., 1., 3., 5.})
+    for (const auto problem : {CGP::Dirac_options::Eigenproblem::standard,
+                               CGP::Dirac_options::Eigenproblem::generalized}) {
+      options.problem = problem;
+      Counting_solver_traits::factorizations = Counting_solver_traits::solves = 0;
+      const auto rho = Curvature_potential::on_faces(amplitude * rho_of_section_3_on_faces(mesh));
+      const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho, options);
+      EXPECT_TRUE(s.converged) << amplitude;
+      EXPECT_EQ(s.factorizations, Counting_solver_traits::factorizations) << amplitude;
+      EXPECT_EQ(s.solves, Counting_solver_traits::solves) << amplitude;
+    }
 }
 
 TEST(Solve_dirac_equation, is_solved_twice_to_the_same_bits)

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_SPIN_DENSE_SPECTRUM_H
+#define TEST_SPIN_DENSE_SPECTRUM_H
+
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "support/dense.h"
+
+namespace cgp_test {
+
+/// all eigenvalues of X x = mu M_V x, ascending; each of them four times
+inline Eigen::VectorXd dense_eigenvalues(
+    const Conformal_geometry_processing::Surface_ref& surface,
+    const Conformal_geometry_processing::Curvature_potential& rho)
+{
+  const Eigen::MatrixXd X = real_form(dense(dirac_energy(surface, rho)));
+  const Eigen::VectorXd scale =
+      vertex_areas(surface).cwiseSqrt().cwiseInverse().transpose().replicate(4, 1).reshaped(
+          X.rows(), 1);
+  const Eigen::MatrixXd symmetric = scale.asDiagonal() * X * scale.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
+      .eigenvalues();
+}
+
+}  // namespace cgp_test
+
+#endif

@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/follow_branch.h
+#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/follow_branch.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "spin/dense_branch.h"
+#include "support/dense.h"
+#include "support/meshes.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+using CGP::Curvature_potential;
+using CGP::internal::Branch_point;
+using CGP::internal::Dirac_gram;
+using CGP::internal::follow_branch;
+
+/// the columns divided by their lengths in the norm of the vertex areas
+Quaternion_matrix unit_columns(const Eigen::VectorXd& areas, Quaternion_matrix V)
+{
+  for (Eigen::Index c = 0; c < V.cols(); ++c) {
+    const Quaternion_vector<double> v = V.col(c);
+    const double length = std::sqrt(CGP::inner_product(v, areas, v).w);
+    for (Eigen::Index i = 0; i < V.rows(); ++i) V(i, c) = V(i, c) / length;
+  }
+  return V;
+}
+
+/// an orthonormal basis of all spins
+Quaternion_matrix full_basis(const Eigen::VectorXd& areas)
+{
+  const int n = static_cast<int>(areas.size());
+  Quaternion_matrix V = zero_matrix(n, n);
+  for (int i = 0; i < n; ++i) V(i, i).w = 1 / std::sqrt(areas[i]);
+  return V;
+}
+
+/// lambda = 1 at t = 0 in the full basis
+Branch_point identity(const Eigen::VectorXd& areas)
+{
+  Branch_point p;
+  p.c = Quaternion_vector<double>::Constant(areas.size(), {});
+  for (Eigen::Index i = 0; i < areas.size(); ++i) p.c[i].w = std::sqrt(areas[i] / areas.sum());
+  return p;
+}
+
+/// one of two
+Quaternion_vector<double> unit_vector(int i)
+{
+  Quaternion_vector<double> c = Quaternion_vector<double>::Constant(2, {});
+  c[i].w = 1;
+  return c;
+}
+
+double overlap(const Quaternion_vector<double>& a, const Quaternion_vector<double>& b)
+{
+  return norm(CGP::inner_product(a, b));
+}
+
+Curvature_potential harmonics(const Mesh_view& mesh, double amplitude)
+{
+  return Curvature_potential::on_vertices(amplitude * rho_of_section_3_on_vertices(mesh));
+}
+
+/// \brief two unit spheres: lambda = 1 on the first, without rho there, and the normal on the
+/// second with rho = -4, which has the eigenvalue 4 t - 2, nearly.
+///
+/// Nothing couples them: at t = 1/2 their branches cross.
+class Two_branches_that_cross : public testing::Test {
+ protected:
+  const Mesh_view sphere = icosphere(2),
+                  both = disjoint_union(sphere, sphere, Eigen::Vector3d(5, 0, 0));
+  const int n = sphere.size_of_vertices();
+
+  Quaternion_matrix vectors() const
+  {
+    Quaternion_matrix V = zero_matrix(2 * n, 2);
+    for (int v = 0; v < n; ++v) {
+      V(v, 0).w = 1;
+      const Eigen::Vector3d normal = sphere.position(v);
+      V(n + v, 1) = {0, normal.x(), normal.y(), normal.z()};
+    }
+    return unit_columns(CGP::vertex_areas(both), V);
+  }
+
+  Curvature_potential rho() const
+  {
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(2 * n);
+    values.tail(n).setConstant(-4);
+    return Curvature_potential::on_vertices(values);
+  }
+};
+
+}  // namespace
+
+TEST(Follow_branch, with_the_full_basis_finds_what_small_steps_with_dense_matrices_find)
+{
+  const Mesh_view mesh = radially_perturbed(bumpy_sphere(1), .1);
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  const Quaternion_matrix basis = full_basis(areas);
+  for (const double amplitude : {.3, 1., 2.}) {
+    const Curvature_potential rho = harmonics(mesh, amplitude);
+    const Dense_branch expected = dense_branch_of_identity(mesh, rho, 30);
+    ASSERT_GT(expected.least_overlap, .98);
+    const Branch_point p = follow_branch(Dirac_gram(mesh, rho, basis), identity(areas), 1, 0);
+    EXPECT_EQ(p.t, 1);
+    EXPECT_NEAR(CGP::components(p.c).norm(), 1, 1e-12);
+    EXPECT_NEAR(p.gamma, expected.gamma, 1e-4) << amplitude;
+    const Quaternion_matrix lambda = CGP::combination(basis, Quaternion_matrix(p.c));
+    EXPECT_GT(expected.overlap(lambda.col(0)), 1 - 1e-6) << amplitude;
+    EXPECT_NEAR(p.gap, expected.gap, 1e-3 * expected.gap) << amplitude;
+    EXPECT_LE(p.least_gap, p.gap);
+  }
+}
+
+TEST(Follow_branch, for_constant_rho_stays_at_the_identity)
+{
+  const Mesh_view mesh = bumpy_sphere(1);
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  const Branch_point one = identity(areas);
+  for (const double c : {.5, -3., 20.}) {
+    const auto rho =
+        Curvature_potential::on_faces(Eigen::VectorXd::Constant(mesh.size_of_faces(), c));
+    const Branch_point p = follow_branch(Dirac_gram(mesh, rho, full_basis(areas)), one, 1, .999);
+    EXPECT_EQ(p.t, 1);
+    EXPECT_NEAR(p.gamma, -c, 1e-11);
+    EXPECT_NEAR(overlap(p.c, one.c), 1, 1e-12);
+  }
+}
+
+TEST(Follow_branch, in_the_span_of_one_vector_has_its_quotient)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  const Curvature_potential rho = harmonics(mesh, 2);
+  const Quaternion_matrix one =
+      unit_columns(CGP::vertex_areas(mesh),
+                   Quaternion_matrix::Constant(mesh.size_of_vertices(), 1, {1, 0, 0, 0}));
+  Branch_point first;
+  first.c = Quaternion_vector<double>::Constant(1, {1, 0, 0, 0});
+  const Branch_point p = follow_branch(Dirac_gram(mesh, rho, one), first, 1, .99);
+  EXPECT_EQ(p.t, 1);
+  EXPECT_NEAR(p.gamma, CGP::dirac_quotient(mesh, rho, one.col(0)), 1e-13);
+  EXPECT_TRUE(std::isinf(p.gap));  // no other vector is known
+}
+
+TEST(Follow_branch, stops_where_the_overlap_with_the_first_vector_would_be_too_small)
+{
+  const double shortest = 1. / 24;
+  const Mesh_view mesh = bumpy_sphere(1);
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  const Dirac_gram gram(mesh, harmonics(mesh, 3), full_basis(areas));
+  const Branch_point one = identity(areas);
+  double last = 0;
+  for (const double least : {.99, .95, .9}) {
+    const Branch_point p = follow_branch(gram, one, 1, least);
+    EXPECT_GT(p.t, last) << "a smaller bound reaches farther";
+    ASSERT_LT(p.t + shortest, 1);
+    EXPECT_GE(overlap(p.c, one.c), least);
+    EXPECT_LT(overlap(follow_branch(gram, one, p.t + shortest, 0).c, one.c), least);
+    last = p.t;
+  }
+}
+
+TEST(Follow_branch, goes_on_from_where_it_stopped)
+{
+  const Mesh_view mesh = bumpy_sphere(1);
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  const Dirac_gram gram(mesh, harmonics(mesh, 2), full_basis(areas));
+  const Branch_point whole = follow_branch(gram, identity(areas), 1, 0),
+                     half = follow_branch(gram, identity(areas), .55, 0),
+                     p = follow_branch(gram, half, 1, 0);
+  EXPECT_EQ(half.t, .55);
+  EXPECT_EQ(p.t, 1);
+  EXPECT_NEAR(p.gamma, whole.gamma, 1e-4);
+  EXPECT_GT(overlap(p.c, whole.c), 1 - 1e-6);
+  EXPECT_LE(p.least_gap, half.least_gap);
+}
+
+TEST_F(Two_branches_that_cross, are_followed_straight_on_from_either)
+{
+  const Dirac_gram gram(both, rho(), vectors());
+  for (const double end : {.49, .5, .51, 1.}) {
+    Branch_point at_one, at_normal;
+    at_one.c = unit_vector(0);
+    at_normal.c = unit_vector(1);
+    at_normal.gamma = gram.quotient(0, at_normal.c);
+    const Branch_point a = follow_branch(gram, at_one, end, .9),
+                       b = follow_branch(gram, at_normal, end, .9);
+    EXPECT_EQ(a.t, end);
+    EXPECT_EQ(b.t, end);
+    EXPECT_NEAR(a.gamma, 0, 1e-12);
+    EXPECT_NEAR(b.gamma, 4 * end - 2, .1);
+    EXPECT_NEAR(overlap(a.c, at_one.c), 1, 1e-12);
+    EXPECT_NEAR(overlap(b.c, at_normal.c), 1, 1e-12);
+  }
+}
+
+TEST_F(Two_branches_that_cross, have_the_least_gap_where_they_cross)
+{
+  const Dirac_gram gram(both, rho(), vectors());
+  Branch_point first;
+  first.c = unit_vector(0);
+  const Branch_point before = follow_branch(gram, first, .25, .9),
+                     after = follow_branch(gram, first, 1, .9);
+  EXPECT_NEAR(before.least_gap, 1, .1);
+  EXPECT_LT(after.least_gap, .4);  // the error of the normal, which is no eigenvector exactly
+  EXPECT_NEAR(after.gap, 2, .1);
+}
