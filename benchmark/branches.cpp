@@ -48,10 +48,8 @@ struct Potential {
 const std::array<Potential, 3> potentials = {{
     {"bands", [](const Eigen::Vector3d& p, double) { return std::sin(5 * p.y()); }},
     {"rings", [](const Eigen::Vector3d&, double h) { return std::sin(12 * pi * h); }},
-    {"waves",
-     [](const Eigen::Vector3d& p, double) {
-       return std::sin(3 * p.x() + 1) * std::cos(4 * p.z()) + p.y() / 2;
-     }},
+    {"waves", [](const Eigen::Vector3d& p,
+                 double) { return std::sin(3 * p.x() + 1) * std::cos(4 * p.z()) + p.y() / 2; }},
 }};
 
 Rho sampled(const CGP::Mesh_view& mesh, const Potential& potential, double amplitude)
@@ -86,9 +84,9 @@ void advance(System& system, const Rho& rho, double t, Path& path)
   for (int pass = 0; pass < 3; ++pass) {
     const Rho shifted = scaled(rho, t, path.gamma);
     system.set_potential(shifted, seconds);
-    const auto found = CGP::Lobpcg_eigensolver_traits()(
-        system.matrix(), system.areas(), system.solver(),
-        CGP::Block<Quaternion<double>>(path.lambda), options);
+    const auto found =
+        CGP::Lobpcg_eigensolver_traits()(system.matrix(), system.areas(), system.solver(),
+                                         CGP::Block<Quaternion<double>>(path.lambda), options);
     path.lambda = found.vectors.col(0);
     path.gamma += CGP::dirac_quotient(system.surface(), shifted, path.lambda);
   }
