@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Command_line.h"
 
-#include "Failure.h"
-#include "curve_command_line.h"
-#include "editing_options.h"
-#include "flatten_options.h"
-#include "flow_command_line.h"
-#include "help_texts.h"
-#include "option_groups.h"
-#include "spectrum_command_line.h"
-#include "versions.h"
+#include "conformal/commands/curve_command_line.h"
+#include "conformal/commands/editing_options.h"
+#include "conformal/commands/flatten_options.h"
+#include "conformal/commands/flow_command_line.h"
+#include "conformal/commands/help_texts.h"
+#include "conformal/commands/option_groups.h"
+#include "conformal/commands/spectrum_command_line.h"
+#include "conformal/process/Failure.h"
+#include "conformal/process/versions.h"
 
 #include <CLI/CLI.hpp>
 

@@ -3,9 +3,10 @@
 #ifndef CONFORMAL_COMMAND_LINE_H
 #define CONFORMAL_COMMAND_LINE_H
 
-#include "Curve_options.h"
-#include "Options.h"
-#include "Spectrum_options.h"
+#include "conformal/commands/Options.h"
+#include "conformal/commands/Spectrum_options.h"
+#include "conformal/curves/Curve_options.h"
+#include "conformal/process/Common_options.h"
 
 #include <string>
 #include <variant>

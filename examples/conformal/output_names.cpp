@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "output_names.h"
 
-#include "Failure.h"
+#include "conformal/process/Failure.h"
 
 #include <filesystem>
 #include <string>

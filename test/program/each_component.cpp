@@ -1,5 +1,6 @@
-// Tests examples/conformal/each_component.cpp examples/conformal/spin_components.cpp
-// Tests examples/conformal/Component_failures.cpp
+// Tests examples/conformal/transform/each_component.cpp
+// Tests examples/conformal/commands/spin_components.cpp
+// Tests examples/conformal/transform/Component_failures.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"

@@ -1,6 +1,6 @@
-// Tests examples/conformal/flow.cpp examples/conformal/flow_report.cpp
-// Tests examples/conformal/Flow_watch.cpp examples/conformal/run_flow.cpp
-// Tests examples/conformal/Grid.cpp examples/conformal/suitable_surface.cpp
+// Tests examples/conformal/commands/flow.cpp examples/conformal/transform/flow_report.cpp
+// Tests examples/conformal/transform/Flow_watch.cpp examples/conformal/transform/run_flow.cpp
+// Tests examples/conformal/report/Grid.cpp examples/conformal/transform/suitable_surface.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"

@@ -1,13 +1,13 @@
-// Tests examples/conformal/repair.cpp examples/conformal/Corner_fans.cpp
-// Tests examples/conformal/separate_fans.cpp examples/conformal/select_faces.cpp
+// Tests examples/conformal/repair/repair.cpp examples/conformal/repair/Corner_fans.cpp
+// Tests examples/conformal/repair/separate_fans.cpp examples/conformal/repair/select_faces.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/repair.h"
+#include "conformal/repair/repair.h"
 
-#include "conformal/Defects.h"
-#include "conformal/Failure.h"
-#include "conformal/info.h"
-#include "conformal/io/io_errors.h"
+#include "conformal/input/Defects.h"
+#include "conformal/io/file/io_errors.h"
+#include "conformal/process/Failure.h"
+#include "conformal/report/report_input.h"
 #include "program/repair_support.h"
 #include "program/support.h"
 #include "support/spheres.h"

@@ -1,7 +1,7 @@
-// Tests examples/conformal/verification.cpp
+// Tests examples/conformal/report/verification.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/verification.h"
+#include "conformal/report/verification.h"
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,12 @@
 #include "read_surface.h"
 
 #include "detect_format.h"
-#include "read_bytes.h"
-#include "read_obj.h"
-#include "read_off.h"
-#include "read_ply.h"
-#include "read_stl.h"
+
+#include "conformal/io/file/read_bytes.h"
+#include "conformal/io/obj/read_obj.h"
+#include "conformal/io/off/read_off.h"
+#include "conformal/io/ply/read_ply.h"
+#include "conformal/io/stl/read_stl.h"
 
 namespace conformal {
 

@@ -3,11 +3,12 @@
 #include "write_surface.h"
 
 #include "detect_format.h"
-#include "io_errors.h"
-#include "write_glb.h"
-#include "write_obj.h"
-#include "write_off.h"
-#include "write_ply.h"
+
+#include "conformal/io/file/io_errors.h"
+#include "conformal/io/glb/write_glb.h"
+#include "conformal/io/obj/write_obj.h"
+#include "conformal/io/off/write_off.h"
+#include "conformal/io/ply/write_ply.h"
 
 namespace conformal {
 

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_TRANSFORM_SOLVE_TWICE_H
+#define CONFORMAL_TRANSFORM_SOLVE_TWICE_H
+
+#include "solve_spin.h"
+
+#include <string>
+
+namespace conformal {
+
+/// \brief Runs `solve_spin()` with a progress line. If the result does not verify, the alternative
+/// problem is solved, and used and noted if it verifies; otherwise the first result is returned.
+/// \param part prefix of the progress line
+/// \throws Failure on a signal, and exceptions of the library in the first attempt
+Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
+                          const Spin_options& options, const Common_options& common,
+                          const std::string& part = "");
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "write_result.h"
+
+#include "conformal/io/file/Temporary_file.h"
+#include "conformal/io/write_surface.h"
+
+#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace conformal {
+namespace {
+
+// Q of the faces as values of the vertices; as large as a float can be where a face is squashed.
+// Faces of area zero have no angles, and do not count.
+Eigen::VectorXd quality_at_vertices(const CGP::Mesh_view& mesh, const CGP::Points& positions)
+{
+  const double largest = 1e30;
+  const Eigen::VectorXd Q = CGP::quasi_conformal_errors(mesh, positions).cwiseMin(largest);
+  const Eigen::VectorXd areas = CGP::face_areas(mesh);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(mesh.size_of_vertices()), weight = sum;
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    for (const int v : mesh.corners(f)) {
+      if (CGP::has_area_zero(mesh, f)) continue;
+      sum[v] += areas[f] * Q[f];
+      weight[v] += areas[f];
+    }
+  const auto has_none = weight.array() == 0;
+  return has_none.select(1, sum.cwiseQuotient(has_none.select(1, weight)));
+}
+
+void set_rho(const Surface_input& input, const CGP::Curvature_potential& rho, Surface_file& file)
+{
+  if (rho.on == CGP::Curvature_potential::On::vertices)
+    return set_property(file.vertices, "rho", to_file_vertices(input, rho.values, 0));
+  // The triangles of a polygon may differ: their mean.
+  std::vector<double> sum(file.polygons.size(), 0), count(sum);
+  for (std::size_t t = 0; t < input.face_in_file.size(); ++t) {
+    const auto f = static_cast<std::size_t>(input.face_in_file[t]);
+    sum[f] += rho.values[static_cast<Eigen::Index>(t)];
+    count[f] += 1;
+  }
+  for (std::size_t f = 0; f < sum.size(); ++f) sum[f] /= count[f];
+  set_property(file.faces, "rho", sum);
+}
+
+void set_lambda(const Surface_input& input, const CGP::Quaternion_vector<double>& lambda,
+                const std::string& name, Surface_file& file)
+{
+  const auto all = CGP::components(lambda);  // rows w, x, y, z
+  const char* const suffixes[] = {"_w", "_x", "_y", "_z"};
+  for (Eigen::Index i = 0; i < 4; ++i)
+    set_property(file.vertices, name + suffixes[i],
+                 to_file_vertices(input, all.row(i).transpose(), i == 0 ? 1 : 0));
+}
+
+}  // namespace
+
+void require_writable(const std::string& path)
+{
+  output_format(path);
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  // Not devices and pipes, which notice when they are opened.
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status))
+    Temporary_file probe(path);
+}
+
+std::string snapshot_path(const std::string& output, int step)
+{
+  std::string number = std::to_string(step);
+  number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
+  const std::size_t dot = output.rfind('.');
+  return output.substr(0, dot) + "_" + number + output.substr(dot);
+}
+
+Surface_file moved(const Surface_input& input, const CGP::Points& positions)
+{
+  Surface_file file = input.file;
+  for (std::size_t v = 0; v < input.vertex_in_file.size(); ++v) {
+    const Eigen::Vector3d p = positions.col(static_cast<Eigen::Index>(v));
+    file.points[static_cast<std::size_t>(input.vertex_in_file[v])] = {p.x(), p.y(), p.z()};
+  }
+  remove_normals(file);
+  return file;
+}
+
+void set_quality(const Surface_input& input, const CGP::Points& positions, Surface_file& file)
+{
+  const std::vector<double> quality =
+      to_file_vertices(input, quality_at_vertices(input.mesh, positions), 1);
+  std::vector<float> values;
+  for (const double q : quality) values.push_back(static_cast<float>(q));
+  set_property(file.vertices, "quality", values);
+}
+
+Surface_file spin_result_file(const Surface_input& input, const CGP::Curvature_potential& rho,
+                              const Spin_solution& solution, const std::string& lambda)
+{
+  Surface_file file = moved(input, solution.positions);
+  set_quality(input, solution.positions, file);
+  set_rho(input, rho, file);
+  if (!lambda.empty()) set_lambda(input, solution.lambda, lambda, file);
+  return file;
+}
+
+}  // namespace conformal
