@@ -1,4 +1,4 @@
-// Tests examples/conformal/commands/blend.cpp examples/conformal/commands/editing_options.cpp
+// Tests examples/conformal/commands/blend.cpp examples/conformal/commands/option_groups.cpp
 // Tests examples/conformal/transform/write_result.cpp examples/conformal/transform/deform.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later

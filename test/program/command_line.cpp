@@ -1,5 +1,5 @@
-// Tests examples/conformal/Command_line.cpp examples/conformal/run.cpp
-// Tests examples/conformal/process/versions.cpp
+// Tests examples/conformal/Command_line.cpp examples/conformal/commands/commands.cpp
+// Tests examples/conformal/run.cpp examples/conformal/process/versions.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"

@@ -7,6 +7,7 @@
 #include "conformal/input/Defects.h"
 #include "conformal/io/file/io_errors.h"
 #include "conformal/process/Failure.h"
+#include "conformal/report/Outcome.h"
 #include "conformal/report/report_input.h"
 #include "program/repair_support.h"
 #include "program/support.h"
@@ -118,9 +119,9 @@ TEST(Repair, is_reported_with_numbers_that_are_integers)
 {
   Repaired r = repaired(off_of(corners_of_a_fan, {{0, 3, 1}, {0, 3, 2}, {3, 0, 4}}));
   r.input.repair = r.done;
-  Report report;
-  report_input(r.input, report);
-  const auto json = nlohmann::json::parse(to_json(report))["input"]["repair"];
+  Outcome outcome;
+  report_input(r.input, outcome.report);
+  const auto json = nlohmann::json::parse(to_json(outcome))["input"]["repair"];
   for (const char* name : {"new_vertex", "new_face", "vertex_in_file", "face_in_file"}) {
     EXPECT_GT(json[name].size(), 0u) << name;
     for (const auto& number : json[name]) EXPECT_TRUE(number.is_number_integer()) << name;

@@ -1,5 +1,5 @@
 // Tests examples/conformal/commands/spectrum.cpp examples/conformal/commands/sphere.cpp
-// Tests examples/conformal/commands/spectrum_command_line.cpp
+// Tests examples/conformal/commands/option_checks.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"

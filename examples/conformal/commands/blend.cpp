@@ -1,14 +1,18 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "blend.h"
+#include "commands.h"
+#include "numbered_outputs.h"
+#include "option_groups.h"
 
 #include "conformal/input/rho.h"
 #include "conformal/input/same_faces.h"
+#include "conformal/io/file/snapshot_path.h"
+#include "conformal/io/write_surface.h"
 #include "conformal/process/Failure.h"
-#include "conformal/report/Grid.h"
+#include "conformal/process/text.h"
 #include "conformal/report/keep_exhibit.h"
-#include "conformal/report/verification.h"
 #include "conformal/transform/deform.h"
+#include "conformal/transform/each_component.h"
 #include "conformal/transform/suitable_surface.h"
 #include "conformal/transform/write_result.h"
 
@@ -20,47 +24,77 @@
 #include <Conformal_geometry_processing/spin/turned_binormals.h>
 
 #include <cmath>
-#include <filesystem>
-#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace conformal {
 namespace {
 
-const char* const easier_than_blend = "a --t closer to 0";
+const char* const about =
+    "Goes from A towards B, or beyond: adds t times the difference of their mean curvature\n"
+    "half-densities. A and B have the same faces and are conformally equivalent, as results of\n"
+    "conformal spin and flow are to their inputs; so is every surface on the way. Area and\n"
+    "centroid are those of A; at a boundary the binormals turn evenly. --onto adds the\n"
+    "difference to a third surface. The output has the vertex properties quality\n"
+    "(quasi-conformal error, 1 is perfect) and rho.\n"
+    "What does not verify is not written, and the exit code is 1.\n"
+    "Example: conformal blend bear.off bear_spin.ply --t 1.5 -o bear_more.ply";
+
+struct Blend_options {
+  Spin_options spin;         ///< what this command has in common with that; input is A
+  std::string other, onto;   ///< files; the difference is added to A, unless there is another
+  double t = 0.5, from = 0;  ///< of B - A; the first of the frames
+  int frames = 0;
+};
+
+void add_options(CLI::App& command, Blend_options& blend, Common_options& common)
+{
+  command.add_option("a", blend.spin.input, "mesh file, - for standard input")->required();
+  command.add_option("b", blend.other, "mesh file with the same faces")->required();
+  command
+      .add_option("--t", blend.t,
+                  "how much of the difference is added: 0 for A, 1 for B, 2 for twice as far, "
+                  "-1 for as far the other way")
+      ->check(finite)
+      ->capture_default_str();
+  command
+      .add_option("--onto", blend.onto,
+                  "the mesh to which the difference is added, with the same faces (default: A)")
+      ->check(not_empty);
+  command
+      .add_option("--frames", blend.frames,
+                  "write so many surfaces on the way, OUTPUT with the number of the frame: "
+                  "bear_0000.ply is at --from, the last at --t")
+      ->check(CLI::Range(2, 9999));
+  command.add_option("--from", blend.from, "t of the first frame")
+      ->check(finite)
+      ->needs("--frames")
+      ->capture_default_str();
+  add_lambda(command, blend.spin.lambda);
+  add_solver(command, blend.spin.solver);
+  add_transformation(command, common);
+  add_eigenvector(command, common);
+  add_limits(command, blend.spin.limits, blend.spin.force);
+}
+
+Files files(const Blend_options& blend)
+{
+  const auto role = blend.onto.empty() ? Named_file::Role::replaceable : Named_file::Role::read;
+  return {{"the mesh A", blend.spin.input, role},
+          {"the mesh B", blend.other},
+          {"--onto", blend.onto, Named_file::Role::replaceable}};
+}
 
 /// the pair of surfaces, and the one to which their difference is added
-struct Pair {
-  Surface_input a, b, start;
-  CGP::Mesh_view b_near_a;  ///< placed so that the boundary turns no more than it must
+struct Trio {
+  CGP::Mesh_view a, b, start;
 };
 
-struct Frame {
-  double t;
-  Deformation deformation;
+/// the difference of a pair
+struct Difference {
+  CGP::Curvature_potential rho;  ///< in 1/length of the surface to which it is added
+  CGP::Mesh_view b_near_a;       ///< placed so that the boundary turns no more than it must
 };
-
-Pair read_pair(const Blend_options& options, Session& session)
-{
-  Surface_input a = read_suitable_surface(options.spin.input, session);
-  Surface_input b = read_surface_like(a, options.other);
-  Surface_input start = options.onto.empty() ? a : read_surface_like(a, options.onto);
-  session.note_all(notes_of_repair_alike(a, {options.other, options.onto}));
-  const CGP::Points& p = b.mesh.positions();
-  CGP::Mesh_view near(CGP::align(p, a.mesh.positions()).apply(p), a.mesh.corners());
-  return {std::move(a), std::move(b), std::move(start), std::move(near)};
-}
-
-void tell_equivalence(const Pair& pair, Session& session)
-{
-  const double Q = CGP::quasi_conformal_error(pair.a.mesh, pair.b.mesh.positions()).mean;
-  session.report().set("result/pair/quasi_conformal/mean", Q);
-  const double of_coarse_meshes = 1.25;
-  if (!(Q <= of_coarse_meshes))
-    session.note(pair.b.file.path + " is no conformal image of " + pair.a.file.path +
-                 " (mean quasi-conformal error " + text_of(Q, 3) +
-                 "): the way does not lead there, but to what has its curvature");
-}
 
 /// The values of t in order; the last one belongs to the output.
 std::vector<double> values_of_t(const Blend_options& options)
@@ -72,106 +106,141 @@ std::vector<double> values_of_t(const Blend_options& options)
   return all;
 }
 
-void require_frames_that_overwrite_nothing(const Blend_options& options, const std::string& output)
+void note_unlike(const CGP::Mesh_view& a, const CGP::Mesh_view& b, const Blend_options& options,
+                 Session& session)
 {
-  for (int k = 0; k < options.frames; ++k)
-    for (const std::string& input : {options.spin.input, options.other, options.onto}) {
-      std::error_code ignored;
-      if (std::filesystem::equivalent(snapshot_path(output, k), input, ignored))
-        throw Failure(Exit_code::usage, "frame " + std::to_string(k) + " would be written over " +
-                                            input + "; try: another name for the output");
-    }
+  const double Q = CGP::quasi_conformal_error(a, b.positions()).mean;
+  session.report().set("result/pair/quasi_conformal/mean", Q);
+  const double of_coarse_meshes = 1.25;
+  if (!(Q <= of_coarse_meshes))
+    session.note(options.other + " is no conformal image of " + options.spin.input +
+                 " (mean quasi-conformal error " + text_of(Q, 3) +
+                 "): the way does not lead there, but to what has its curvature");
 }
 
-/// rho of the whole difference, in 1/length of the surface to which it is added
-CGP::Curvature_potential whole_difference(const Pair& pair)
+Difference difference(const Trio& meshes)
 {
-  return CGP::transferred(CGP::curvature_difference(pair.a.mesh, pair.b.mesh.positions()),
-                          pair.a.mesh, pair.start.mesh);
+  const CGP::Points& p = meshes.b.positions();
+  return {CGP::transferred(CGP::curvature_difference(meshes.a, p), meshes.a, meshes.start),
+          {CGP::align(p, meshes.a.positions()).apply(p), meshes.a.corners()}};
 }
 
-Frame frame_at(double t, const Pair& pair, const CGP::Curvature_potential& whole,
-               const Blend_options& options, Session& session)
+Spin_problem problem_at(double t, const Trio& meshes, const Difference& whole)
 {
   Spin_problem problem;
-  problem.rho = {whole.on, t * whole.values};
-  if (!CGP::topology(pair.start.mesh).is_closed()) {
-    problem.boundary = CGP::Boundary_condition::binormals(
-        CGP::turned_binormals(pair.a.mesh, pair.b_near_a, pair.start.mesh, t));
-    problem.closes_loops = false;  // the prescribed data determine the loops
+  problem.rho = {whole.rho.on, t * whole.rho.values};
+  if (CGP::topology(meshes.start).is_closed()) return problem;
+  problem.boundary = CGP::Boundary_condition::binormals(
+      CGP::turned_binormals(meshes.a, whole.b_near_a, meshes.start, t));
+  problem.closes_loops = false;  // the prescribed data determine the loops
+  return problem;
+}
+
+/// a surface on the way
+struct Frame {
+  double t;
+  Spin_problem problem;
+  Spin_solution solution;
+};
+
+std::vector<Frame> solve_frames(const Trio& meshes, const Blend_options& options, Session& session)
+{
+  const Difference whole = difference(meshes);
+  std::vector<Frame> frames;
+  for (const double t : values_of_t(options)) {
+    if (!frames.empty()) session.end_stage("frames");
+    const Spin_problem problem = problem_at(t, meshes, whole);
+    const auto solve = [&](const Go_further& go_further) {
+      return solve_spin(meshes.start, problem, options.spin, session.options(), go_further);
+    };
+    frames.push_back({t, problem, watched(solve, session, "t = " + text_of(t, 4) + ", ")});
   }
-  const auto solve = [&](const Go_further& go_further) {
-    return solve_spin(pair.start.mesh, problem, options.spin, session.options(), go_further);
-  };
-  Frame frame{t, {problem.rho, problem.boundary, {}}};
-  frame.deformation.rho.values *= User_frame(pair.start.mesh).unit();
-  frame.deformation.solution = watched(solve, session.options(), "t = " + text_of(t, 4) + ", ");
-  return frame;
+  return frames;
 }
 
 /// after the certificate of the last one
-void tell_frames(const std::vector<Frame>& frames, const Pair& pair, Session& session)
+void tell_frames(const std::vector<Frame>& frames, const CGP::Mesh_view& b, Report& report)
 {
   Grid grid({"t", "energy/4pi", "closure", "Q mean", "Q max", "flips", "from B"});
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    const Spin_solution& solution = frames[k].deformation.solution;
-    const CGP::Mesh_view surface(solution.positions, pair.a.mesh.corners());
+    const Spin_solution& solution = frames[k].solution;
     const CGP::Conformality& map = solution.report.conformality;
-    const double energy = CGP::willmore_energy(surface);
-    const double distance = CGP::align(solution.positions, pair.b.mesh.positions()).rms;
+    const double energy = CGP::willmore_energy(CGP::Mesh_view(solution.positions, b.corners()));
+    const double distance = CGP::align(solution.positions, b.positions()).rms;
     const std::string place = "steps/" + std::to_string(k);
-    session.report().set(place + "/t", frames[k].t);
-    session.report().set(place + "/energy", energy);
-    session.report().set(place + "/closure_residual", solution.report.closure_residual);
-    session.report().set(place + "/quasi_conformal/mean", map.quasi_conformal.mean);
-    session.report().set(place + "/quasi_conformal/max", map.quasi_conformal.max);
-    session.report().set(place + "/flipped_faces", map.flipped_faces);
-    session.report().set(place + "/distance", distance);
+    report.set(place + "/t", frames[k].t);
+    report.set(place + "/energy", energy);
+    report.set(place + "/closure_residual", solution.report.closure_residual);
+    report.set(place + "/quasi_conformal/mean", map.quasi_conformal.mean);
+    report.set(place + "/quasi_conformal/max", map.quasi_conformal.max);
+    report.set(place + "/flipped_faces", map.flipped_faces);
+    report.set(place + "/distance", distance);
     grid.add({text_of(frames[k].t, 4), text_of(energy / (4 * std::acos(-1.))),
               text_of(solution.report.closure_residual, 3), text_of(map.quasi_conformal.mean, 5),
               text_of(map.quasi_conformal.max, 5), std::to_string(map.flipped_faces),
               text_of(distance, 3)});
   }
-  session.print("\n" + grid.text());
+  report.show(grid);
 }
 
-void write_frames(const std::vector<Frame>& frames, const Pair& pair, const Blend_options& options,
-                  Session& session)
+/// The frames of a surface in one component, all of which verify.
+std::vector<Frame> verified_frames(const Surface_input& start, const Trio& meshes,
+                                   const Blend_options& options, Session& session)
+{
+  note_unlike(meshes.a, meshes.b, options, session);
+  std::vector<Frame> frames = solve_frames(meshes, options, session);
+  session.begin_stage();
+  session.report().set("result/t", options.t);
+  const Frame& last = frames.back();
+  tell_solution(start, last.problem.boundary, last.solution.report, session.outcome());
+  tell_frames(frames, meshes.b, session.report());
+  for (const Frame& frame : frames)
+    conclude(start, frame.solution, options.spin, "a --t closer to 0", session,
+             "t = " + text_of(frame.t, 4));
+  return frames;
+}
+
+void write_frames(const std::vector<Transformed_surface>& surfaces, const Surface_input& start,
+                  const Blend_options& options, Session& session)
 {
   const std::string& output = session.options().output;
-  const auto write = [&](const std::string& path, const Frame& frame) {
-    write_deformation(path, pair.start, frame.deformation, options.spin.lambda, session);
-  };
   for (int k = 0; k < options.frames; ++k)
-    write(snapshot_path(output, k), frames[static_cast<std::size_t>(k)]);
-  write(output, frames.back());
-  session.end_stage("write");
+    session.note_all(write_surface(
+        snapshot_path(output, k),
+        result_file(start, surfaces[static_cast<std::size_t>(k)], options.spin.lambda)));
+  write_result(start, surfaces.back(), session, options.spin.lambda);
 }
-
-}  // namespace
 
 void blend(const Blend_options& options, Session& session)
 {
   require_writable(session.options().output);
-  require_frames_that_overwrite_nothing(options, session.options().output);
-  const Pair pair = read_pair(options, session);
-  tell_equivalence(pair, session);
-  const CGP::Curvature_potential whole = whole_difference(pair);
-  session.end_stage("prepare");
-  std::vector<Frame> frames;
-  for (const double t : values_of_t(options)) {
-    if (!frames.empty()) session.end_stage("frames");
-    frames.push_back(frame_at(t, pair, whole, options, session));
-  }
-  session.begin_stage();
-  session.report().set("result/t", options.t);
-  tell_certificate(pair.start, frames.back().deformation, session);
-  tell_frames(frames, pair, session);
-  for (const Frame& frame : frames)
-    verify("t = " + text_of(frame.t, 4), pair.start, frame.deformation.solution, options.spin,
-           easier_than_blend, session);
-  keep_exhibit(pair.start, frames.back().deformation.solution.positions, session);
-  write_frames(frames, pair, options, session);
+  require_new_files("frame", session.options().output, options.frames,
+                    {options.spin.input, options.other, options.onto});
+  const Surface_input a = read_suitable_surface(options.spin.input, session);
+  const CGP::Mesh_view b = read_surface_like(a, options.other).mesh;
+  const Surface_input start = options.onto.empty() ? a : read_surface_like(a, options.onto);
+  session.note_all(notes_of_repair_alike(a, {options.other, options.onto}));
+  const double unit = User_frame(start.mesh).unit();
+  Transformed_surface unchanged = Transformed_surface::unchanged(start.mesh);
+  unchanged.rho = CGP::no_potential(start.mesh);
+  std::vector<Transformed_surface> surfaces(values_of_t(options).size(), unchanged);
+  each_component(start, session, [&](const Component& component, Session& own) {
+    const Trio meshes{on_component(a.mesh, component), on_component(b, component),
+                      component.input.mesh};
+    const auto frames = verified_frames(component.input, meshes, options, own);
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      surfaces[k].set(component, frames[k].solution);
+      surfaces[k].rho.values(component.vertices) = unit * frames[k].problem.rho.values;
+    }
+  });
+  write_frames(surfaces, start, options, session);
+}
+
+}  // namespace
+
+Command blend_command()
+{
+  return make_command<Blend_options>("blend", about, add_options, files, blend);
 }
 
 }  // namespace conformal

@@ -1,14 +1,16 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "compare.h"
+#include "commands.h"
+#include "option_groups.h"
 
 #include "conformal/input/Defects.h"
 #include "conformal/input/same_faces.h"
 #include "conformal/io/write_surface.h"
 #include "conformal/process/Failure.h"
+#include "conformal/process/text.h"
+#include "conformal/report/certificate.h"
 #include "conformal/report/keep_exhibit.h"
 #include "conformal/report/report_input.h"
-#include "conformal/report/verification.h"
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
@@ -16,12 +18,34 @@
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
-
-#include <algorithm>
 
 namespace conformal {
 namespace {
+
+const char* const about =
+    "Measures the map between two meshes with the same faces: angles, lengths, flips, energies.\n"
+    "-o writes the second one with the vertex property quality (quasi-conformal error).\n"
+    "Example: conformal compare bear.off bear_spin.ply --json map.json";
+
+struct Compare_options {
+  std::string before, after;
+};
+
+void add_options(CLI::App& command, Compare_options& compare, Common_options& common)
+{
+  command.add_option("before", compare.before, "mesh file")->required();
+  command.add_option("after", compare.after, "mesh file with the same faces")->required();
+  add_output(command, common, "the second mesh, with quality");
+  add_html(command, common);
+}
+
+Files files(const Compare_options& compare)
+{
+  return {{"the mesh before", compare.before},
+          {"the mesh after", compare.after, Named_file::Role::replaceable}};
+}
 
 // Components and boundaries do not matter to a map.
 void require_measurable(const Surface_input& input)
@@ -39,7 +63,7 @@ CGP::Mesh_view in_frame(const CGP::Mesh_view& mesh, const CGP::Points& positions
   return result;
 }
 
-void tell_histogram(const CGP::Mesh_view& a, const CGP::Points& b, Report& report, Table& table)
+void tell_histogram(const CGP::Mesh_view& a, const CGP::Points& b, Report& report)
 {
   const int bins = 10;
   const double low = 1, high = 2;
@@ -52,27 +76,23 @@ void tell_histogram(const CGP::Mesh_view& a, const CGP::Points& b, Report& repor
   for (int i = 0; i < bins; ++i) {
     const double begin = low + (high - low) * i / bins;
     const std::string end = i + 1 < bins ? text_of(begin + (high - low) / bins, 3) : "...";
-    table.add("area with error " + text_of(begin, 3) + " to " + end,
-              text_of(100 * share[i], 3) + " %");
+    report.show("area with error " + text_of(begin, 3) + " to " + end,
+                text_of(100 * share[i], 3) + " %");
   }
 }
 
-void tell_energies(const CGP::Mesh_view& a, const CGP::Mesh_view& b, Report& report, Table& table)
+void tell_energies(const CGP::Mesh_view& a, const CGP::Mesh_view& b, Report& report)
 {
   const auto alignment = CGP::align(a.positions(), b.positions());
-  const auto tell = [&](const std::string& place, const std::string& label, double value) {
-    report.set("result/" + place, value);
-    table.add(label, value);
-  };
-  tell("similarity_distance/rms", "distance from similar, rms / diagonal", alignment.rms);
-  tell("similarity_distance/max", "distance from similar, max / diagonal", alignment.max);
-  tell("willmore_energy/before", "Willmore energy before", CGP::willmore_energy(a));
-  tell("willmore_energy/after", "Willmore energy after", CGP::willmore_energy(b));
+  const std::string distance = "result/similarity_distance/", energy = "result/willmore_energy/";
+  report.tell(distance + "rms", "distance from similar, rms / diagonal", alignment.rms);
+  report.tell(distance + "max", "distance from similar, max / diagonal", alignment.max);
+  report.tell(energy + "before", "Willmore energy before", CGP::willmore_energy(a));
+  report.tell(energy + "after", "Willmore energy after", CGP::willmore_energy(b));
 }
 
-void tell(const CGP::Mesh_view& mesh, const CGP::Points& after, Session& session)
+void tell(const CGP::Mesh_view& mesh, const CGP::Points& after, Report& report)
 {
-  Table table;
   const CGP::Mesh_view a = in_frame(mesh, mesh.positions()), b = in_frame(mesh, after);
   CGP::Conformality map =
       CGP::conformality(a, b.positions(), CGP::neighbourhood_normals(a, b.positions()));
@@ -80,14 +100,10 @@ void tell(const CGP::Mesh_view& mesh, const CGP::Points& after, Session& session
                       CGP::internal::Normalized_frame(mesh.positions()).unit();
   map.scale.min_scale *= unit;
   map.scale.max_scale *= unit;
-  report_conformality(map, session.report());
-  add_conformality(map, mesh.size_of_faces(), table);
-  tell_energies(a, b, session.report(), table);
-  tell_histogram(a, b.positions(), session.report(), table);
-  session.print(table.text());
+  tell_conformality(map, mesh.size_of_faces(), report);
+  tell_energies(a, b, report);
+  tell_histogram(a, b.positions(), report);
 }
-
-}  // namespace
 
 void compare(const Compare_options& options, Session& session)
 {
@@ -102,13 +118,20 @@ void compare(const Compare_options& options, Session& session)
   require_same_faces(before.file, after.file);
   require_measurable(before);
   const CGP::Points positions = positions_in(before, after.file);
-  tell(before.mesh, positions, session);
+  tell(before.mesh, positions, session.report());
   session.end_stage("measure");
   keep_exhibit(before, positions, session);
   if (output.empty()) return;
   set_quality(before, positions, after.file);
   session.note_all(write_surface(output, after.file));
   session.end_stage("write");
+}
+
+}  // namespace
+
+Command compare_command()
+{
+  return make_command<Compare_options>("compare", about, add_options, files, compare);
 }
 
 }  // namespace conformal

@@ -1,26 +1,83 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "curve.h"
+#include "commands.h"
+#include "option_groups.h"
 
 #include "conformal/curves/Curve_flows.h"
+#include "conformal/curves/Curve_options.h"
+#include "conformal/curves/Pictures.h"
 #include "conformal/curves/curve_report.h"
 #include "conformal/curves/refine_curve.h"
 #include "conformal/io/file/Temporary_file.h"
 #include "conformal/io/read_plane_curves.h"
-#include "conformal/io/write_plane_curves.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/Progress.h"
 #include "conformal/process/interruption.h"
 #include "conformal/process/text.h"
-#include "conformal/transform/write_result.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 
 namespace conformal {
 namespace {
+
+const char* const about =
+    "Smooths curves in the plane without stretching them: every edge keeps its length, and every\n"
+    "closed curve its turning number. Those that turn k times become circles run through k times,\n"
+    "those that do not turn a figure eight, open ones straight.\n"
+    "Reads SVG (path, polygon, polyline), CSV (x,y per line, an empty line between), OBJ (l);\n"
+    "writes them too, by the extension of the output. Ends early where the energy has settled.\n"
+    "When interrupted (Ctrl-C, SIGTERM), it writes the curves after the last complete step, and\n"
+    "ends with exit code 130 or 143; a second signal ends it at once.\n"
+    "Example: conformal curve star.svg --steps 60 --time-step 0.05 --animate -o star_flow.svg";
+
+void add_options(CLI::App& command, Curve_options& curve, Common_options& common)
+{
+  command.add_option("input", curve.input, "file with curves: SVG, CSV or OBJ")->required();
+  command.add_option("--steps", curve.steps, "how many steps at most")
+      ->check(above_zero)
+      ->capture_default_str();
+  command
+      .add_option("--time-step", curve.time_step,
+                  "what can be smoothed is multiplied by 1 - 2 T in a step: 0.5 goes furthest, "
+                  "small ones show the way")
+      ->check(between_zero_and_one)
+      ->capture_default_str();
+  add_choice(command, "--ends", curve.ends, {"detect", "closed", "open"},
+             "whether the last point is followed by the first; detect: as the file says (Z, "
+             "polygon, a last point that repeats the first), and in CSV where the gap is no longer "
+             "than the longest edge");
+  add_choice(command, "--closing", curve.closing, {"exact", "least-squares"},
+             "how closed curves are kept closed: without stretching an edge, or by a little of it");
+  command
+      .add_option("--samples", curve.samples,
+                  "points of each Bezier segment, and of a quarter of an ellipse")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command
+      .add_option("--pieces", curve.pieces,
+                  "divide long edges, which cannot bend, until none is longer than 1/PIECES of the "
+                  "curve; 0 leaves all as they are; by default 200 for SVG, else 0")
+      ->check(CLI::Range(0, 100000000));
+  command
+      .add_option("--every", curve.every,
+                  "write every so many steps a snapshot, OUTPUT with the number of the step: "
+                  "star_0005.svg; with --animate, the steps from one picture to the next")
+      ->check(above_zero);
+  command.add_flag("--animate", curve.animate,
+                   "the output, an SVG file, shows the curves on their way, in a browser");
+  command.add_option("--seconds", curve.seconds, "of the animation")
+      ->check(above_zero)
+      ->needs("--animate")
+      ->capture_default_str();
+  add_output(command, common)->required();
+}
+
+Files files(const Curve_options& curve)
+{
+  return {{"the input", curve.input, Named_file::Role::replaceable}};
+}
 
 // Far above rounding, which is some 1e-16 by the share of an edge in the whole curve.
 constexpr double largest_distortion = 1e-6;
@@ -57,43 +114,6 @@ std::vector<Plane_curve> read(const Curve_options& options, Session& session)
   return curves;
 }
 
-/// Takes pictures on the way: files of their own, or the frames of an animation.
-class Pictures {
- public:
-  Pictures(const Curve_options& options, Session& session) : m_options(options), m_session(session)
-  {}
-
-  void take(const Curve_flows& flows, int step)
-  {
-    if (m_options.animate && step % std::max(m_options.every, 1) == 0)
-      m_frames.push_back(flows.curves());
-    else if (!m_options.animate && step > 0 && m_options.every > 0 && step % m_options.every == 0)
-      write_snapshot(flows, step);
-  }
-
-  void write_result(const Curve_flows& flows)
-  {
-    const std::string& output = m_session.options().output;
-    if (!m_options.animate) return write_plane_curves(output, flows.curves());
-    m_frames.push_back(flows.curves());  // the last one stays a little longer
-    write_animation(output, m_frames, m_options.seconds);
-  }
-
- private:
-  void write_snapshot(const Curve_flows& flows, int step)
-  {
-    const std::string path = snapshot_path(m_session.options().output, step);
-    std::error_code ignored;
-    if (std::filesystem::equivalent(path, m_options.input, ignored))
-      return m_session.note(path + " is not written: it is the input");
-    write_plane_curves(path, flows.curves());
-  }
-
-  const Curve_options& m_options;
-  Session& m_session;
-  std::vector<Curve_picture> m_frames;
-};
-
 void flow(Curve_flows& flows, const Curve_options& options, Session& session, Pictures& pictures,
           std::optional<Patience>& patience)
 {
@@ -111,14 +131,8 @@ void flow(Curve_flows& flows, const Curve_options& options, Session& session, Pi
   session.end_stage("flow");
 }
 
-void tell(const Curve_flows& flows, Session& session)
-{
-  report_curves(flows, session.report());
-  if (flows.all().size() == 1) session.print(step_grid(flows.all().front()).text() + "\n");
-  session.print(curve_grid(flows).text());
-}
-
-void verify(const Curve_flows& flows, const Curve_options& options, Session& session)
+/// Notes which curves got stuck. \returns what is wrong with all of them, empty if nothing
+std::string fault_of(const Curve_flows& flows, const Curve_options& options, Session& session)
 {
   std::size_t stuck = 0;
   for (const Curve_flows::One& one : flows.all())
@@ -128,16 +142,12 @@ void verify(const Curve_flows& flows, const Curve_options& options, Session& ses
                    ": it would not close up, or not become less bent");
     }
   const double distortion = flows.length_distortion();
-  std::string fault;
   if (stuck == flows.all().size())
-    fault = "no step could be made; try: more points on the curve, or a smaller --time-step";
-  else if (options.closing == Closing_choice::exact && !(distortion <= largest_distortion))
-    fault = "an edge has changed its length by a share of " + text_of(distortion, 3);
-  session.report().set("verified", fault.empty());
-  if (!fault.empty()) throw Failure(Exit_code::failed, options.input + ": " + fault);
+    return "no step could be made; try: more points on the curve, or a smaller --time-step";
+  if (options.closing == Closing_choice::exact && !(distortion <= largest_distortion))
+    return "an edge has changed its length by a share of " + text_of(distortion, 3);
+  return {};
 }
-
-}  // namespace
 
 void curve(const Curve_options& options, Session& session)
 {
@@ -146,14 +156,21 @@ void curve(const Curve_options& options, Session& session)
   Pictures pictures(options, session);
   std::optional<Patience> patience;  // until all is written
   flow(flows, options, session, pictures, patience);
-  tell(flows, session);
-  verify(flows, options, session);
+  tell_curves(flows, session.report());
+  session.conclude({fault_of(flows, options, session)}, On_fault::refuse, options.input);
   pictures.write_result(flows);
   session.end_stage("write");
   if (signal_received() == 0) return;
   session.keep_report();
   throw_if_interrupted("the curves after " + count_of(flows.size_of_steps(), "step") +
                        " were written to " + session.options().output);
+}
+
+}  // namespace
+
+Command curve_command()
+{
+  return make_command<Curve_options>("curve", about, add_options, files, curve);
 }
 
 }  // namespace conformal

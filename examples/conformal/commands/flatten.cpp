@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "flatten.h"
+#include "commands.h"
+#include "option_groups.h"
 
-#include "conformal/input/Surface_input.h"
 #include "conformal/io/data/texture_coordinates.h"
 #include "conformal/io/write_surface.h"
-#include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
 #include "conformal/report/keep_exhibit.h"
 #include "conformal/transform/each_component.h"
@@ -24,12 +23,41 @@
 namespace conformal {
 namespace {
 
-void verify(const Flat_image& image, const Flatten_options& options, Session& session)
+const char* const about =
+    "Maps a surface with boundary to the plane with little distortion of angles, and writes the\n"
+    "map as texture coordinates in the unit square, beside the mesh as it was, or the flat mesh\n"
+    "itself, as large as the surface. Holes are taken as they come. The property quality is the\n"
+    "quasi-conformal error.\n"
+    "--planar has the surface unbend by curvature: its mean curvature becomes zero, and the\n"
+    "tangents of its boundary, which must be one loop, those of a plane curve that turns as it\n"
+    "did.\n"
+    "Example: conformal flatten face.off -o face.glb --json face.json";
+
+void add_options(CLI::App& command, Flatten_options& options, Common_options& common)
 {
-  session.report().set("verified", image.fault.empty());
-  if (image.fault.empty()) return;
-  if (!options.force) throw Failure(Exit_code::failed, options.input + ": " + image.fault);
-  session.note("written all the same, as --force says: " + image.fault);
+  add_input(command, options.input);
+  add_transformation(command, common);
+  CLI::Option* method =
+      add_choice(command, "--method", options.method, {"spectral", "dirac"},
+                 "spectral (normals of the faces), or as in the thesis with those of the vertices: "
+                 "dirac, which is worse on scans");
+  CLI::Option* loops =
+      command.add_flag("--all-loops", options.all_loops,
+                       "keep the spread of all boundary loops, and not of the longest alone");
+  command.add_flag("--planar", options.planar, "by curvature, and not by an energy")
+      ->excludes(method)
+      ->excludes(loops);
+  command.add_flag("--planar-mesh", options.planar_mesh,
+                   "write the flat mesh, and not the surface with texture coordinates alone");
+  command.add_option("--tolerance", options.tolerance, "of the spectral map")
+      ->check(above_zero)
+      ->capture_default_str();
+  add_limits(command, options.limits, options.force);
+}
+
+Files files(const Flatten_options& flatten)
+{
+  return {{"the input", flatten.input, Named_file::Role::replaceable}};
 }
 
 /// \brief texture coordinates in the unit square, of the same shape as the image, at its lower left
@@ -48,48 +76,60 @@ std::vector<std::array<double, 2>> in_unit_square(const Surface_input& input,
   return uv;
 }
 
-/// The image of a surface in one component, which verifies.
-CGP::Points flattened(const Surface_input& input, const Flatten_options& options, Session& session)
+/// Moves the images of components side by side.
+void place_apart(const CGP::Mesh_view& mesh, CGP::Points& positions)
 {
-  Flat_image image = flat_image(input, options, session);
-  throw_if_interrupted();
-  session.end_stage("solve");
-  verify(image, options, session);
-  return std::move(image.positions);
-}
-
-/// The images of all components, side by side.
-CGP::Points flattened_components(const Surface_input& input, const Flatten_options& options,
-                                 Session& session)
-{
-  CGP::Points positions =
-      each_component(input, session, [&](const Component& component, Session& own) {
-        return flattened(component.input, options, own);
-      });
   Eigen::VectorXcd z(positions.cols());
   z.real() = positions.row(0).transpose();
   z.imag() = positions.row(1).transpose();
-  CGP::place_side_by_side(CGP::connected_components(input.mesh), z);
+  CGP::place_side_by_side(CGP::connected_components(mesh), z);
   positions.topRows<2>() = CGP::in_space(z).topRows<2>();
-  return positions;
 }
 
-}  // namespace
+/// the image of all components; those without one are a point
+struct Flat_components {
+  CGP::Points positions;
+  std::vector<char> has_image;  ///< of each vertex
+};
+
+Flat_components flatten_components(const Surface_input& input, const Flatten_options& options,
+                                   Session& session)
+{
+  const int n = input.mesh.size_of_vertices();
+  Flat_components flat{CGP::Points::Zero(3, n), std::vector<char>(static_cast<std::size_t>(n), 0)};
+  each_component(input, session, [&](const Component& component, Session& own) {
+    require_boundary(component.input);
+    flat.positions(Eigen::indexing::all, component.vertices) =
+        flat_image(component.input, options, own);
+    for (const int v : component.vertices) flat.has_image[static_cast<std::size_t>(v)] = 1;
+  });
+  if (session.options().each_component) place_apart(input.mesh, flat.positions);
+  return flat;
+}
 
 void flatten(const Flatten_options& options, Session& session)
 {
   const std::string& output = session.options().output;
   require_writable(output);
   const Surface_input input = read_bounded_surface(options.input, session);
-  const CGP::Points positions = session.options().each_component
-                                    ? flattened_components(input, options, session)
-                                    : flattened(input, options, session);
-  keep_flat_exhibit(input, positions, session);
-  Surface_file file = options.planar_mesh ? moved(input, positions) : input.file;
-  set_texture_coordinates(file, in_unit_square(input, positions));
-  set_quality(input, positions, file);
+  Flat_components flat = flatten_components(input, options, session);
+  const auto texture = in_unit_square(input, flat.positions);
+  for (int v = 0; v < input.mesh.size_of_vertices(); ++v)
+    if (!flat.has_image[static_cast<std::size_t>(v)])
+      flat.positions.col(v) = input.mesh.position(v);
+  keep_flat_exhibit(input, flat.positions, session);
+  Surface_file file = options.planar_mesh ? moved(input, flat.positions) : input.file;
+  set_texture_coordinates(file, texture);
+  set_quality(input, flat.positions, file);
   session.note_all(write_surface(output, file));
   session.end_stage("write");
+}
+
+}  // namespace
+
+Command flatten_command()
+{
+  return make_command<Flatten_options>("flatten", about, add_options, files, flatten);
 }
 
 }  // namespace conformal

@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "harmonic.h"
+#include "commands.h"
+#include "option_groups.h"
 
 #include "conformal/io/write_surface.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
-#include "conformal/report/Table.h"
+#include "conformal/process/text.h"
 #include "conformal/transform/suitable_surface.h"
 #include "conformal/transform/write_result.h"
 
@@ -23,6 +24,31 @@
 
 namespace conformal {
 namespace {
+
+const char* const about =
+    "Finds the harmonic 1-forms of a closed surface with handles, two for each, and their tangent\n"
+    "fields; of a torus also the conformal modulus. -o writes a PLY file with the fields as\n"
+    "face properties harmonic_0_x, harmonic_0_y, harmonic_0_z, ..., in 1/length.\n"
+    "Example: conformal harmonic torus.obj -o torus_fields.ply --json torus.json";
+
+struct Harmonic_options {
+  std::string input;
+  std::optional<int> form;  ///< the only one to be written
+};
+
+void add_options(CLI::App& command, Harmonic_options& harmonic, Common_options& common)
+{
+  add_input(command, harmonic.input);
+  add_repair(command, common);
+  add_output(command, common, "the mesh with the fields");
+  command.add_option("--form", harmonic.form, "write only this one, counted from 0")
+      ->check(CLI::NonNegativeNumber);
+}
+
+Files files(const Harmonic_options& harmonic)
+{
+  return {{"the input", harmonic.input, Named_file::Role::replaceable}};
+}
 
 Surface_input read_surface_with_handles(const Harmonic_options& options, Session& session)
 {
@@ -67,40 +93,29 @@ Residuals residuals(const CGP::Mesh_view& mesh, const CGP::Hodge_decomposition<>
           (products - identity).cwiseAbs().maxCoeff()};
 }
 
-void verify(const Residuals& found, const std::string& input, Session& session)
+std::string fault_of(const Residuals& found)
 {
   const double limit = 1e-6;
-  const bool is_verified = found.largest() <= limit;
-  session.report().set("verified", is_verified);
-  if (!is_verified)
-    throw Failure(Exit_code::failed, input + ": the residual of the forms is " +
-                                         text_of(found.largest(), 3) + ", more than " +
-                                         text_of(limit, 3) + "; try: a mesh without slivers");
+  if (found.largest() <= limit) return {};
+  return "the residual of the forms is " + text_of(found.largest(), 3) + ", more than " +
+         text_of(limit, 3) + "; try: a mesh without slivers";
 }
 
 // How well the equations hold, and the class of a torus.
 void tell(const CGP::Mesh_view& mesh, const CGP::Hodge_decomposition<>& hodge,
-          const Residuals& found, Session& session)
+          const Residuals& found, Report& report)
 {
-  Table table;
-  const auto tell_number = [&](const std::string& place, const std::string& label, double value) {
-    session.report().set("result/" + place, value);
-    table.add(label, value);
-  };
   const CGP::Harmonic_basis& basis = hodge.harmonic_basis();
-  session.report().set("result/genus", basis.genus());
-  session.report().set("result/forms", basis.size());
-  table.add("genus", basis.genus());
-  table.add("harmonic forms", basis.size());
-  tell_number("closed_residual", "sum around faces, relative", found.closed);
-  tell_number("coclosed_residual", "sum around vertices, relative", found.coclosed);
-  tell_number("orthonormal_residual", "deviation from orthonormal", found.orthonormal);
-  if (basis.genus() == 1) {
-    const std::complex<double> tau = CGP::conformal_modulus(mesh, basis);
-    tell_number("conformal_modulus/real", "conformal modulus, real part", tau.real());
-    tell_number("conformal_modulus/imaginary", "conformal modulus, imaginary part", tau.imag());
-  }
-  session.print(table.text());
+  report.tell("result/genus", "genus", basis.genus());
+  report.tell("result/forms", "harmonic forms", basis.size());
+  report.tell("result/closed_residual", "sum around faces, relative", found.closed);
+  report.tell("result/coclosed_residual", "sum around vertices, relative", found.coclosed);
+  report.tell("result/orthonormal_residual", "deviation from orthonormal", found.orthonormal);
+  if (basis.genus() != 1) return;
+  const std::complex<double> tau = CGP::conformal_modulus(mesh, basis);
+  const std::string place = "result/conformal_modulus/";
+  report.tell(place + "real", "conformal modulus, real part", tau.real());
+  report.tell(place + "imaginary", "conformal modulus, imaginary part", tau.imag());
 }
 
 /// Sets a field as three face properties; a polygon has the mean of its triangles.
@@ -134,8 +149,6 @@ Surface_file file_with_fields(const Surface_input& input, const CGP::Mesh_view& 
   return file;
 }
 
-}  // namespace
-
 void harmonic(const Harmonic_options& options, Session& session)
 {
   const std::string& output = session.options().output;
@@ -146,13 +159,22 @@ void harmonic(const Harmonic_options& options, Session& session)
   throw_if_interrupted();
   session.end_stage("solve");
   const Residuals found = residuals(mesh, hodge);
-  tell(mesh, hodge, found, session);
-  verify(found, options.input, session);
+  tell(mesh, hodge, found, session.report());
+  Evidence evidence{mesh.positions(), mesh.size_of_faces()};
+  evidence.fault = fault_of(found);
+  session.conclude(judge(evidence, {}, ""), On_fault::refuse);
   session.end_stage("measure");
   if (output.empty()) return;
   session.note_all(
       write_surface(output, file_with_fields(input, mesh, hodge.harmonic_basis(), options.form)));
   session.end_stage("write");
+}
+
+}  // namespace
+
+Command harmonic_command()
+{
+  return make_command<Harmonic_options>("harmonic", about, add_options, files, harmonic);
 }
 
 }  // namespace conformal

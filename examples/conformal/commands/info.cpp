@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "info.h"
+#include "commands.h"
+#include "option_groups.h"
 
 #include "conformal/input/Closed_curve.h"
 #include "conformal/input/Defects.h"
 #include "conformal/process/Failure.h"
+#include "conformal/process/text.h"
 #include "conformal/report/Shape.h"
-#include "conformal/report/Table.h"
 #include "conformal/report/report_input.h"
 
 #include <Conformal_geometry_processing/measure/energies.h>
@@ -19,24 +20,44 @@
 namespace conformal {
 namespace {
 
-void tell_counts(const Surface_input& input, const Defects& defects, Table& table)
+const char* const about =
+    "Tells what a mesh is: counts, topology, orientation, shape of its triangles, energies, and\n"
+    "all that keeps it from being transformed.\n"
+    "Example: conformal info bear.off --json bear.json";
+
+struct Info_options {
+  std::string input;
+};
+
+void add_options(CLI::App& command, Info_options& info, Common_options& common)
 {
-  const CGP::Mesh_view& mesh = input.mesh;
-  table.add("vertices", static_cast<int>(input.file.points.size()));
-  table.add("edges", mesh.size_of_edges());
-  table.add("faces", static_cast<int>(input.file.polygons.size()));
-  if (input.triangulated > 0) table.add("triangles", mesh.size_of_faces());
-  table.add("unreferenced vertices", input.unreferenced);
-  int components = 0;
-  for (const int c : CGP::connected_components(mesh)) components = std::max(components, c + 1);
-  table.add("components", components);
-  if (!defects.of_topology.empty()) return;
-  const auto t = CGP::topology(mesh);
-  table.add("boundary loops", t.boundary_loops);
-  table.add("genus", t.genus);
+  add_repair(command, common);
+  add_input(command, info.input);
 }
 
-void tell_boundary(const Surface_input& input, Report& report, Table& table)
+Files files(const Info_options& info)
+{
+  return {{"the input", info.input, Named_file::Role::replaceable}};
+}
+
+void tell_counts(const Surface_input& input, const Defects& defects, Report& report)
+{
+  const CGP::Mesh_view& mesh = input.mesh;
+  report.show("vertices", std::to_string(static_cast<int>(input.file.points.size())));
+  report.show("edges", std::to_string(mesh.size_of_edges()));
+  report.show("faces", std::to_string(static_cast<int>(input.file.polygons.size())));
+  if (input.triangulated > 0) report.show("triangles", std::to_string(mesh.size_of_faces()));
+  report.show("unreferenced vertices", std::to_string(input.unreferenced));
+  int components = 0;
+  for (const int c : CGP::connected_components(mesh)) components = std::max(components, c + 1);
+  report.show("components", std::to_string(components));
+  if (!defects.of_topology.empty()) return;
+  const auto t = CGP::topology(mesh);
+  report.show("boundary loops", std::to_string(t.boundary_loops));
+  report.show("genus", std::to_string(t.genus));
+}
+
+void tell_boundary_loops(const Surface_input& input, Report& report)
 {
   const std::size_t shown = 10;
   const std::vector<std::vector<int>> loops = CGP::boundary_loops(input.mesh);
@@ -47,9 +68,9 @@ void tell_boundary(const Surface_input& input, Report& report, Table& table)
     sizes.push_back(static_cast<double>(loops[l].size()));
     lengths.push_back(Closed_curve(input.mesh, loops[l]).length());
     if (l < shown)
-      table.add("boundary loop " + std::to_string(l),
-                count_of(loops[l].size(), "vertex") + ", length " + text_of(lengths.back()) +
-                    ", from " + name_of_vertex(input, loops[l].front()));
+      report.show("boundary loop " + std::to_string(l),
+                  count_of(loops[l].size(), "vertex") + ", length " + text_of(lengths.back()) +
+                      ", from " + name_of_vertex(input, loops[l].front()));
   }
   report.set("result/boundary/first_vertex", Report::Value(first));
   report.set("result/boundary/vertices", Report::Value(sizes));
@@ -64,47 +85,39 @@ std::string orientation_of(const Surface_input& input)
   return input.is_turned_outward ? "consistent, inward" : "consistent";
 }
 
-// Tells numbers of a surface, measured in a frame of unit size in which nothing overflows.
-class Teller {
- public:
-  Teller(const Surface_input& input, Report& report, Table& table)
-      : m_frame(input.mesh.positions()), m_mesh(input.mesh), m_report(report), m_table(table)
-  {
-    m_mesh.set_positions(m_frame.to_frame(m_mesh.positions()));
-  }
+/// Tells numbers of a surface, measured in a frame of unit size in which nothing overflows.
+void tell_shape(const CGP::Mesh_view& mesh, double unit, Report& report)
+{
+  const Shape s = shape(mesh);
+  report.tell("result/area", "area", s.area * std::pow(unit, 2));
+  report.tell("result/diagonal", "bounding-box diagonal", s.diagonal * unit);
+  report.tell("result/min_angle", "smallest angle (degrees)", s.min_angle);
+  report.tell("result/edge_ratio", "longest / shortest edge", s.edge_ratio);
+  report.tell("result/negative_cotan_weights", "share of negative cotan weights",
+              s.negative_weights);
+}
 
-  void tell_shape()
-  {
-    const Shape s = shape(m_mesh);
-    tell("area", "area", s.area * std::pow(m_frame.unit(), 2));
-    tell("diagonal", "bounding-box diagonal", s.diagonal * m_frame.unit());
-    tell("min_angle", "smallest angle (degrees)", s.min_angle);
-    tell("edge_ratio", "longest / shortest edge", s.edge_ratio);
-    tell("negative_cotan_weights", "share of negative cotan weights", s.negative_weights);
-  }
+/// \pre there are no defects of topology or geometry
+void tell_energies(const CGP::Mesh_view& mesh, double unit, double sign, Report& report)
+{
+  if (CGP::topology(mesh).is_closed())
+    report.tell("result/volume", "volume", sign * CGP::signed_volume(mesh) * std::pow(unit, 3));
+  report.tell("result/willmore_energy", "Willmore energy (sphere: 12.566)",
+              CGP::willmore_energy(mesh));
+  report.tell("result/steiner_willmore_energy", "the same after Steiner",
+              CGP::steiner_willmore_energy(mesh));
+}
 
-  /// \pre there are no defects of topology or geometry
-  void tell_energies(bool is_turned_outward)
-  {
-    const double sign = is_turned_outward ? -1 : 1;
-    if (CGP::topology(m_mesh).is_closed())
-      tell("volume", "volume", sign * CGP::signed_volume(m_mesh) * std::pow(m_frame.unit(), 3));
-    tell("willmore_energy", "Willmore energy (sphere: 12.566)", CGP::willmore_energy(m_mesh));
-    tell("steiner_willmore_energy", "the same after Steiner", CGP::steiner_willmore_energy(m_mesh));
-  }
-
- private:
-  void tell(const std::string& place, const std::string& label, double value)
-  {
-    m_report.set("result/" + place, value);
-    m_table.add(label, value);
-  }
-
-  CGP::internal::Normalized_frame m_frame;
-  CGP::Mesh_view m_mesh;
-  Report& m_report;
-  Table& m_table;
-};
+void tell_surface(const Surface_input& input, const Defects& defects, Report& report)
+{
+  const CGP::internal::Normalized_frame frame(input.mesh.positions());
+  CGP::Mesh_view mesh = input.mesh;
+  mesh.set_positions(frame.to_frame(mesh.positions()));
+  tell_shape(mesh, frame.unit(), report);
+  if (defects.of_topology.empty() && defects.of_geometry.empty())
+    tell_energies(mesh, frame.unit(), input.is_turned_outward ? -1 : 1, report);
+  if (defects.of_topology.empty()) tell_boundary_loops(input, report);
+}
 
 std::vector<std::string> problems_of(const Defects& defects)
 {
@@ -114,34 +127,33 @@ std::vector<std::string> problems_of(const Defects& defects)
   return problems;
 }
 
-}  // namespace
-
 void info(const Info_options& options, Session& session)
 {
   const Surface_input input = read_surface_input(options.input, session.options().repair);
   session.end_stage("read");
   session.note_all(input.notes);
-  report_input(input, session.report());
+  Report& report = session.report();
+  report_input(input, report);
   const Defects defects = find_defects(input);
-  Table table;
-  tell_counts(input, defects, table);
-  table.add("orientation", orientation_of(input));
-  session.report().set("result/orientation", Report::Value(orientation_of(input)));
-  Teller teller(input, session.report(), table);
-  teller.tell_shape();
-  if (defects.of_topology.empty() && defects.of_geometry.empty())
-    teller.tell_energies(input.is_turned_outward);
-  if (defects.of_topology.empty()) tell_boundary(input, session.report(), table);
+  tell_counts(input, defects, report);
+  report.show("orientation", orientation_of(input));
+  report.set("result/orientation", Report::Value(orientation_of(input)));
+  tell_surface(input, defects, report);
   const std::vector<std::string> problems = problems_of(defects);
-  for (const std::string& problem : problems) table.add("problem", problem);
-  session.report().set("result/unreferenced_vertices", input.unreferenced);
-  session.report().set("result/problems", problems);
+  for (const std::string& problem : problems) report.show("problem", problem);
+  report.set("result/unreferenced_vertices", input.unreferenced);
+  report.set("result/problems", problems);
   session.end_stage("measure");
-  session.print(table.text());
-  if (session.options().strict) {
-    require_untouched(input);
-    if (!problems.empty()) throw unsuitable(options.input, problems.front());
-  }
+  if (!session.options().strict) return;
+  require_untouched(input);
+  if (!problems.empty()) throw unsuitable(options.input, problems.front());
+}
+
+}  // namespace
+
+Command info_command()
+{
+  return make_command<Info_options>("info", about, add_options, files, info);
 }
 
 }  // namespace conformal

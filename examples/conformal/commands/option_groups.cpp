@@ -2,47 +2,21 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "option_groups.h"
 
-#include <cmath>
 #include <cstdlib>
 
 namespace conformal {
 
-std::string above_zero(const std::string& text)
+void add_common(CLI::App& command, Common_options& common)
 {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return *end == 0 && value > 0 && std::isfinite(value) ? "" : "wanted a number above 0";
-}
-
-std::string finite(const std::string& text)
-{
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return *end == 0 && std::isfinite(value) ? "" : "wanted a finite number";
-}
-
-std::string below_one(const std::string& text)
-{
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return *end == 0 && value >= 0 && value < 1 ? "" : "wanted a number between 0 and 1";
-}
-
-std::string file_name(const std::string& text)
-{
-  const bool is_name = !text.empty() && text != "-";
-  return is_name ? "" : "wanted the name of a file (/dev/stdout for a pipe)";
-}
-
-std::string formula(const std::string& text)
-{
-  const bool is_blank = text.find_first_not_of(" \t\r\n") == std::string::npos;
-  return is_blank ? "an empty formula, wanted one such as sin(5*y)" : "";
-}
-
-std::string not_empty(const std::string& text)
-{
-  return text.empty() ? "wanted a name" : "";
+  command
+      .add_option("--json", common.json,
+                  "write the report to this file, or to /dev/stdout for a pipe")
+      ->check(file_name);
+  command.add_option("--threads", common.threads, "threads of the linear algebra")
+      ->check(above_zero)
+      ->capture_default_str();
+  command.add_flag("-q,--quiet", common.quiet, "print nothing but errors");
+  command.add_flag("--strict", common.strict, "refuse what would be repaired with a note");
 }
 
 void add_input(CLI::App& command, std::string& input)
@@ -50,35 +24,42 @@ void add_input(CLI::App& command, std::string& input)
   command.add_option("input", input, "mesh file, - for standard input")->required();
 }
 
-void add_json(CLI::App& command, std::string& json)
+void add_repair(CLI::App& command, Common_options& common)
 {
-  command.add_option("--json", json, "write the report to this file, or to /dev/stdout for a pipe")
-      ->check(file_name);
+  command.add_flag(
+      "--repair", common.repair,
+      "first merge coincident points, remove degenerate and repeated faces, mend those "
+      "of area zero, and cut where the surface is no manifold; new numbers are in the "
+      "JSON report");
 }
 
-void add_html(CLI::App& command, std::string& html)
+CLI::Option* add_output(CLI::App& command, Common_options& common, const char* what)
+{
+  return command.add_option("-o,--output", common.output, what)->check(file_name);
+}
+
+void add_html(CLI::App& command, Common_options& common)
 {
   command
-      .add_option("--html", html,
+      .add_option("--html", common.html,
                   "write a page that shows both shapes, the error of each face and the report; "
                   "it opens in a browser without a network")
       ->check(file_name);
 }
 
-CLI::App* add_repair(CLI::App* command, bool& repair)
+void add_transformation(CLI::App& command, Common_options& common)
 {
-  const char* const description =
-      "first merge coincident points, remove degenerate and repeated faces, mend those of area "
-      "zero, and cut where the surface is no manifold; new numbers are in the JSON report";
-  command->add_flag("--repair", repair, description);
-  return command;
-}
-
-CLI::App& add_each_component(CLI::App& command, Common_options& options)
-{
-  command.add_flag("--each-component", options.each_component,
-                   "take a surface of several components, and work on each as if it were alone");
-  return command;
+  add_repair(command, common);
+  CLI::Option* each = command.add_flag(
+      "--each-component", common.each_component,
+      "take a surface of several components, and work on each as if it were alone");
+  command
+      .add_flag("--keep-going", common.keep_going,
+                "where some of them fail, write the others, and those as they were; the exit code "
+                "is 1 all the same")
+      ->needs(each);
+  add_output(command, common)->required();
+  add_html(command, common);
 }
 
 CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho)
@@ -145,12 +126,15 @@ void add_filter(CLI::App& command, Filter_request& filter)
     command.get_option(detail)->needs("--filter");
 }
 
-void add_solver(CLI::App& command, Spin_options& options)
+void add_lambda(CLI::App& command, std::string& lambda)
 {
-  command.add_option("--lambda", options.lambda,
+  command.add_option("--lambda", lambda,
                      "write the quaternions lambda as vertex properties NAME_w to NAME_z");
-  command
-      .add_option("--solver", options.solver, "native, cholmod (where it was built in) or eigen")
+}
+
+void add_solver(CLI::App& command, std::string& solver)
+{
+  command.add_option("--solver", solver, "native, cholmod (where it was built in) or eigen")
       ->check(CLI::IsMember({"native", "cholmod", "eigen"}))
       ->capture_default_str();
 }
@@ -180,39 +164,10 @@ void add_boundary(CLI::App& command, Boundary_choice& boundary)
              "its binormals, which point out of the surface");
 }
 
-void add_prescription(CLI::App& command, Prescription_options& prescription)
+void add_eigenvector(CLI::App& command, Common_options& common)
 {
-  auto* what = command.add_option_group("boundary", "what the boundary becomes, one of");
-  what->add_option("--tangents-from", prescription.tangents_from,
-                   "has the tangents of this mesh, which has the same faces")
-      ->check(not_empty);
-  what->add_option("--binormals-from", prescription.binormals_from,
-                   "has the binormals of this mesh (tangent x normal, out of the surface)")
-      ->check(not_empty);
-  what->add_option("--positions-from", prescription.positions_from,
-                   "lies where that of this mesh does, with its normals")
-      ->check(not_empty);
-  what->add_option("--curve", prescription.curve,
-                   "has the tangents of a closed curve: a text file with a point per line, an "
-                   "empty line between curves, one for each loop, in the order of conformal info; "
-                   "with as many points as the loop has vertices they belong together, else equal "
-                   "shares of the lengths do")
-      ->check(not_empty);
-  what->add_option("--tangent-rotation", prescription.tangent_rotation,
-                   "has its tangents turned about the normals, counterclockwise seen from outside, "
-                   "by so many degrees: a formula in x y z nx ny nz (normalised frame), s in [0,1) "
-                   "along the loop, and loop, the number of it")
-      ->check(formula);
-  what->add_option("--binormal-tilt", prescription.binormal_tilt,
-                   "has its binormals turned towards the normals, by a formula likewise")
-      ->check(formula);
-  what->require_option(1);
-}
-
-void add_eigenvector(CLI::App& command, Common_options& options)
-{
-  command.add_option("--seed", options.seed, "of random start vectors")->capture_default_str();
-  command.add_option("--tolerance", options.tolerance, "of the eigenvector")
+  command.add_option("--seed", common.seed, "of random start vectors")->capture_default_str();
+  command.add_option("--tolerance", common.tolerance, "of the eigenvector")
       ->check(above_zero)
       ->capture_default_str();
 }

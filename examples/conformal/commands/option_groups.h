@@ -3,8 +3,12 @@
 #ifndef CONFORMAL_COMMANDS_OPTION_GROUPS_H
 #define CONFORMAL_COMMANDS_OPTION_GROUPS_H
 
-#include "Options.h"
+#include "option_checks.h"
+
+#include "conformal/input/Boundary_options.h"
+#include "conformal/input/Rho_options.h"
 #include "conformal/process/Common_options.h"
+#include "conformal/transform/Spin_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,16 +17,6 @@
 #include <vector>
 
 namespace conformal {
-
-/// checks of numbers; an empty string if all is well
-std::string above_zero(const std::string& text);
-std::string below_one(const std::string& text);  // and above zero
-std::string finite(const std::string& text);
-
-/// checks of text
-std::string file_name(const std::string& text);  // of an output: standard output has none
-std::string formula(const std::string& text);
-std::string not_empty(const std::string& text);
 
 /// an option whose value is one of the words, which are in the order of the enumeration
 template <class Choice>
@@ -39,11 +33,17 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Choice& choi
 
 // What several commands take.
 
+/// what all take
+void add_common(CLI::App& command, Common_options& common);
+
 void add_input(CLI::App& command, std::string& input);
-void add_json(CLI::App& command, std::string& json);
-void add_html(CLI::App& command, std::string& html);
-CLI::App* add_repair(CLI::App* command, bool& repair);
-CLI::App& add_each_component(CLI::App& command, Common_options& options);
+void add_repair(CLI::App& command, Common_options& common);
+CLI::Option* add_output(CLI::App& command, Common_options& common,
+                        const char* what = "where the result goes");
+void add_html(CLI::App& command, Common_options& common);
+
+/// of commands that transform a surface: its repair, its components, the output and its page
+void add_transformation(CLI::App& command, Common_options& common);
 
 /// `--rho-expression` and the others; the group of which at most one is allowed
 CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho);
@@ -51,7 +51,9 @@ CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho);
 /// `--filter` and what belongs to it
 void add_filter(CLI::App& command, Filter_request& filter);
 
-void add_solver(CLI::App& command, Spin_options& options);
+void add_lambda(CLI::App& command, std::string& lambda);
+void add_solver(CLI::App& command, std::string& solver);
+
 /// what happens without `--mollify` where it is tried on its own
 inline constexpr const char* tried_otherwise =
     ". Without this option it is done where the result does not verify otherwise; --mollify=0 "
@@ -62,8 +64,7 @@ inline constexpr const char* tried_otherwise =
 void add_mollification(CLI::App& command, std::optional<double>& mollification,
                        const std::string& otherwise = "");
 void add_boundary(CLI::App& command, Boundary_choice& boundary);
-void add_prescription(CLI::App& command, Prescription_options& prescription);
-void add_eigenvector(CLI::App& command, Common_options& options);
+void add_eigenvector(CLI::App& command, Common_options& common);
 void add_limits(CLI::App& command, Verification_limits& limits, bool& force);
 
 }  // namespace conformal

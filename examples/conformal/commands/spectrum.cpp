@@ -1,14 +1,13 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "spectrum.h"
+#include "commands.h"
+#include "option_groups.h"
 
-#include "conformal/input/Surface_input.h"
 #include "conformal/io/file/Temporary_file.h"
 #include "conformal/io/file/numbers.h"
-#include "conformal/io/write_surface.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
-#include "conformal/report/Table.h"
+#include "conformal/process/text.h"
 #include "conformal/transform/suitable_surface.h"
 #include "conformal/transform/write_result.h"
 
@@ -22,6 +21,54 @@
 
 namespace conformal {
 namespace {
+
+const char* const about =
+    "Finds eigenvalues of the quaternionic Dirac operator of a surface: those of the smallest\n"
+    "modulus, or those nearest to a shift, with sign and multiplicity, in 1/length. Constants "
+    "have\n"
+    "the eigenvalue 0. At a boundary binormals are kept.\n"
+    "--csv writes one line for each; --surface N -o FILE the surface whose spin is eigenfunction "
+    "N.\n"
+    "Example: conformal spectrum sphere.off --count 16 --csv eigenvalues.csv";
+
+/// what `conformal spectrum` takes
+struct Spectrum_options {
+  std::string input, csv;
+  int count = 10;
+  double shift = 0;
+  double resolution = 0.005;  ///< eigenvalues nearer than this share of the largest are told as one
+  std::optional<int> surface;  ///< the eigenfunction whose surface is written
+};
+
+void add_options(CLI::App& command, Spectrum_options& options, Common_options& common)
+{
+  add_repair(command, common);
+  add_output(command, common, "the surface of an eigenfunction");
+  add_input(command, options.input);
+  command.add_option("--count", options.count, "how many eigenvalues")
+      ->check(above_zero)
+      ->capture_default_str();
+  command.add_option("--shift", options.shift, "those nearest to it, in 1/length")
+      ->capture_default_str();
+  command.add_option("--csv", options.csv, "write the eigenvalues to this file")->check(file_name);
+  command
+      .add_option("--resolution", options.resolution,
+                  "eigenvalues nearer than this share of the largest are shown as one")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      .add_option("--surface", options.surface,
+                  "write the surface of this eigenfunction, counted from 0")
+      ->check(CLI::NonNegativeNumber)
+      ->needs("--output");
+  add_eigenvector(command, common);
+}
+
+Files files(const Spectrum_options& spectrum)
+{
+  return {{"the input", spectrum.input, Named_file::Role::replaceable},
+          {"--csv", spectrum.csv, Named_file::Role::written}};
+}
 
 CGP::internal::Dirac_spectrum find(const Surface_input& input, const Spectrum_options& options,
                                    const Common_options& common)
@@ -54,18 +101,16 @@ std::vector<double> numbers(const Eigen::VectorXd& v)
   return {v.begin(), v.end()};
 }
 
-void tell(const CGP::internal::Dirac_spectrum& s, const Spectrum_options& options, Session& session)
+void tell(const CGP::internal::Dirac_spectrum& s, const Spectrum_options& options, Report& report)
 {
-  session.report().set("result/eigenvalues", numbers(s.eigenvalues));
-  session.report().set("result/pencil_eigenvalues", numbers(s.pencil_eigenvalues));
-  session.report().set("result/residual", s.residuals.maxCoeff());
-  session.report().set("result/restarts", s.restarts);
+  report.set("result/eigenvalues", numbers(s.eigenvalues));
+  report.set("result/pencil_eigenvalues", numbers(s.pencil_eigenvalues));
+  report.set("result/residual", s.residuals.maxCoeff());
+  report.set("result/restarts", s.restarts);
   const double resolution = options.resolution * s.eigenvalues.cwiseAbs().maxCoeff();
-  Table table;
-  table.add("eigenvalue", std::string("multiplicity"));
+  report.show("eigenvalue", "multiplicity");
   for (const auto& [value, multiplicity] : CGP::with_multiplicities(s.eigenvalues, resolution))
-    table.add(text_of(value), multiplicity);
-  session.print(table.text());
+    report.show(text_of(value), std::to_string(multiplicity));
 }
 
 std::string csv_of(const CGP::internal::Dirac_spectrum& s)
@@ -82,6 +127,7 @@ std::string csv_of(const CGP::internal::Dirac_spectrum& s)
   return text;
 }
 
+/// \pre the surface is found, however it looks: no map to it was asked for
 void write_surface_of(const Surface_input& input, const CGP::internal::Dirac_spectrum& s,
                       int number, Session& session)
 {
@@ -89,9 +135,9 @@ void write_surface_of(const Surface_input& input, const CGP::internal::Dirac_spe
       CGP::surface_of_spin(input.mesh, s.vectors.col(number), "spectrum");
   session.report().set("result/surface/eigenvalue", s.eigenvalues[number]);
   session.report().set("result/surface/closure_residual", result.report.closure_residual);
-  Surface_file file = moved(input, result.positions);
-  set_quality(input, result.positions, file);
-  session.note_all(write_surface(session.options().output, file));
+  session.conclude(judge({result.positions, input.mesh.size_of_faces()}, {}, "another one"),
+                   On_fault::refuse);
+  write_result(input, {result.positions}, session);
 }
 
 void require_consistent(const Spectrum_options& options, const Session& session)
@@ -105,8 +151,6 @@ void require_consistent(const Spectrum_options& options, const Session& session)
                       "; try: --surface 0 to " + std::to_string(options.count - 1));
   if (has_output) require_writable(session.options().output);
 }
-
-}  // namespace
 
 void spectrum(const Spectrum_options& options, Session& session)
 {
@@ -122,7 +166,14 @@ void spectrum(const Spectrum_options& options, Session& session)
     csv->commit();
   }
   session.end_stage("write");
-  tell(s, options, session);
+  tell(s, options, session.report());
+}
+
+}  // namespace
+
+Command spectrum_command()
+{
+  return make_command<Spectrum_options>("spectrum", about, add_options, files, spectrum);
 }
 
 }  // namespace conformal

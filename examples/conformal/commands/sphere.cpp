@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "sphere.h"
+#include "commands.h"
+#include "option_groups.h"
 
 #include "conformal/input/Surface_input.h"
-#include "conformal/io/write_surface.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
-#include "conformal/report/Table.h"
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/exceptions.h>
@@ -15,33 +14,39 @@
 #include <Conformal_geometry_processing/surfaces/geodesic_sphere.h>
 
 #include <cmath>
-#include <numeric>
 #include <string>
 
 namespace conformal {
 namespace {
 
-/// A mesh as if it had been read.
-Surface_input as_input(const CGP::Mesh_view& mesh)
+const char* const about =
+    "Makes a Dirac sphere: a conformal image of the unit sphere with Willmore energy 4 pi "
+    "kappa^2,\n"
+    "whose curvature half-density is a multiple of its length density, from a spherical spinor.\n"
+    "For s = 0 it is immersed; for 0 < s < |kappa| it has branch points at both poles.\n"
+    "Example: conformal sphere --kappa -3 --s 1 --level 6 -o dirac_sphere.ply";
+
+/// what `conformal sphere` takes
+struct Sphere_options {
+  int kappa = -2, s = 0, level = 5;
+};
+
+void add_options(CLI::App& command, Sphere_options& options, Common_options& common)
 {
-  Surface_input input;
-  input.mesh = mesh;
-  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
-    const Eigen::Vector3d p = mesh.position(v);
-    input.file.points.push_back({p.x(), p.y(), p.z()});
-  }
-  for (const auto& corners : mesh.corners()) {
-    input.file.polygons.corners.insert(input.file.polygons.corners.end(), corners.begin(),
-                                       corners.end());
-    input.file.polygons.first.push_back(input.file.polygons.corners.size());
-  }
-  input.file.vertices.size = input.file.points.size();
-  input.file.faces.size = input.file.polygons.size();
-  input.vertex_in_file.resize(input.file.points.size());
-  std::iota(input.vertex_in_file.begin(), input.vertex_in_file.end(), 0);
-  input.face_in_file.resize(input.file.polygons.size());
-  std::iota(input.face_in_file.begin(), input.face_in_file.end(), 0);
-  return input;
+  command
+      .add_option("--kappa", options.kappa, "any integer but zero; the eigenvalue is -kappa - 1")
+      ->capture_default_str();
+  command.add_option("--s", options.s, "from -|kappa| to |kappa| - 1; -s - 1 gives the same as s")
+      ->capture_default_str();
+  command.add_option("--level", options.level, "how fine: 20 * 4^level triangles, at most level 9")
+      ->check(CLI::Range(0, 9))
+      ->capture_default_str();
+  add_output(command, common)->required();
+}
+
+Files files(const Sphere_options&)
+{
+  return {};
 }
 
 CGP::Spin_result dirac_sphere(const CGP::Mesh_view& mesh, const Sphere_options& options)
@@ -54,27 +59,20 @@ CGP::Spin_result dirac_sphere(const CGP::Mesh_view& mesh, const Sphere_options& 
   return CGP::spin_to_dirac_sphere(mesh, options.kappa, options.s, "sphere");
 }
 
-void tell(const CGP::Spin_result& result, const CGP::Mesh_view& mesh, Session& session)
+void tell(const CGP::Spin_result& result, const CGP::Mesh_view& mesh, Report& report)
 {
-  const double pi = std::acos(-1.);
-  Table table;
-  const auto tell_number = [&](const std::string& place, const std::string& label, double value) {
-    session.report().set("result/" + place, value);
-    table.add(label, value);
-  };
-  tell_number("eigenvalue", "eigenvalue", result.report.eigenvalue);
-  tell_number("willmore_energy", "Willmore energy, in 4 pi",
-              CGP::willmore_energy(CGP::Mesh_view(result.positions, mesh.corners())) / (4 * pi));
-  tell_number("closure_residual", "closure, relative", result.report.closure_residual);
+  const double energy = CGP::willmore_energy(CGP::Mesh_view(result.positions, mesh.corners()));
   const auto& Q = result.report.conformality.quasi_conformal;
-  tell_number("quasi_conformal/mean", "quasi-conformal error, mean", Q.mean);
-  tell_number("quasi_conformal/max", "quasi-conformal error, greatest", Q.max);
-  tell_number("min_spin_ratio", "smallest |lambda| / greatest", result.report.min_spin_ratio);
-  session.print(table.text());
+  report.tell("result/eigenvalue", "eigenvalue", result.report.eigenvalue);
+  report.tell("result/willmore_energy", "Willmore energy, in 4 pi", energy / (4 * std::acos(-1.)));
+  report.tell("result/closure_residual", "closure, relative", result.report.closure_residual);
+  report.tell("result/quasi_conformal/mean", "quasi-conformal error, mean", Q.mean);
+  report.tell("result/quasi_conformal/max", "quasi-conformal error, greatest", Q.max);
+  report.tell("result/min_spin_ratio", "smallest |lambda| / greatest",
+              result.report.min_spin_ratio);
 }
 
-}  // namespace
-
+/// \pre the spinor is exact: its residuals are those of the mesh
 void sphere(const Sphere_options& options, Session& session)
 {
   require_writable(session.options().output);
@@ -82,11 +80,17 @@ void sphere(const Sphere_options& options, Session& session)
   const CGP::Spin_result result = dirac_sphere(input.mesh, options);
   throw_if_interrupted();
   session.end_stage("solve");
-  Surface_file file = moved(input, result.positions);
-  set_quality(input, result.positions, file);
-  session.note_all(write_surface(session.options().output, file));
-  session.end_stage("write");
-  tell(result, input.mesh, session);
+  tell(result, input.mesh, session.report());
+  session.conclude(judge({result.positions, input.mesh.size_of_faces()}, {}, "another --level"),
+                   On_fault::refuse);
+  write_result(input, {result.positions}, session);
+}
+
+}  // namespace
+
+Command sphere_command()
+{
+  return make_command<Sphere_options>("sphere", about, add_options, files, sphere);
 }
 
 }  // namespace conformal

@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 
 namespace conformal {
 namespace {
@@ -53,8 +52,6 @@ double distortion(const One& one)
 {
   return one.steps.empty() ? 0 : one.steps.back().length_distortion;
 }
-
-}  // namespace
 
 std::string reason(const One& one)
 {
@@ -111,6 +108,15 @@ Grid curve_grid(const Curve_flows& flows)
               text_of(one.flow.energy() * L, 8), text_of(distortion(one), 3), reason(one)});
   }
   return grid;
+}
+
+}  // namespace
+
+void tell_curves(const Curve_flows& flows, Report& report)
+{
+  report_curves(flows, report);
+  if (flows.all().size() == 1) report.show(step_grid(flows.all().front()));
+  report.show(curve_grid(flows));
 }
 
 }  // namespace conformal

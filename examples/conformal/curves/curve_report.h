@@ -5,25 +5,12 @@
 
 #include "Curve_flows.h"
 
-#include "conformal/report/Grid.h"
 #include "conformal/report/Report.h"
-
-#include <string>
 
 namespace conformal {
 
-/// why the flow of a curve has stopped, in words
-std::string reason(const Curve_flows::One& one);
-
-/// Enters the curves into the report: `input/curves`, `result/...`; what each has is a list, a
-/// number per curve, and so are the numbers of a step, which are null for a curve at rest.
-void report_curves(const Curve_flows& flows, Report& report);
-
-/// the steps of a single curve, a line each
-Grid step_grid(const Curve_flows::One& one);
-
-/// a line for each curve
-Grid curve_grid(const Curve_flows& flows);
+/// Tells what came of the curves, and the steps of a single one.
+void tell_curves(const Curve_flows& flows, Report& report);
 
 }  // namespace conformal
 

@@ -146,6 +146,23 @@ Surface_input read_surface_input(const std::string& path, bool is_repaired)
   return input;
 }
 
+Surface_input as_input(const CGP::Mesh_view& mesh)
+{
+  Surface_file file;
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    const Eigen::Vector3d p = mesh.position(v);
+    file.points.push_back({p.x(), p.y(), p.z()});
+  }
+  Polygons& polygons = file.polygons;
+  for (const auto& corners : mesh.corners()) {
+    polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
+    polygons.first.push_back(polygons.corners.size());
+  }
+  file.vertices.size = file.points.size();
+  file.faces.size = polygons.size();
+  return prepare(std::move(file));
+}
+
 std::string name_of_vertex(const Surface_input& input, int v)
 {
   const int i = input.vertex_in_file[static_cast<std::size_t>(v)];

@@ -42,6 +42,9 @@ Surface_input read_surface_input(const std::string& path, bool is_repaired = fal
 /// Prepares a file that was already read
 Surface_input prepare(Surface_file file);
 
+/// a mesh as if it had been read
+Surface_input as_input(const CGP::Mesh_view& mesh);
+
 /// names with the numbers of the file, which count from 0; for OBJ also the number that its faces
 /// use: `vertex 17 (number 18 in the OBJ file)`
 std::string name_of_vertex(const Surface_input& input, int v);

@@ -15,6 +15,7 @@ struct Common_options {
   double tolerance = 1e-8;
   bool quiet = false, strict = false, repair = false;
   bool each_component = false;  ///< works on one component after the other
+  bool keep_going = false;      ///< writes those that succeed
 };
 
 }  // namespace conformal

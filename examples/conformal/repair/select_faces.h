@@ -25,6 +25,14 @@ void append(Selected_faces& faces, const Surface_file& file, int face_in_file,
 /// they come from.
 void select_faces(Surface_file& file, Selected_faces faces);
 
+/// Keeps these vertices only, in this order, some perhaps twice; the corners have the old numbers.
+void select_vertices(Surface_file& file, const std::vector<int>& kept);
+
+/// \brief The part of a file that consists of some faces and their vertices. All keep their order,
+/// properties, and values at corners.
+/// \param faces ascending
+Surface_file part_of(const Surface_file& file, const std::vector<int>& faces);
+
 }  // namespace conformal
 
 #endif

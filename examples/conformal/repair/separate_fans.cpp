@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "separate_fans.h"
 
-#include "conformal/io/data/select_rows.h"
+#include "select_faces.h"
 
 #include <cstddef>
 #include <utility>
@@ -13,14 +13,6 @@ namespace {
 std::size_t at(int i)
 {
   return static_cast<std::size_t>(i);
-}
-
-void select_vertices(Surface_file& file, const std::vector<int>& kept)
-{
-  std::vector<Point> points;
-  for (const int v : kept) points.push_back(file.points[at(v)]);
-  file.points = std::move(points);
-  file.vertices = selected_rows(file.vertices, kept);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Report.h"
 
+#include "conformal/process/text.h"
+
 #include <utility>
 
 namespace conformal {
@@ -15,12 +17,34 @@ void Report::set(const std::string& place, Value value)
     m_entries[known->second].second = std::move(value);
 }
 
-void Report::add_seconds(const std::string& stage, double seconds)
+void Report::show(const Grid& grid)
 {
-  const std::string place = "seconds/" + stage;
-  const auto known = m_index.find(place);
-  if (known != m_index.end()) seconds += std::get<double>(m_entries[known->second].second);
-  set(place, seconds);
+  end_table();
+  m_text += (m_text.empty() ? "" : "\n") + grid.text();
+}
+
+void Report::tell(const std::string& place, const std::string& label, double value, int digits)
+{
+  set(place, value);
+  show(label, text_of(value, digits));
+}
+
+void Report::tell(const std::string& place, const std::string& label, int value)
+{
+  set(place, value);
+  show(label, std::to_string(value));
+}
+
+void Report::end_table()
+{
+  m_text = text();
+  m_table = Table();
+}
+
+std::string Report::text() const
+{
+  const std::string last = m_table.text();
+  return m_text + (m_text.empty() || last.empty() ? "" : "\n") + last;
 }
 
 }  // namespace conformal

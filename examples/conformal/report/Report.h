@@ -3,6 +3,9 @@
 #ifndef CONFORMAL_REPORT_REPORT_H
 #define CONFORMAL_REPORT_REPORT_H
 
+#include "Grid.h"
+#include "Table.h"
+
 #include <cstdint>
 #include <string>
 #include <unordered_map>
@@ -12,7 +15,8 @@
 
 namespace conformal {
 
-/// The results of a command, in order; `to_json()` writes them.
+/// \brief The results of a command, in order: each has a place in the JSON report, a row in the
+/// tables on standard output, or both.
 ///
 /// A place is a path, `result/scale/min`; numbers that are not finite become null.
 class Report {
@@ -27,18 +31,30 @@ class Report {
   void set(const std::string& place, double value) { set(place, Value(value)); }
   void set(const std::string& place, const char* value) { set(place, Value(std::string(value))); }
 
-  /// Adds seconds to the stage `seconds/<stage>`.
-  void add_seconds(const std::string& stage, double seconds);
+  /// Adds a row to the table.
+  void show(const std::string& label, const std::string& text) { m_table.add(label, text); }
+
+  /// Adds a grid, which stands apart from the tables before and after it.
+  void show(const Grid& grid);
+
+  /// Sets a place and adds a row.
+  void tell(const std::string& place, const std::string& label, double value, int digits = 6);
+  void tell(const std::string& place, const std::string& label, int value);
+
+  /// Ends a table: the next row begins another one.
+  void end_table();
 
   const std::vector<std::pair<std::string, Value>>& entries() const { return m_entries; }
+
+  /// all tables and grids, with an empty line between two
+  std::string text() const;
 
  private:
   std::vector<std::pair<std::string, Value>> m_entries;
   std::unordered_map<std::string, std::size_t> m_index;  // of the entry of a place
+  std::string m_text;                                    // of the tables before the last one
+  Table m_table;
 };
-
-/// the report as an indented JSON object, UTF-8, with a line break at its end
-std::string to_json(const Report& report);
 
 }  // namespace conformal
 

@@ -33,16 +33,16 @@ void Report_files::open(const Common_options& options)
   if (!options.html.empty()) m_html.emplace(options.html);
 }
 
-void Report_files::write(Session& session, const std::string& error)
+void Report_files::write(const Outcome& outcome)
 {
   if (!m_json && !m_html) return;
-  const std::string json = session.json(error);
+  const std::string json = to_json(outcome);
   if (m_json) {
     m_json->write(json);
     m_json->commit();
   }
-  if (!m_html || !error.empty() || !session.exhibit()) return;
-  m_html->write(html_report(*session.exhibit(), json));
+  if (!m_html || !outcome.error.empty() || !outcome.exhibit) return;
+  m_html->write(html_report(*outcome.exhibit, json));
   m_html->commit();
 }
 

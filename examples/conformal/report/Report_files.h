@@ -3,9 +3,10 @@
 #ifndef CONFORMAL_REPORT_REPORT_FILES_H
 #define CONFORMAL_REPORT_REPORT_FILES_H
 
-#include "Session.h"
+#include "Outcome.h"
 
 #include "conformal/io/file/Temporary_file.h"
+#include "conformal/process/Common_options.h"
 
 #include <optional>
 #include <string>
@@ -20,8 +21,8 @@ class Report_files {
   void open(const Common_options& options);
 
   /// HTML only if there is something to show.
-  /// \param error how the run ended, empty if well. \throws Write_error
-  void write(Session& session, const std::string& error);
+  /// \throws Write_error
+  void write(const Outcome& outcome);
 
  private:
   std::optional<Temporary_file> m_json, m_html;

@@ -2,22 +2,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Session.h"
 
-#include <Conformal_geometry_processing/version.h>
-
 #include <cstdio>
+#include <utility>
 
 namespace conformal {
 
-Session::Session(const Common_options& options, const std::string& command) : m_options(options)
-{
-  m_report.set("command", command);
-  m_report.set("version", CONFORMAL_GEOMETRY_PROCESSING_VERSION);
-}
+Session::Session(const Common_options& options, std::string part)
+    : m_options(options), m_part(std::move(part))
+{}
 
 void Session::note(const std::string& text)
 {
-  m_notes.push_back(text);
-  if (!m_options.quiet) std::fprintf(stderr, "conformal: note: %s\n", text.c_str());
+  m_outcome.notes.push_back(text);
+  if (!m_options.quiet && m_part.empty())
+    std::fprintf(stderr, "conformal: note: %s\n", text.c_str());
 }
 
 void Session::note_all(const std::vector<std::string>& texts)
@@ -25,20 +23,24 @@ void Session::note_all(const std::vector<std::string>& texts)
   for (const std::string& text : texts) note(text);
 }
 
-void Session::print(std::string_view text) const
+void Session::conclude(Verdict verdict, On_fault on_fault, const std::string& what)
 {
-  if (!m_options.quiet) std::fwrite(text.data(), 1, text.size(), stdout);
+  const bool is_verified = verdict.is_verified();
+  const std::string fault = verdict.fault;
+  if (!is_verified) verdict.fault = what + ": " + fault;
+  verdict.is_forced = on_fault == On_fault::force;
+  // One result that does not verify, of several, decides on all.
+  if (!m_outcome.verdict || m_outcome.verdict->is_verified()) m_outcome.verdict = verdict;
+  if (is_verified || on_fault == On_fault::fail_in_the_end) return;
+  if (on_fault == On_fault::refuse) throw Failure(Exit_code::failed, verdict.fault);
+  note("written all the same, as --force says: " + fault);
 }
 
-std::string Session::json(const std::string& error)
+const Outcome& Session::finished(const std::string& error)
 {
-  m_report.add_seconds("total", m_total.lap());
-  m_report.set("notes", m_notes);
-  if (!error.empty()) {
-    m_report.set("verified", false);
-    m_report.set("error", error);
-  }
-  return to_json(m_report);
+  m_outcome.seconds.add("total", m_total.lap());
+  m_outcome.error = error;
+  return m_outcome;
 }
 
 }  // namespace conformal

@@ -3,23 +3,19 @@
 #ifndef CONFORMAL_REPORT_TABLE_H
 #define CONFORMAL_REPORT_TABLE_H
 
-#include "conformal/process/text.h"
-
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace conformal {
 
-/// Two aligned columns of text, what and how much.
+/// Two aligned columns of text: labels and values.
 class Table {
  public:
   void add(std::string label, std::string value)
   {
     m_rows.emplace_back(std::move(label), std::move(value));
   }
-  void add(std::string label, double value) { add(std::move(label), text_of(value)); }
-  void add(std::string label, int value) { add(std::move(label), std::to_string(value)); }
 
   std::string text() const;
 

@@ -4,7 +4,6 @@
 #define CONFORMAL_REPORT_BOUNDARY_REPORT_H
 
 #include "Report.h"
-#include "Table.h"
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
@@ -14,12 +13,10 @@ namespace conformal {
 
 namespace CGP = Conformal_geometry_processing;
 
-/// Enters what came of a condition at the boundary into the report (`result/boundary/...`), and
-/// into a table for the eye; nothing for closed surfaces.
-void report_boundary(const CGP::Mesh_view& mesh, const CGP::Boundary_condition& condition,
-                     const CGP::Spin_report& spin, Report& report);
-void add_boundary(const CGP::Mesh_view& mesh, const CGP::Boundary_condition& condition,
-                  const CGP::Spin_report& spin, Table& table);
+/// Tells what came of a condition at the boundary (`result/boundary/...`); nothing of closed
+/// surfaces.
+void tell_boundary(const CGP::Mesh_view& mesh, const CGP::Boundary_condition& condition,
+                   const CGP::Spin_report& spin, Report& report);
 
 }  // namespace conformal
 

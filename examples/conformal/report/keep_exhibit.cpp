@@ -61,7 +61,7 @@ Exhibit shapes(const CGP::Mesh_view& before, const CGP::Points& after)
 
 void keep(Exhibit exhibit, Session& session)
 {
-  session.keep_exhibit(std::move(exhibit));
+  session.outcome().exhibit = std::move(exhibit);
   session.end_stage("html");
 }
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verification.h"
 
+#include "conformal/process/text.h"
+
 #include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
 
 #include <cmath>
-#include <vector>
 
 namespace conformal {
 namespace {
@@ -28,12 +29,6 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
   return {};
 }
 
-/// Returns the number of faces included in the conformality
-int measured_faces(const CGP::Spin_report& report, int faces)
-{
-  return report.mollification.share > 0 ? report.mollification.measured_faces : faces;
-}
-
 std::string exceeds(const std::string& what, double value, double limit)
 {
   int digits = 3;  // as many as show a difference
@@ -41,35 +36,26 @@ std::string exceeds(const std::string& what, double value, double limit)
   return what + " is " + text_of(value, digits) + ", more than " + text_of(limit, 3);
 }
 
+std::string fault_of(const Evidence& evidence, const Verification_limits& limits,
+                     const std::string& easier)
+{
+  if (!evidence.fault.empty()) return evidence.fault;
+  if (evidence.spin)
+    return objection(*evidence.spin, evidence.positions, evidence.faces, limits, easier);
+  if (!evidence.positions.allFinite()) return "coordinates are not finite; try: " + easier;
+  return evidence.map ? objection(*evidence.map, evidence.faces, limits, easier) : "";
+}
+
 }  // namespace
 
-CGP::Mesh_view measured_part(const CGP::Mesh_view& mesh, bool is_mollified)
+Verdict judge(const Evidence& evidence, const Verification_limits& limits,
+              const std::string& easier)
 {
-  return is_mollified ? CGP::well_shaped_faces(mesh).mesh : mesh;
-}
-
-void report_mollification(const CGP::Spin_report::Mollification& made, Report& report)
-{
-  if (made.share == 0) return;
-  report.set("result/mollification/share", made.share);
-  report.set("result/mollification/thin_faces", made.thin_faces);
-  report.set("result/mollification/longer_edges", made.longer_edges);
-  report.set("result/mollification/added_length", made.added_length);
-  report.set("result/mollification/flipped_edges", made.flipped_edges);
-  report.set("result/mollification/measured_faces", made.measured_faces);
-  report.set("result/mollification/measured_area", made.measured_area);
-}
-
-void add_mollification(const CGP::Spin_report::Mollification& made, Table& table)
-{
-  if (made.share == 0) return;
-  table.add("thin faces", std::to_string(made.thin_faces));
-  table.add("edges made longer",
-            std::to_string(made.longer_edges) +
-                (made.longer_edges > 0 ? ", each by " + text_of(made.added_length, 3) : ""));
-  table.add("edges flipped", std::to_string(made.flipped_edges));
-  table.add("measured", text_of(100 * made.measured_area, 4) + " % of the area, " +
-                            count_of(static_cast<std::size_t>(made.measured_faces), "face"));
+  Verdict verdict;
+  verdict.fault = fault_of(evidence, limits, easier);
+  verdict.map = evidence.spin ? evidence.spin->conformality : evidence.map;
+  if (evidence.spin) verdict.closure_residual = evidence.spin->closure_residual;
+  return verdict;
 }
 
 std::string objection(const CGP::Spin_report& report, const CGP::Points& positions, int faces,
@@ -108,75 +94,14 @@ std::string objection(const CGP::Conformality& map, int faces, const Verificatio
   return {};
 }
 
-void report_conformality(const CGP::Conformality& map, Report& report)
+int measured_faces(const CGP::Spin_report& report, int faces)
 {
-  report.set("result/quasi_conformal/mean", map.quasi_conformal.mean);
-  report.set("result/quasi_conformal/p99", map.quasi_conformal.p99);
-  report.set("result/quasi_conformal/max", map.quasi_conformal.max);
-  report.set("result/length_cross_ratio/rms", map.length_cross_ratio.rms);
-  report.set("result/length_cross_ratio/max", map.length_cross_ratio.max);
-  report.set("result/scale/min", map.scale.min_scale);
-  report.set("result/scale/max", map.scale.max_scale);
-  report.set("result/flipped_faces", map.flipped_faces);
+  return report.mollification.share > 0 ? report.mollification.measured_faces : faces;
 }
 
-void report_certificate(const CGP::Spin_report& spin, Report& report)
+CGP::Mesh_view measured_part(const CGP::Mesh_view& mesh, bool is_mollified)
 {
-  report.set("result/eigenvalue", spin.eigenvalue);
-  report.set("result/residual", spin.residual);
-  report.set("result/gap", spin.gap);
-  report.set("result/iterations", spin.iterations);
-  report.set("result/closure_residual", spin.closure_residual);
-  report_conformality(spin.conformality, report);
-  report.set("result/min_spin_ratio", spin.min_spin_ratio);
-  report.set("result/overlap", spin.overlap);
-  report.set("result/substeps", spin.substeps);
-  report.set("result/spectral_shift", spin.spectral_shift);
-  report.set("result/generalized", spin.is_generalized);
-  report.set("result/steps", spin.steps);
-  report.set("result/reached", spin.reached);
-  report.set("result/missing_share", spin.missing_share);
-  report.set("result/period_defect", spin.period_defect);
-  report_mollification(spin.mollification, report);
-  report.set("steps", Report::Value(std::vector<double>()));
-  report.add_seconds("assembly", spin.seconds.assembly);
-  report.add_seconds("factorization", spin.seconds.factorization);
-  report.add_seconds("solve", spin.seconds.eigenvectors);
-  report.add_seconds("reconstruction", spin.seconds.reconstruction);
-  report.add_seconds("setup", spin.seconds.setup);
-  report.add_seconds("certificate", spin.seconds.certificate);
-}
-
-void add_conformality(const CGP::Conformality& map, int faces, Table& table)
-{
-  table.add("quasi-conformal error, mean", map.quasi_conformal.mean);
-  table.add("quasi-conformal error, 99 %", map.quasi_conformal.p99);
-  table.add("quasi-conformal error, max", map.quasi_conformal.max);
-  table.add("log length cross-ratio change, rms", map.length_cross_ratio.rms);
-  table.add("log length cross-ratio change, max", map.length_cross_ratio.max);
-  table.add("scale of lengths",
-            text_of(map.scale.min_scale) + " to " + text_of(map.scale.max_scale));
-  table.add("flipped faces", std::to_string(map.flipped_faces) + " of " + std::to_string(faces));
-}
-
-Table certificate_table(const CGP::Spin_report& spin, int faces)
-{
-  Table table;
-  table.add("eigenvalue gamma (1/length)", spin.eigenvalue);
-  table.add("residual of the eigenvector", text_of(spin.residual, 3));
-  table.add("gap to the next eigenvalue", spin.gap);
-  table.add("iterations",
-            std::to_string(spin.iterations) +
-                (spin.substeps > 1 ? " in " + std::to_string(spin.substeps) + " substeps" : ""));
-  table.add("closure residual", text_of(spin.closure_residual, 3));
-  table.add("min / max of |lambda|", text_of(spin.min_spin_ratio, 3));
-  if (spin.steps != 1 || spin.missing_share > 0) {
-    table.add("steps that keep handles closed", spin.steps);
-    table.add("left out of rho, for handles (%)", text_of(100 * spin.missing_share, 3));
-  }
-  add_mollification(spin.mollification, table);
-  add_conformality(spin.conformality, measured_faces(spin, faces), table);
-  return table;
+  return is_mollified ? CGP::well_shaped_faces(mesh).mesh : mesh;
 }
 
 }  // namespace conformal

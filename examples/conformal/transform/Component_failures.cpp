@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Component_failures.h"
 
-#include "conformal/process/Failure.h"
-
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Component_failures.h>
 
@@ -38,13 +36,15 @@ std::string Component_failures::reason_of(const std::function<void()>& work)
   return {};
 }
 
-void Component_failures::throw_if_any() const
+std::string Component_failures::text() const
 {
-  if (m_reasons.size() == 0) return;
-  throw Failure(m_is_of_data ? Exit_code::unsuitable : Exit_code::failed,
-                m_path + ": " + std::to_string(m_reasons.size()) + " of " + std::to_string(m_size) +
-                    (m_size == 1 ? " component failed; " : " components failed; ") +
-                    m_reasons.text());
+  return std::to_string(size()) + " of " + std::to_string(m_components) +
+         (m_components == 1 ? " component failed; " : " components failed; ") + m_reasons.text();
+}
+
+Failure Component_failures::failure() const
+{
+  return {m_is_of_data ? Exit_code::unsuitable : Exit_code::failed, m_path + ": " + text()};
 }
 
 }  // namespace conformal

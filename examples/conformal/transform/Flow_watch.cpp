@@ -4,6 +4,7 @@
 
 #include "write_result.h"
 
+#include "conformal/io/file/snapshot_path.h"
 #include "conformal/io/write_surface.h"
 #include "conformal/process/text.h"
 #include "conformal/report/verification.h"
@@ -51,7 +52,8 @@ void Flow_watch::on_step_end(const CGP::Flow_step_report& step, const CGP::Mesh_
 void Flow_watch::show(double share_of_step, const std::string& more)
 {
   const double share = std::isfinite(share_of_step) ? std::clamp(share_of_step, 0., 1.) : 0;
-  m_progress.show("step " + std::to_string(std::min(m_steps + 1, m_options.steps)) + " of " +
+  m_progress.show(m_session.part() + "step " +
+                      std::to_string(std::min(m_steps + 1, m_options.steps)) + " of " +
                       std::to_string(m_options.steps) + ", energy " +
                       text_of(m_energy / (4 * std::acos(-1.)), 4) + " * 4 pi" + more,
                   (m_steps + share) / m_options.steps);
@@ -64,16 +66,15 @@ void Flow_watch::write_snapshot(int step, const CGP::Mesh_view& mesh)
   const CGP::Mesh_view measured = measured_part(m_input.mesh, report.mollification.share > 0);
   report.conformality = CGP::conformality(measured, mesh.positions(),
                                           CGP::neighbourhood_normals(measured, mesh.positions()));
-  const std::string fault =
-      objection(report, mesh.positions(), mesh.size_of_faces(), m_options.limits, easier_than_flow);
+  const Verdict verdict =
+      judge({mesh.positions(), mesh.size_of_faces(), report}, m_options.limits, easier_than_flow);
   m_progress.clear();
   std::error_code ignored;
   if (std::filesystem::equivalent(path, m_options.input, ignored))
     return m_session.note(path + " is not written: it is the input");
-  if (!fault.empty() && !m_options.force) return m_session.note(path + " is not written: " + fault);
-  Surface_file file = moved(m_input, mesh.positions());
-  set_quality(m_input, mesh.positions(), file);
-  write_surface(path, file);
+  if (!verdict.is_verified() && !m_options.force)
+    return m_session.note(path + " is not written: " + verdict.fault);
+  write_surface(path, result_file(m_input, {mesh.positions()}));
 }
 
 }  // namespace conformal

@@ -12,12 +12,15 @@
 
 namespace conformal {
 
+enum class Eigenproblem { standard, generalized };
+
 struct Spin_options {
   std::string input;
   Rho_options rho;
   Boundary_choice boundary = Boundary_choice::free;
   std::string lambda;  ///< the name of the vertex properties, none if empty
-  bool generalized = false, force = false;
+  Eigenproblem problem = Eigenproblem::standard;
+  bool force = false;
   std::optional<double> mollification;  ///< share of the mean edge; 0: never, none: where it helps
   bool open_handles = false;      ///< rho is applied as it is, though it opens handles and holes
   std::string solver = "native";  // or cholmod, eigen

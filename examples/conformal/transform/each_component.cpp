@@ -5,177 +5,95 @@
 #include "Component_failures.h"
 
 #include "conformal/process/text.h"
-#include "conformal/report/Grid.h"
 
-#include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/mesh/Mesh_component.h>
-#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
-#include <utility>
+#include <string>
+#include <vector>
 
 namespace conformal {
 namespace {
 
-std::vector<int> selected(const std::vector<int>& values, const std::vector<int>& indices)
+void add_row(const Component_outcome& component, std::size_t number, Grid& grid)
 {
-  std::vector<int> result;
-  for (const int i : indices) result.push_back(values[static_cast<std::size_t>(i)]);
-  return result;
+  const auto& verdict = component.outcome.verdict;
+  const bool has_map = verdict && verdict->map;
+  const auto& t = component.topology;
+  grid.add({std::to_string(number), std::to_string(component.first_vertex),
+            std::to_string(t.vertices), std::to_string(t.faces), std::to_string(t.boundary_loops),
+            std::to_string(t.genus), has_map ? text_of(verdict->map->quasi_conformal.mean, 5) : "-",
+            has_map ? std::to_string(verdict->map->flipped_faces) : "-",
+            verdict && verdict->closure_residual ? text_of(*verdict->closure_residual, 5) : "-",
+            verdict && verdict->is_verified() ? "yes" : "no"});
 }
 
-/// of these elements the numbers in the file of the user, before it was repaired
-std::vector<int> numbers_in_file(const Surface_input& input, const std::vector<int>& in_file,
-                                 std::vector<int> Repair::*before, const std::vector<int>& elements)
+/// Works on one component, and adds what came of it to the outcome of the whole.
+void attempt(const std::string& name, const Component& component, const Component_work& work,
+             Component_failures& failures, Session& session)
 {
-  const std::vector<int> now = selected(in_file, elements);
-  return input.repair ? selected((*input.repair).*before, now) : now;
+  Session own(session.options(), name + ": ");
+  own.set_input(session.input());
+  Outcome& outcome = own.outcome();
+  outcome.error = failures.attempt(name, [&] { work(component, own); });
+  for (const std::string& note : outcome.notes) session.note(own.part() + note);
+  session.outcome().seconds.add(outcome.seconds);
+  session.outcome().components.push_back({component.input.vertex_in_file.front(),
+                                          CGP::topology(component.input.mesh), std::move(outcome)});
 }
 
-std::vector<Component> components_of(const Surface_input& input)
+void tell_components(Session& session)
 {
-  std::vector<Component> components;
-  for (CGP::internal::Mesh_component& part : CGP::mesh_components(input.mesh)) {
-    Component c;
-    c.name = "component " + std::to_string(components.size()) + " (from " +
-             name_of_vertex(input, part.vertices.front()) + ")";
-    c.input.file.path = input.file.path;
-    c.input.file.format = input.file.format;
-    c.input.mesh = std::move(part.mesh);
-    c.input.vertex_in_file =
-        numbers_in_file(input, input.vertex_in_file, &Repair::vertex_in_file, part.vertices);
-    c.input.face_in_file =
-        numbers_in_file(input, input.face_in_file, &Repair::face_in_file, part.faces);
-    c.vertices = std::move(part.vertices);
-    c.faces = std::move(part.faces);
-    components.push_back(std::move(c));
+  Grid grid({"component", "from vertex", "vertices", "faces", "loops", "genus", "mean Q", "flipped",
+             "closure", "verified"});
+  const std::vector<Component_outcome>& all = session.outcome().components;
+  int verified = 0;
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    add_row(all[c], c, grid);
+    const std::optional<Verdict>& verdict = all[c].outcome.verdict;
+    verified += verdict && verdict->is_verified();
   }
-  return components;
+  session.report().set("result/components", static_cast<int>(all.size()));
+  session.report().set("result/verified_components", verified);
+  session.report().show(grid);
 }
 
-/// Reports the counts of a component, independently of its result
-void report_counts(const Component& component, Report& report)
+/// the first verdict on a component that does not verify, and yet is forced; or a good one
+Verdict worst_verdict(const std::vector<Component_outcome>& components)
 {
-  const auto t = CGP::topology(component.input.mesh);
-  report.set("first_vertex", component.input.vertex_in_file.front());
-  report.set("vertices", t.vertices);
-  report.set("faces", t.faces);
-  report.set("boundary_loops", t.boundary_loops);
-  report.set("genus", t.genus);
+  for (const Component_outcome& component : components)
+    if (const auto& verdict = component.outcome.verdict; verdict && !verdict->is_verified())
+      return *verdict;
+  return {};
 }
 
-/// its place in the report of the whole; seconds are added up there
-void report_component(const Report& own, std::size_t number, Report& whole)
+void conclude(const Component_failures& failures, Session& session)
 {
-  const std::string seconds = "seconds/";
-  for (const auto& [place, value] : own.entries()) {
-    if (place.compare(0, seconds.size(), seconds) == 0)
-      whole.add_seconds(place.substr(seconds.size()), std::get<double>(value));
-    else if (place != "command" && place != "version")
-      whole.set("components/" + std::to_string(number) + "/" + place, value);
-  }
-}
-
-/// the text of an entry of a report, or nothing
-std::string text_at(const Report& report, const std::string& place)
-{
-  for (const auto& [known, value] : report.entries()) {
-    if (known != place) continue;
-    if (const auto* number = std::get_if<double>(&value)) return text_of(*number, 5);
-    if (const auto* number = std::get_if<std::int64_t>(&value)) return std::to_string(*number);
-    if (const auto* is_so = std::get_if<bool>(&value)) return *is_so ? "yes" : "no";
-  }
-  return "-";
-}
-
-const std::vector<std::pair<std::string, std::string>> columns = {
-    {"from vertex", "first_vertex"},
-    {"vertices", "vertices"},
-    {"faces", "faces"},
-    {"loops", "boundary_loops"},
-    {"genus", "genus"},
-    {"mean Q", "result/quasi_conformal/mean"},
-    {"flipped", "result/flipped_faces"},
-    {"closure", "result/closure_residual"},
-    {"verified", "verified"}};
-
-Grid empty_grid()
-{
-  std::vector<std::string> headings = {"component"};
-  for (const auto& column : columns) headings.push_back(column.first);
-  return Grid(std::move(headings));
-}
-
-void add_line(const Report& own, std::size_t number, Grid& grid)
-{
-  std::vector<std::string> cells = {std::to_string(number)};
-  for (const auto& column : columns) cells.push_back(text_at(own, column.second));
-  grid.add(std::move(cells));
-}
-
-bool is_verified(const Report& own)
-{
-  return text_at(own, "verified") == "yes";
-}
-
-/// whether it is closed and has a negative volume; it may be no manifold
-bool is_inside_out(CGP::Mesh_view mesh)
-{
-  for (int k = 0; k < mesh.size_of_edges(); ++k)
-    if (mesh.halfedges_end(k) - mesh.halfedges_begin(k) != 2) return false;
-  mesh.set_positions(CGP::internal::Normalized_frame(mesh.positions()).to_frame(mesh.positions()));
-  return CGP::signed_volume(mesh) < 0;
+  const bool keeps_going = session.options().keep_going && !failures.are_all();
+  if (failures.size() == 0)
+    session.outcome().verdict = worst_verdict(session.outcome().components);
+  else if (keeps_going)
+    session.conclude({failures.text()}, On_fault::fail_in_the_end);
+  else
+    throw failures.failure();
 }
 
 }  // namespace
 
-CGP::Points each_component(const Surface_input& input, Session& session, const Component_work& work)
+void each_component(const Surface_input& input, Session& session, const Component_work& work)
 {
-  Common_options silent = session.options();
-  silent.quiet = true;
-  const std::vector<Component> components = components_of(input);
-  Component_failures failures(input.file.path, components.size());
-  CGP::Points positions = input.mesh.positions();
-  Grid grid = empty_grid();
-  int verified = 0;
-  for (std::size_t c = 0; c < components.size(); ++c) {
-    Session own(silent, "");
-    report_counts(components[c], own.report());
-    const std::string reason = failures.attempt(components[c].name, [&] {
-      positions(Eigen::indexing::all, components[c].vertices) = work(components[c], own);
-    });
-    if (!reason.empty()) own.report().set("verified", false);
-    if (!reason.empty()) own.report().set("error", reason.c_str());
-    for (const std::string& note : own.notes()) session.note(components[c].name + ": " + note);
-    verified += is_verified(own.report());
-    report_component(own.report(), c, session.report());
-    add_line(own.report(), c, grid);
+  session.end_stage("prepare");
+  if (!session.options().each_component) return work(whole_surface(input), session);
+  std::vector<CGP::internal::Mesh_component> parts = CGP::mesh_components(input.mesh);
+  Component_failures failures(session.input(), parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string name = "component " + std::to_string(i) + " (from " +
+                             name_of_vertex(input, parts[i].vertices.front()) + ")";
+    const Surface_input own = input_of(parts[i], input);
+    attempt(name, {own, parts[i].vertices, parts[i].faces}, work, failures, session);
   }
-  const int count = static_cast<int>(components.size());
-  session.report().set("result/components", count);
-  session.report().set("result/verified_components", verified);
-  session.report().set("verified", verified == count);
-  session.print(grid.text());
-  failures.throw_if_any();
+  tell_components(session);
+  conclude(failures, session);
   session.begin_stage();
-  return positions;
-}
-
-void turn_components_outward(Surface_input& input)
-{
-  auto corners = input.mesh.corners();
-  std::size_t count = 0;
-  for (const CGP::internal::Mesh_component& part : CGP::mesh_components(input.mesh)) {
-    if (!is_inside_out(part.mesh)) continue;
-    ++count;
-    for (const int f : part.faces)
-      std::swap(corners[static_cast<std::size_t>(f)][1], corners[static_cast<std::size_t>(f)][2]);
-  }
-  if (count == 0) return;
-  input.mesh = CGP::Mesh_view(input.mesh.positions(), std::move(corners));
-  input.notes.push_back(count_of(count, "component") +
-                        " inside out: computed with outward normals, faces are written as they "
-                        "were");
 }
 
 }  // namespace conformal

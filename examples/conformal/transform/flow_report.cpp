@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "flow_report.h"
 
-#include "conformal/report/verification.h"
+#include "conformal/process/text.h"
+#include "conformal/report/certificate.h"
 
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -26,11 +27,6 @@ Radius radius(const CGP::Mesh_view& mesh)
   const Eigen::VectorXd r = (mesh.positions().colwise() - center).colwise().norm();
   const double mean = r.dot(weights);
   return {mean, std::sqrt((r.array() - mean).square().matrix().dot(weights)) / mean};
-}
-
-CGP::Mesh_view final_surface(const Flow_solution& solution, const CGP::Mesh_view& initial)
-{
-  return {solution.positions, initial.corners()};
 }
 
 void report_distribution(const CGP::internal::Distribution& d, const std::string& place,
@@ -58,45 +54,6 @@ void report_step(const CGP::Flow_step_report& step, const std::string& place, Re
   report.set(place + "/seconds", step.seconds);
 }
 
-}  // namespace
-
-std::string reason(const CGP::Flow_report& report)
-{
-  if (report.stop == CGP::Flow_step_report::Stop::cancelled) return "interrupted";
-  const std::string words = CGP::to_string(report.stop);
-  return report.message.empty() ? words : words + " (" + report.message + ")";
-}
-
-void report_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
-                 const CGP::Spin_report& evidence, Report& report)
-{
-  const CGP::Flow_report& flow = solution.report;
-  report.set("result/steps", static_cast<int>(flow.steps.size()));
-  report.set("result/stop", reason(flow).c_str());
-  report.set("result/converged", flow.converged());
-  report.set("result/energy/initial", flow.initial_energy);
-  report.set("result/energy/final", flow.energy);
-  report.set("result/residual", evidence.residual);
-  report.set("result/iterations", evidence.iterations);
-  report.set("result/closure_residual", evidence.closure_residual);
-  report.set("result/period_defect", evidence.period_defect);
-  report_mollification(evidence.mollification, report);
-  report_conformality(flow.conformality, report);
-  if (CGP::topology(initial).is_sphere()) {
-    const Radius r = radius(final_surface(solution, initial));
-    report.set("result/radius/mean", r.mean);
-    report.set("result/radius/deviation", r.deviation);
-  }
-  report.set("steps", Report::Value(std::vector<double>()));
-  for (std::size_t i = 0; i < flow.steps.size(); ++i)
-    report_step(flow.steps[i], "steps/" + std::to_string(i), report);
-  report.add_seconds("assembly", evidence.seconds.assembly);
-  report.add_seconds("factorization", evidence.seconds.factorization);
-  report.add_seconds("solve", evidence.seconds.eigenvectors);
-  report.add_seconds("reconstruction", evidence.seconds.reconstruction);
-  report.add_seconds("certificate", evidence.seconds.certificate);
-}
-
 Grid step_grid(const CGP::Flow_report& report)
 {
   Grid grid({"step", "energy/4pi", "time step", "trials", "gamma", "closure", "period defect",
@@ -110,24 +67,49 @@ Grid step_grid(const CGP::Flow_report& report)
   return grid;
 }
 
-Table flow_table(const Flow_solution& solution, const CGP::Mesh_view& initial,
-                 const CGP::Spin_report& evidence)
+void tell_shape(const Flow_solution& solution, const CGP::Mesh_view& initial, Report& report)
 {
   const CGP::Flow_report& flow = solution.report;
-  Table table;
-  table.add("steps", static_cast<int>(flow.steps.size()));
-  table.add("stopped because", reason(flow));
-  table.add("energy / 4 pi", text_of(flow.initial_energy / energy_of_sphere) + " to " +
-                                 text_of(flow.energy / energy_of_sphere));
-  if (CGP::topology(initial).is_sphere())
-    table.add("radius, deviation / mean", radius(final_surface(solution, initial)).deviation);
-  table.add("closure residual, worst", text_of(evidence.closure_residual, 3));
-  const bool is_mollified = evidence.mollification.share > 0;
-  add_conformality(flow.conformality,
-                   is_mollified ? evidence.mollification.measured_faces : initial.size_of_faces(),
-                   table);
-  add_mollification(evidence.mollification, table);
-  return table;
+  report.set("result/energy/initial", flow.initial_energy);
+  report.set("result/energy/final", flow.energy);
+  report.show("energy / 4 pi", text_of(flow.initial_energy / energy_of_sphere) + " to " +
+                                   text_of(flow.energy / energy_of_sphere));
+  if (!CGP::topology(initial).is_sphere()) return;
+  const Radius r = radius({solution.positions, initial.corners()});
+  report.set("result/radius/mean", r.mean);
+  report.tell("result/radius/deviation", "radius, deviation / mean", r.deviation);
+}
+
+}  // namespace
+
+std::string reason(const CGP::Flow_report& report)
+{
+  if (report.stop == CGP::Flow_step_report::Stop::cancelled) return "interrupted";
+  const std::string words = CGP::to_string(report.stop);
+  return report.message.empty() ? words : words + " (" + report.message + ")";
+}
+
+void tell_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
+               const CGP::Spin_report& evidence, Outcome& outcome)
+{
+  const CGP::Flow_report& flow = solution.report;
+  Report& report = outcome.report;
+  report.show(step_grid(flow));
+  report.tell("result/steps", "steps", static_cast<int>(flow.steps.size()));
+  report.set("result/stop", reason(flow).c_str());
+  report.show("stopped because", reason(flow));
+  report.set("result/converged", flow.converged());
+  tell_shape(solution, initial, report);
+  report.set("result/residual", evidence.residual);
+  report.set("result/iterations", evidence.iterations);
+  report.tell("result/closure_residual", "closure residual, worst", evidence.closure_residual, 3);
+  report.set("result/period_defect", evidence.period_defect);
+  tell_conformality(flow.conformality, measured_faces(evidence, initial.size_of_faces()), report);
+  tell_mollification(evidence.mollification, report);
+  report.set("steps", Report::Value(std::vector<double>()));
+  for (std::size_t i = 0; i < flow.steps.size(); ++i)
+    report_step(flow.steps[i], "steps/" + std::to_string(i), report);
+  add_seconds(evidence, outcome.seconds);
 }
 
 }  // namespace conformal

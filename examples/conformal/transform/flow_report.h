@@ -5,9 +5,7 @@
 
 #include "run_flow.h"
 
-#include "conformal/report/Grid.h"
-#include "conformal/report/Report.h"
-#include "conformal/report/Table.h"
+#include "conformal/report/Outcome.h"
 
 #include <string>
 
@@ -16,17 +14,10 @@ namespace conformal {
 /// why the flow has stopped, in words
 std::string reason(const CGP::Flow_report& report);
 
-/// Enters a flow into the report (`result/...`, `steps/...`, `seconds/...`).
+/// Tells the steps of a flow, and what came of it.
 /// \param evidence of all steps
-void report_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
-                 const CGP::Spin_report& evidence, Report& report);
-
-/// the steps, a line each
-Grid step_grid(const CGP::Flow_report& report);
-
-/// the whole flow for the eye
-Table flow_table(const Flow_solution& solution, const CGP::Mesh_view& initial,
-                 const CGP::Spin_report& evidence);
+void tell_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
+               const CGP::Spin_report& evidence, Outcome& outcome);
 
 }  // namespace conformal
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solve_spin.h"
 
+#include "conformal/process/Failure.h"
+
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/templates.h>
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
@@ -34,8 +36,9 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem
                          const Go_further& go_further)
 {
   CGP::Dirac_options dirac;
-  dirac.problem = options.generalized ? CGP::Dirac_options::Eigenproblem::generalized
-                                      : CGP::Dirac_options::Eigenproblem::standard;
+  dirac.problem = options.problem == Eigenproblem::generalized
+                      ? CGP::Dirac_options::Eigenproblem::generalized
+                      : CGP::Dirac_options::Eigenproblem::standard;
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
   dirac.kernel_tolerance = problem.kernel_tolerance;
@@ -44,6 +47,9 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
   if (options.solver == "cholmod")
     return solve_by<CGP::Cholmod_hermitian_solver_traits>(mesh, problem, dirac, go_further);
+#else
+  if (options.solver == "cholmod")
+    throw Failure(Exit_code::usage, "this program was built without CHOLMOD; try: --solver native");
 #endif
   return solve_by<CGP::Default_solver_traits>(mesh, problem, dirac, go_further);
 }

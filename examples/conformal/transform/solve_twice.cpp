@@ -22,14 +22,14 @@ struct Attempt {
 };
 
 Attempt attempt(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                const Spin_options& options, const Common_options& common, const std::string& part)
+                const Spin_options& options, const Session& session, const std::string& words = "")
 {
   const auto solve = [&](const Go_further& go_further) {
-    return solve_spin(mesh, problem, options, common, go_further);
+    return solve_spin(mesh, problem, options, session.options(), go_further);
   };
   Attempt result;
   try {
-    result.solution = watched(solve, common, part);
+    result.solution = watched(solve, session, words);
     result.fault = objection(result.solution.report, result.solution.positions,
                              mesh.size_of_faces(), options.limits, "");
   } catch (const CGP::Error& error) {  // the matrices of thin faces may not be definite
@@ -55,14 +55,13 @@ std::string without_advice(const std::string& fault)
 }  // namespace
 
 Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                          const Spin_options& options, const Common_options& common,
-                          const std::string& part)
+                          const Spin_options& options, const Session& session)
 {
-  Attempt first = attempt(mesh, problem, options, common, part);
+  Attempt first = attempt(mesh, problem, options, session);
   if (first.fault.empty() || problem.second_try == 0) return solution_of(std::move(first));
   Spin_problem again = problem;
   again.mollification = problem.second_try;
-  Attempt second = attempt(mesh, again, options, common, part + "as with --mollify, ");
+  Attempt second = attempt(mesh, again, options, session, "as with --mollify, ");
   if (!second.fault.empty()) return solution_of(std::move(first));
   second.solution.note = "solved as with --mollify: without, " + without_advice(first.fault);
   return solution_of(std::move(second));

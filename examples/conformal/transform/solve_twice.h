@@ -5,17 +5,15 @@
 
 #include "solve_spin.h"
 
-#include <string>
+#include "conformal/report/Session.h"
 
 namespace conformal {
 
 /// \brief Runs `solve_spin()` with a progress line. If the result does not verify, the alternative
 /// problem is solved, and used and noted if it verifies; otherwise the first result is returned.
-/// \param part prefix of the progress line
 /// \throws Failure on a signal, and exceptions of the library in the first attempt
 Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                          const Spin_options& options, const Common_options& common,
-                          const std::string& part = "");
+                          const Spin_options& options, const Session& session);
 
 }  // namespace conformal
 

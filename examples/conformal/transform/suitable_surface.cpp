@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "suitable_surface.h"
 
-#include "each_component.h"
+#include "Component.h"
 
 #include "conformal/process/Failure.h"
 #include "conformal/report/report_input.h"
@@ -36,11 +36,16 @@ Surface_input read_closed_surface(const std::string& path, Session& session)
 Surface_input read_bounded_surface(const std::string& path, Session& session)
 {
   Surface_input input = read_suitable_surface(path, session);
+  if (!session.options().each_component) require_boundary(input);
+  return input;
+}
+
+void require_boundary(const Surface_input& input)
+{
   if (CGP::topology(input.mesh).is_closed())
-    throw unsuitable(path,
+    throw unsuitable(input.file.path,
                      "the surface is closed, one with a boundary is wanted; try: conformal "
                      "spin, or cut it open");
-  return input;
 }
 
 }  // namespace conformal

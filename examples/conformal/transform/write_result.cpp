@@ -4,6 +4,7 @@
 
 #include "conformal/io/file/Temporary_file.h"
 #include "conformal/io/write_surface.h"
+#include "conformal/report/keep_exhibit.h"
 
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
@@ -61,6 +62,18 @@ void set_lambda(const Surface_input& input, const CGP::Quaternion_vector<double>
 
 }  // namespace
 
+Transformed_surface Transformed_surface::unchanged(const CGP::Mesh_view& mesh)
+{
+  return {mesh.positions(), CGP::Quaternion_vector<double>::Constant(
+                                mesh.size_of_vertices(), CGP::Quaternion<double>{1, 0, 0, 0})};
+}
+
+void Transformed_surface::set(const Component& component, const Spin_solution& solution)
+{
+  positions(Eigen::indexing::all, component.vertices) = solution.positions;
+  lambda(component.vertices) = solution.lambda;
+}
+
 void require_writable(const std::string& path)
 {
   output_format(path);
@@ -69,14 +82,6 @@ void require_writable(const std::string& path)
   // Not devices and pipes, which notice when they are opened.
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status))
     Temporary_file probe(path);
-}
-
-std::string snapshot_path(const std::string& output, int step)
-{
-  std::string number = std::to_string(step);
-  number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
-  const std::size_t dot = output.rfind('.');
-  return output.substr(0, dot) + "_" + number + output.substr(dot);
 }
 
 Surface_file moved(const Surface_input& input, const CGP::Points& positions)
@@ -99,14 +104,22 @@ void set_quality(const Surface_input& input, const CGP::Points& positions, Surfa
   set_property(file.vertices, "quality", values);
 }
 
-Surface_file spin_result_file(const Surface_input& input, const CGP::Curvature_potential& rho,
-                              const Spin_solution& solution, const std::string& lambda)
+Surface_file result_file(const Surface_input& input, const Transformed_surface& surface,
+                         const std::string& lambda)
 {
-  Surface_file file = moved(input, solution.positions);
-  set_quality(input, solution.positions, file);
-  set_rho(input, rho, file);
-  if (!lambda.empty()) set_lambda(input, solution.lambda, lambda, file);
+  Surface_file file = moved(input, surface.positions);
+  set_quality(input, surface.positions, file);
+  if (surface.rho.values.size() > 0) set_rho(input, surface.rho, file);
+  if (!lambda.empty()) set_lambda(input, surface.lambda, lambda, file);
   return file;
+}
+
+void write_result(const Surface_input& input, const Transformed_surface& surface, Session& session,
+                  const std::string& lambda)
+{
+  keep_exhibit(input, surface.positions, session);
+  session.note_all(write_surface(session.options().output, result_file(input, surface, lambda)));
+  session.end_stage("write");
 }
 
 }  // namespace conformal
