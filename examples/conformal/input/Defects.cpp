@@ -5,117 +5,74 @@
 #include "conformal/process/Failure.h"
 #include "conformal/process/text.h"
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
-
-#include <cmath>
 
 namespace conformal {
 namespace {
 
-// The library's own judgement on a rule.
-template <class Requirement>
-bool holds(const Requirement& requirement, const CGP::Mesh_view& mesh)
-{
-  try {
-    requirement(mesh, "");
-  } catch (const CGP::Precondition_error&) {
-    return false;
-  }
-  return true;
-}
+using CGP::internal::Defect;
 
-// `3 faces of area zero (first: face 7); try: ...`, or nothing if no element is bad
-template <class Is_bad, class Name>
-void add_if_any(std::vector<std::string>& defects, int size, const Is_bad& is_bad, const Name& name,
-                const std::string& noun, const std::string& what, const std::string& advice)
+// `3 faces of area zero (first: face 7); try: ...`
+std::string words_of(const Defect& defect, const std::string& first, const std::string& noun,
+                     const std::string& what, const std::string& advice)
 {
-  int first = -1;
-  std::size_t count = 0;
-  for (int i = 0; i < size; ++i)
-    if (is_bad(i) && count++ == 0) first = i;
-  if (count > 0)
-    defects.push_back(count_of(count, noun) + what + " (first: " + name(first) +
-                      "); try: " + advice);
-}
-
-/// the mesh without all its faces but those at one vertex: whether they form one fan
-std::vector<char> split_vertices(const CGP::Mesh_view& mesh)
-{
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  std::vector<int> corners(at(mesh.size_of_vertices()), 0), start(corners.size(), -1);
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h) {
-    const int v = mesh.from(h);
-    ++corners[at(v)];
-    if (start[at(v)] < 0 || mesh.twin(h) < 0) start[at(v)] = h;
-  }
-  std::vector<char> is_split(corners.size(), 0);
-  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
-    int met = 0;
-    for (int h = start[at(v)]; h >= 0 && met <= corners[at(v)];) {
-      ++met;
-      h = mesh.twin(CGP::Mesh_view::previous_in_face(h));
-      if (h == start[at(v)]) break;
-    }
-    is_split[at(v)] = met != corners[at(v)];
-  }
-  return is_split;
+  return count_of(static_cast<std::size_t>(defect.count), noun) + what + " (first: " + first +
+         "); try: " + advice;
 }
 
 void find_topological(const Surface_input& input, std::vector<std::string>& defects)
 {
-  const CGP::Mesh_view& mesh = input.mesh;
-  add_if_any(
-      defects, mesh.size_of_edges(),
-      [&](int k) { return mesh.halfedges_end(k) - mesh.halfedges_begin(k) > 2; },
-      [&](int k) { return name_of_edge(input, k); }, "non-manifold edge",
-      " where more than two faces meet", "cut the surface there, as --repair does");
-  if (!defects.empty()) return;
-  if (!input.is_orientable) {
+  const char* const advice = "cut the surface there, as --repair does";
+  if (const Defect edges = CGP::internal::non_manifold_edges(input.mesh))
+    defects.push_back(words_of(edges, name_of_edge(input, edges.first), "non-manifold edge",
+                               " where more than two faces meet", advice));
+  else if (!input.is_orientable)
     defects.emplace_back(
         "the surface is not orientable (one-sided, like a Moebius strip); try: cut it open, as "
         "--repair does");
-    return;
-  }
-  if (holds(CGP::require_manifold_vertices, mesh)) return;
-  const std::vector<char> is_split = split_vertices(mesh);
-  add_if_any(
-      defects, mesh.size_of_vertices(),
-      [&](int v) { return is_split[static_cast<std::size_t>(v)] != 0; },
-      [&](int v) { return name_of_vertex(input, v); }, "non-manifold vertex",
-      " where several fans of faces touch", "cut the surface there, as --repair does");
+  else if (const Defect vertices = CGP::internal::non_manifold_vertices(input.mesh))
+    defects.push_back(words_of(vertices, name_of_vertex(input, vertices.first),
+                               "non-manifold vertex", " where several fans of faces touch",
+                               advice));
 }
 
-bool is_flat(const CGP::Mesh_view& mesh, int f)
+void find_components(const Surface_input& input, std::vector<std::string>& defects)
 {
-  const auto& v = mesh.corners(f);
-  CGP::Points p(3, 3);
-  p << mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]);
-  return !holds(CGP::require_positive_areas, CGP::Mesh_view(std::move(p), {{0, 1, 2}}));
+  if (const Defect further = CGP::internal::further_components(input.mesh))
+    defects.push_back("the surface has " + std::to_string(further.count + 1) +
+                      " components (the second begins at " + name_of_vertex(input, further.first) +
+                      "), one is wanted; try: --each-component, where the command "
+                      "has it, or conformal split");
+}
+
+Defect too_large(const CGP::Mesh_view& mesh)
+{
+  const double largest = 1e300;
+  return CGP::internal::find_defect(
+      Defect::Kind::vertex_out_of_range, mesh.size_of_vertices(),
+      [&](int v) { return !(mesh.position(v).cwiseAbs().maxCoeff() <= largest); });
 }
 
 void find_geometrical(const Surface_input& input, Defects& found)
 {
   const CGP::Mesh_view& mesh = input.mesh;
   std::vector<std::string>& defects = found.of_geometry;
-  const double largest = 1e300;
-  add_if_any(
-      defects, mesh.size_of_vertices(),
-      [&](int v) { return !(mesh.position(v).cwiseAbs().maxCoeff() <= largest); },
-      [&](int v) { return name_of_vertex(input, v); }, "vertex", " beyond the coordinate 1e300",
-      "scale the mesh down");
-  found.has_area = defects.empty() && holds(CGP::require_some_area, mesh);
-  if (!defects.empty() || holds(CGP::require_positive_areas, mesh)) return;
-  if (!found.has_area) {
-    defects.push_back("no face has an area, wanted a surface; try: another mesh");
-    return;
+  const Defect flat = CGP::internal::faces_of_area_zero(mesh);
+  found.has_area = false;
+  if (const Defect large = too_large(mesh)) {
+    defects.push_back(words_of(large, name_of_vertex(input, large.first), "vertex",
+                               " beyond the coordinate 1e300", "scale the mesh down"));
+  } else if (flat.count == mesh.size_of_faces()) {
+    defects.emplace_back("no face has an area, wanted a surface; try: another mesh");
+  } else {
+    found.has_area = true;
+    if (flat)
+      defects.push_back(
+          words_of(flat, name_of_face(input, flat.first), "face", " of area zero",
+                   std::string(input.repair ? "" : "--repair, which mends most of them, or ") +
+                       "--mollify of spin, flow and fit, which takes them as they are"));
   }
-  add_if_any(
-      defects, mesh.size_of_faces(), [&](int f) { return is_flat(mesh, f); },
-      [&](int f) { return name_of_face(input, f); }, "face", " of area zero",
-      std::string(input.repair ? "" : "--repair, which mends most of them, or ") +
-          "--mollify of spin, flow and fit, which takes them as they are");
 }
 
 }  // namespace
@@ -132,17 +89,7 @@ Defects find_defects(const Surface_input& input)
 {
   Defects defects;
   find_topological(input, defects.of_topology);
-  int components = 0, second = -1;
-  const std::vector<int> component = CGP::connected_components(input.mesh);
-  for (std::size_t v = 0; v < component.size(); ++v) {
-    if (component[v] == 1 && second < 0) second = static_cast<int>(v);
-    components = std::max(components, component[v] + 1);
-  }
-  if (components > 1)
-    defects.of_components.push_back(
-        "the surface has " + std::to_string(components) + " components (the second begins at " +
-        name_of_vertex(input, second) +
-        "), one is wanted; try: --each-component (spin, flow, flatten), or a file for each");
+  find_components(input, defects.of_components);
   find_geometrical(input, defects);
   return defects;
 }
@@ -173,16 +120,12 @@ void require_surface_components(const Surface_input& input, Flat_faces flat_face
 void require_closed_surface(const Surface_input& input)
 {
   require_surface(input);
-  const CGP::Mesh_view& mesh = input.mesh;
-  std::vector<std::string> open;
-  add_if_any(
-      open, mesh.size_of_edges(),
-      [&](int k) { return mesh.halfedges_end(k) - mesh.halfedges_begin(k) == 1; },
-      [&](int k) { return name_of_edge(input, k); }, "boundary edge", "",
-      "close the holes in a mesh editor");
-  if (!open.empty())
-    throw unsuitable(input.file.path, "a closed surface is wanted, this one has " +
-                                          description(mesh) + ": " + open.front());
+  const Defect open = CGP::internal::boundary_edges(input.mesh);
+  if (open)
+    throw unsuitable(input.file.path,
+                     "a closed surface is wanted, this one has " + description(input.mesh) + ": " +
+                         words_of(open, name_of_edge(input, open.first), "boundary edge", "",
+                                  "close the holes in a mesh editor"));
 }
 
 void require_untouched(const Surface_input& input)
