@@ -66,7 +66,7 @@ TEST_F(Command_line, outputs_that_cannot_be_written_are_refused_and_leave_nothin
 {
   write("a.off", off(cgp_test::icosphere(1)));
   const std::string spin = "spin a.off --rho-expression x -o ";
-  EXPECT_TRUE(fails(run(spin + "b.stl"), 5, "b.stl"));
+  EXPECT_TRUE(fails(run(spin + "b.xyz"), 5, "b.xyz"));
   EXPECT_TRUE(fails(run(spin + "b"), 5, "extension"));
   EXPECT_TRUE(fails(run(spin + "absent/b.ply"), 5, "absent/b.ply"));
   EXPECT_TRUE(fails(run(spin + "b.ply --json absent/b.json"), 5, "absent/b.json"));

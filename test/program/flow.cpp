@@ -256,7 +256,7 @@ TEST_F(Flow, nonsense_is_refused)
         "--steps 2 --filter-weight -1", "--steps 2 --every 0",
         "--steps 2 --filter-weight 1 --filter-order 4", "--steps 2 --balance much", "--steps many"})
     EXPECT_EQ(run("flow a.off -o b.ply " + option).code, 2) << option;
-  EXPECT_TRUE(fails(run("flow a.off --steps 2 -o b.stl"), 5, "b.stl"));
+  EXPECT_TRUE(fails(run("flow a.off --steps 2 -o b.xyz"), 5, "b.xyz"));
 }
 
 TEST_F(Flow, help_tells_about_signals)

@@ -48,6 +48,7 @@ const char* name_of(File_format format)
 
 File_format detect_format(std::string_view bytes, const std::string& path)
 {
+  if (starts_with(bytes, "glTF")) return File_format::glb;
   bytes = checked_bytes(bytes, path);
   const std::string_view word = first_word(bytes);
   if (bytes.substr(0, 3) == "ply" && word == "ply") return File_format::ply;

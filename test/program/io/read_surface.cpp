@@ -63,7 +63,7 @@ TEST(Read_surface, names_what_is_no_mesh)
       {"\n<!DOCTYPE html>", "a: is an HTML page, wanted OFF, OBJ, PLY or STL"},
       {"<html>", "a: is an HTML page, wanted OFF, OBJ, PLY or STL"},
       {"<?xml version='1.0'?>", "a: is an XML document, wanted OFF, OBJ, PLY or STL"},
-      {"glTF\2", "a: is a GLB file, which is only written; wanted OFF, OBJ, PLY or STL"},
+      {"glTF\2", "a: is not a GLB file of version 2"},
       {"\x89PNG", "a: is a picture (PNG), wanted OFF, OBJ, PLY or STL"},
       {"%PDF-1.4", "a: is a PDF document, wanted OFF, OBJ, PLY or STL"},
       {"hello", "a: is of no known format: it begins with 'hello', wanted OFF, OBJ, PLY or STL"}};

@@ -53,7 +53,8 @@ void set_properties(Element& element, const std::vector<std::string>& names, Val
 void remove_normals(Surface_file& file)
 {
   file.normals = Corner_values();
-  for (const char* name : {"nx", "ny", "nz"}) remove_property(file.vertices, name);
+  for (Element* element : {&file.vertices, &file.faces})
+    for (const char* name : {"nx", "ny", "nz"}) remove_property(*element, name);
 }
 
 std::string fault_of_face(const std::int64_t* begin, const std::int64_t* end, std::size_t n,

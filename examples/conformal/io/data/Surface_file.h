@@ -83,7 +83,7 @@ std::vector<const Property*> color_properties(const Element& element);
 void set_properties(Element& element, const std::vector<std::string>& names, Value_type type,
                     const std::vector<double>& values);
 
-/// Removes normals of vertices and corners, which are wrong once the points have moved.
+/// Removes normals of vertices, faces and corners, which are wrong once the points have moved.
 void remove_normals(Surface_file& file);
 
 /// What readers do with faces that have fewer than three corners, or a corner twice: `kept` is for

@@ -17,7 +17,7 @@ struct Signature {
   const char* message;
 };
 
-constexpr std::array<Signature, 11> not_meshes = {{
+constexpr std::array<Signature, 10> not_meshes = {{
     {"\x1f\x8b"sv, "is compressed with gzip, wanted the unpacked file (gunzip it)"},
     {"PK\x03\x04"sv, "is a ZIP archive, wanted the unpacked file (unzip it)"},
     {"BZh"sv, "is compressed with bzip2, wanted the unpacked file (bunzip2 it)"},
@@ -28,7 +28,6 @@ constexpr std::array<Signature, 11> not_meshes = {{
     {"7z\xbc\xaf\x27\x1c"sv, "is a 7z archive, wanted the unpacked file"},
     {"\xff\xfe"sv, "is UTF-16 text, wanted UTF-8 or ASCII (convert it with iconv)"},
     {"\xfe\xff"sv, "is UTF-16 text, wanted UTF-8 or ASCII (convert it with iconv)"},
-    {"glTF"sv, "is a GLB file, which is only written; wanted OFF, OBJ, PLY or STL"},
     {"\x89PNG"sv, "is a picture (PNG), wanted OFF, OBJ, PLY or STL"},
     {"%PDF"sv, "is a PDF document, wanted OFF, OBJ, PLY or STL"},
 }};

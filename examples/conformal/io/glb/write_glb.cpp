@@ -186,6 +186,7 @@ std::string encode_glb(const Surface_file& file, const std::string& path,
                         "s", "t", "u", "v"},
                        "GLB", notes);
   note_lost_properties(file.faces, {"texcoord"}, "GLB", notes);
+  if (!file.group_lines.empty()) notes.emplace_back("groups and materials are not written to GLB");
   return glb;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "read_stl.h"
 
+#include "conformal/io/data/Vertex_merger.h"
 #include "conformal/io/file/Text_scanner.h"
 #include "conformal/io/file/checked_bytes.h"
 #include "conformal/io/file/io_errors.h"
@@ -11,39 +12,11 @@
 
 #include <cctype>
 #include <cmath>
-#include <unordered_map>
 
 namespace conformal {
 namespace {
 
 constexpr std::size_t header_size = 84, facet_size = 50;  // bytes
-
-struct Hash_point {
-  std::size_t operator()(const Point& p) const
-  {
-    std::size_t hash = 0;
-    for (const double x : p)  // std::hash gives 0 and -0, which are equal, the same value
-      hash = (hash ^ std::hash<double>()(x)) * 0x9e3779b97f4a7c15u;
-    return hash ^ (hash >> 29);
-  }
-};
-
-// Numbers points by first appearance.
-class Vertex_merger {
- public:
-  explicit Vertex_merger(std::vector<Point>& points) : m_points(points) {}
-
-  std::int64_t vertex(const Point& point)
-  {
-    const auto [place, is_new] = m_vertices.try_emplace(point, static_cast<int>(m_points.size()));
-    if (is_new) m_points.push_back(point);
-    return place->second;
-  }
-
- private:
-  std::vector<Point>& m_points;
-  std::unordered_map<Point, int, Hash_point> m_vertices;
-};
 
 Surface_file stl_file(const std::string& path)
 {
