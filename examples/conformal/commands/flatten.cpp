@@ -31,6 +31,7 @@ const char* const about =
     "--planar has the surface unbend by curvature: its mean curvature becomes zero, and the\n"
     "tangents of its boundary, which must be one loop, those of a plane curve that turns as it\n"
     "did.\n"
+    "--cut opens closed surfaces first.\n"
     "Example: conformal flatten face.off -o face.glb --json face.json";
 
 void add_options(CLI::App& command, Flatten_options& options, Common_options& common)
@@ -47,6 +48,18 @@ void add_options(CLI::App& command, Flatten_options& options, Common_options& co
   command.add_flag("--planar", options.planar, "by curvature, and not by an energy")
       ->excludes(method)
       ->excludes(loops);
+  const auto set_tips = [&options](const std::string& text) { options.cut.tips = std::stoi(text); };
+  command
+      .add_flag("--cut{4}",
+                "cut closed surfaces open, by short cuts through so many tips (--cut=2; default 4) "
+                "and around handles; texture coordinates jump there, and the flat mesh is open")
+      ->check(above_zero)
+      ->each(set_tips);
+  command
+      .add_option("--cones", options.cut.cones,
+                  "cut closed surfaces open, through these vertices in place of tips: 7,12,19")
+      ->delimiter(',')
+      ->check(CLI::NonNegativeNumber);
   command.add_flag("--planar-mesh", options.planar_mesh,
                    "write the flat mesh, and not the surface with texture coordinates alone");
   command.add_option("--tolerance", options.tolerance, "of the spectral map")
@@ -107,21 +120,68 @@ Flat_components flatten_components(const Surface_input& input, const Flatten_opt
   return flat;
 }
 
+/// the image, and those without one as they were
+CGP::Points with_those_left(const CGP::Mesh_view& mesh, const Flat_components& flat)
+{
+  CGP::Points positions = flat.positions;
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    if (!flat.has_image[static_cast<std::size_t>(v)]) positions.col(v) = mesh.position(v);
+  return positions;
+}
+
+/// the file before cuts, with texture coordinates that jump there, and quality
+Surface_file textured(Surface_file file, const Cut_surface& cut,
+                      const std::vector<std::array<double, 2>>& texture,
+                      const std::vector<float>& quality)
+{
+  Corner_values values;
+  for (const auto& [u, v] : texture) values.values.push_back({u, v, 0});
+  values.index = cut.input.file.polygons.corners;
+  set_texture_coordinates(file, std::move(values));
+  std::vector<float> at_vertices(file.points.size(), 1);
+  for (std::size_t i = quality.size(); i-- > 0;)  // of copies the first one counts
+    at_vertices[static_cast<std::size_t>(cut.origin[i])] = quality[i];
+  set_property(file.vertices, "quality", at_vertices);
+  return file;
+}
+
+Surface_input read_input(const Flatten_options& options, Session& session)
+{
+  return options.cut.is_cut() ? read_suitable_surface(options.input, session)
+                              : read_bounded_surface(options.input, session);
+}
+
+Cut_surface opened(Surface_input&& input, const Cut_options& options)
+{
+  if (options.is_cut()) return cut_open(input, options);
+  return {std::move(input), {}};
+}
+
+/// the flat mesh, or the one before with the map as texture coordinates
+Surface_file file_of(const Cut_surface& surface, Surface_file&& before, const Flat_components& flat,
+                     const Flatten_options& options)
+{
+  const Surface_input& input = surface.input;
+  const auto texture = in_unit_square(input, flat.positions);
+  const CGP::Points shown = with_those_left(input.mesh, flat);
+  if (options.cut.is_cut() && !options.planar_mesh)
+    return textured(std::move(before), surface, texture, quality(input, shown));
+  Surface_file file = options.planar_mesh ? moved(input, shown) : std::move(before);
+  set_texture_coordinates(file, texture);
+  set_quality(input, shown, file);
+  return file;
+}
+
 void flatten(const Flatten_options& options, Session& session)
 {
   const std::string& output = session.options().output;
   require_writable(output);
-  const Surface_input input = read_bounded_surface(options.input, session);
-  Flat_components flat = flatten_components(input, options, session);
-  const auto texture = in_unit_square(input, flat.positions);
-  for (int v = 0; v < input.mesh.size_of_vertices(); ++v)
-    if (!flat.has_image[static_cast<std::size_t>(v)])
-      flat.positions.col(v) = input.mesh.position(v);
-  keep_flat_exhibit(input, flat.positions, session);
-  Surface_file file = options.planar_mesh ? moved(input, flat.positions) : input.file;
-  set_texture_coordinates(file, texture);
-  set_quality(input, flat.positions, file);
-  session.note_all(write_surface(output, file));
+  Surface_input input = read_input(options, session);
+  Surface_file before = input.file;
+  const Cut_surface surface = opened(std::move(input), options.cut);
+  const Flat_components flat = flatten_components(surface.input, options, session);
+  keep_flat_exhibit(surface.input, with_those_left(surface.input.mesh, flat), session);
+  session.note_all(write_surface(output, file_of(surface, std::move(before), flat, options)));
   session.end_stage("write");
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 /// an edge as a face passes it: from the corner `from` to the corner `to`
 struct Side {
-  std::array<int, 2> ends;  // vertices, the smaller first
+  Corner_fans::Edge ends;
   int from, to;
   bool is_forward;  // from the smaller vertex to the larger
 };
@@ -36,7 +36,8 @@ std::vector<Side> sorted_sides(const Polygons& polygons)
 
 }  // namespace
 
-Corner_fans::Corner_fans(const Polygons& polygons) : m_fan(polygons.corners.size(), -1)
+Corner_fans::Corner_fans(const Polygons& polygons, const std::vector<Edge>& cuts)
+    : m_fan(polygons.corners.size(), -1)
 {
   std::vector<int> parent(m_fan.size()), rank(m_fan.size(), 0);
   std::iota(parent.begin(), parent.end(), 0);
@@ -46,7 +47,8 @@ Corner_fans::Corner_fans(const Polygons& polygons) : m_fan(polygons.corners.size
     const auto end =
         std::find_if(begin, sides.end(), [&](const Side& s) { return s.ends != begin->ends; });
     const auto count = end - begin;
-    if (count == 2 && begin[0].is_forward != begin[1].is_forward) {
+    const bool is_cut = std::binary_search(cuts.begin(), cuts.end(), begin->ends);
+    if (!is_cut && count == 2 && begin[0].is_forward != begin[1].is_forward) {
       sets.union_set(begin[0].from, begin[1].to);
       sets.union_set(begin[0].to, begin[1].from);
     } else {

@@ -5,6 +5,7 @@
 
 #include "conformal/io/data/Surface_file.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -18,12 +19,16 @@ namespace conformal {
 /// directions there.
 class Corner_fans {
  public:
-  explicit Corner_fans(const Polygons& polygons);
+  /// an edge by its vertices, the smaller first
+  using Edge = std::array<int, 2>;
+
+  /// \param cuts edges across which corners are not in the same fan, in ascending order
+  explicit Corner_fans(const Polygons& polygons, const std::vector<Edge>& cuts = {});
 
   int size() const { return m_size; }
   int of_corner(std::size_t c) const { return m_fan[c]; }
 
-  /// edges with more than two faces, or with two that do not agree
+  /// edges with more than two faces, or with two that do not agree, and cuts
   int size_of_cut_edges() const { return m_cut_edges; }
 
  private:

@@ -23,6 +23,7 @@ struct Exhibit {
   CGP::Points after;
   Corner_places squares;
   std::string kind_of_squares;  ///< their origin, for the user
+  Eigen::VectorXd rho = {};     ///< of each face, in the user's frame; none if empty
 };
 
 }  // namespace conformal

@@ -73,6 +73,7 @@ std::string html_report(const Exhibit& exhibit, const std::string& json)
   return report_page_begin + block("report", "application/json", escaped(json)) +
          positions("before", exhibit.before.positions()) + positions("after", exhibit.after) +
          faces(exhibit.before) + quality(exhibit) + squares(exhibit) +
+         numbers<float>("rho", exhibit.rho) +
          block("squares-of", "text/plain", exhibit.kind_of_squares) + report_page_end;
 }
 

@@ -3,6 +3,8 @@
 #ifndef CONFORMAL_TRANSFORM_FLATTEN_OPTIONS_H
 #define CONFORMAL_TRANSFORM_FLATTEN_OPTIONS_H
 
+#include "cut_open.h"
+
 #include "conformal/report/Verification_limits.h"
 
 #include <string>
@@ -16,6 +18,7 @@ struct Flatten_options {
   Flatten_method method = Flatten_method::spectral;
   bool planar = false;       ///< by curvature instead
   bool planar_mesh = false;  ///< writes the flat mesh
+  Cut_options cut;           ///< of closed surfaces
   bool all_loops = false;    ///< the spread of all boundary loops is kept
   double tolerance = 1e-6;   ///< of the spectral map
   bool force = false;

@@ -45,7 +45,7 @@ void require_boundary(const Surface_input& input)
   if (CGP::topology(input.mesh).is_closed())
     throw unsuitable(input.file.path,
                      "the surface is closed, one with a boundary is wanted; try: conformal "
-                     "spin, or cut it open");
+                     "spin, or cut it open (conformal flatten --cut)");
 }
 
 }  // namespace conformal

@@ -60,6 +60,27 @@ void set_lambda(const Surface_input& input, const CGP::Quaternion_vector<double>
                  to_file_vertices(input, all.row(i).transpose(), i == 0 ? 1 : 0));
 }
 
+/// the value of each face
+Eigen::VectorXd at_faces(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho)
+{
+  if (rho.on == CGP::Curvature_potential::On::faces) return rho.values;
+  Eigen::VectorXd values(mesh.size_of_faces());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const auto& v = mesh.corners(f);
+    values[f] = (rho.values[v[0]] + rho.values[v[1]] + rho.values[v[2]]) / 3;
+  }
+  return values;
+}
+
+void report_rho(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho, Outcome& outcome)
+{
+  const bool on_faces = rho.on == CGP::Curvature_potential::On::faces;
+  outcome.report.set("result/rho/on", on_faces ? "faces" : "vertices");
+  outcome.report.set("result/rho/min", rho.values.minCoeff());
+  outcome.report.set("result/rho/max", rho.values.maxCoeff());
+  if (outcome.exhibit) outcome.exhibit->rho = at_faces(mesh, rho);
+}
+
 }  // namespace
 
 Transformed_surface Transformed_surface::unchanged(const CGP::Mesh_view& mesh)
@@ -95,13 +116,17 @@ Surface_file moved(const Surface_input& input, const CGP::Points& positions)
   return file;
 }
 
+std::vector<float> quality(const Surface_input& input, const CGP::Points& positions)
+{
+  std::vector<float> values;
+  for (const double q : to_file_vertices(input, quality_at_vertices(input.mesh, positions), 1))
+    values.push_back(static_cast<float>(q));
+  return values;
+}
+
 void set_quality(const Surface_input& input, const CGP::Points& positions, Surface_file& file)
 {
-  const std::vector<double> quality =
-      to_file_vertices(input, quality_at_vertices(input.mesh, positions), 1);
-  std::vector<float> values;
-  for (const double q : quality) values.push_back(static_cast<float>(q));
-  set_property(file.vertices, "quality", values);
+  set_property(file.vertices, "quality", quality(input, positions));
 }
 
 Surface_file result_file(const Surface_input& input, const Transformed_surface& surface,
@@ -117,7 +142,9 @@ Surface_file result_file(const Surface_input& input, const Transformed_surface& 
 void write_result(const Surface_input& input, const Transformed_surface& surface, Session& session,
                   const std::string& lambda)
 {
+  const CGP::Curvature_potential& rho = surface.rho;
   keep_exhibit(input, surface.positions, session);
+  if (rho.values.size() > 0) report_rho(input.mesh, rho, session.outcome());
   session.note_all(write_surface(session.options().output, result_file(input, surface, lambda)));
   session.end_stage("write");
 }

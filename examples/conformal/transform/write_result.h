@@ -9,6 +9,7 @@
 #include "conformal/report/Session.h"
 
 #include <string>
+#include <vector>
 
 namespace conformal {
 
@@ -32,7 +33,10 @@ void require_writable(const std::string& path);
 /// without a face stay where they are
 Surface_file moved(const Surface_input& input, const CGP::Points& positions);
 
-/// Sets the vertex property `quality` (float): the quasi-conformal error, averaged by area.
+/// the quasi-conformal error at each vertex of the file, averaged by area; 1 elsewhere
+std::vector<float> quality(const Surface_input& input, const CGP::Points& positions);
+
+/// Sets it as the vertex property `quality`.
 void set_quality(const Surface_input& input, const CGP::Points& positions, Surface_file& file);
 
 /// the file of a result: moved, with `quality`, `rho` and, if a name is given, lambda as vertex

@@ -18,6 +18,7 @@ const before = numbers('before', Float32Array);
 const after = numbers('after', Float32Array);
 const quality = numbers('quality', Float32Array);
 const squares = numbers('squares', Float32Array);
+const rho = numbers('rho', Float32Array); // of each face; empty if there is none
 const faceCount = quality.length;
 
 /** The number or word at a place such as `result/scale/min`; undefined if there is none. */

@@ -54,6 +54,11 @@ function seconds() {
       `<tr><td>${escape(stage)}</td><td data-place="seconds/${escape(stage)}">${number(value, 3)} s</td></tr>`).join('');
 }
 
+function options() {
+  return Object.entries(report.options ?? {}).map(([name, value]) =>
+      `<tr><td>--${escape(name)}</td><td>${escape(words(value))}</td></tr>`).join('');
+}
+
 function lead() {
   const {vertices, faces: count, boundary_loops: loops, genus} = report.input ?? {};
   const shape = [];

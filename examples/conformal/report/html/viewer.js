@@ -4,14 +4,14 @@
 // Both shapes on one canvas, seen by the same camera.
 
 const vertexShader = `
-  in float quality, scale, level;
+  in float quality, scale, rho, level;
   in vec2 square;
   in vec3 corner;
-  out float vQuality, vScale, vLevel;
+  out float vQuality, vScale, vRho, vLevel;
   out vec2 vSquare;
   out vec3 vCorner, vNormal;
   void main() {
-    vQuality = quality; vScale = scale; vLevel = level; vSquare = square; vCorner = corner;
+    vQuality = quality; vScale = scale; vRho = rho; vLevel = level; vSquare = square; vCorner = corner;
     vNormal = normalMatrix * normal;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   }`;
@@ -19,9 +19,9 @@ const vertexShader = `
 const fragmentShader = `
   uniform int mode;
   uniform bool edges;
-  uniform float frequency, highest, widest;
+  uniform float frequency, highest, widest, deepest;
   uniform vec3 heat[5], cold[5];
-  in float vQuality, vScale, vLevel;
+  in float vQuality, vScale, vRho, vLevel;
   in vec2 vSquare;
   in vec3 vCorner, vNormal;
   out vec4 colour;
@@ -50,6 +50,7 @@ const fragmentShader = `
     if (mode == 0) return checkerboard();
     if (mode == 1) return between(heat, (vQuality - 1.0) / (highest - 1.0));
     if (mode == 2) return between(cold, 0.5 + 0.5 * vScale / widest);
+    if (mode == 3) return between(cold, 0.5 + 0.5 * vRho / deepest);
     return vec3(0.80, 0.83, 0.87);
   }
 
@@ -104,7 +105,7 @@ function shape(THREE, points, {vectors, areas, total}, shared) {
   return {geometry, radius};
 }
 
-function makeViewer(THREE, canvas, highest, widest) {
+function makeViewer(THREE, canvas, {highest, widest, deepest}) {
   const renderer = new THREE.WebGLRenderer({canvas, antialias: true});
   renderer.setClearColor(0xeef1f5);
   renderer.setScissorTest(true);
@@ -112,6 +113,7 @@ function makeViewer(THREE, canvas, highest, widest) {
   const attribute = (values, size) => new THREE.BufferAttribute(values, size);
   const shared = {
     quality: attribute(ofFaces(quality), 1), scale: attribute(ofFaces(scales.map(Math.log2)), 1),
+    rho: attribute(ofFaces(rho.length ? rho : new Float32Array(faceCount)), 1),
     level: attribute(levels, 1), square: attribute(squares, 2),
     corner: attribute(Float32Array.from({length: 9 * faceCount}, (_, i) => +(i % 9 % 4 === 0)), 3)
   };
@@ -119,7 +121,8 @@ function makeViewer(THREE, canvas, highest, widest) {
       new THREE.Vector3(...[1, 3, 5].map(k => parseInt(stop.slice(k, k + 2), 16) / 255)));
   const uniforms = {
     mode: {value: 0}, edges: {value: false}, frequency: {value: frequency}, highest: {value: highest},
-    widest: {value: Math.log2(widest)}, heat: {value: vectorsOf(heat)}, cold: {value: vectorsOf(cold)}
+    widest: {value: Math.log2(widest)}, deepest: {value: deepest},
+    heat: {value: vectorsOf(heat)}, cold: {value: vectorsOf(cold)}
   };
   const material = new THREE.ShaderMaterial({
     glslVersion: THREE.GLSL3, vertexShader, fragmentShader, uniforms, side: THREE.DoubleSide
