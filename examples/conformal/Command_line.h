@@ -3,24 +3,19 @@
 #ifndef CONFORMAL_COMMAND_LINE_H
 #define CONFORMAL_COMMAND_LINE_H
 
-#include "Curve_options.h"
-#include "Options.h"
-#include "Spectrum_options.h"
+#include "conformal/commands/Command.h"
 
+#include <optional>
 #include <string>
-#include <variant>
 
 namespace conformal {
 
 /// The parsed command line
 struct Command_line {
   Common_options common;
-  std::string command;
-  std::variant<std::monostate, Info_options, Spin_options, Flow_options, Boundary_options,
-               Fit_options, Blend_options, Flatten_options, Curve_options, Harmonic_options,
-               Compare_options, Spectrum_options, Sphere_options>
-      options;
-  std::string answer;  ///< of `--help` and `--version`; then there is nothing else to do
+  std::optional<Command> command;
+  Report options;      ///< those in force
+  std::string answer;  ///< of `--help` and `--version`; then there is no command
 };
 
 /// \throws Failure (usage)

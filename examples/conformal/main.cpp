@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "Failure.h"
 #include "run.h"
+
+#include "conformal/process/Failure.h"
 
 #include <sys/resource.h>
 #include <unistd.h>

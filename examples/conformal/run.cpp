@@ -3,26 +3,15 @@
 #include "run.h"
 
 #include "Command_line.h"
-#include "Failure.h"
-#include "Report_files.h"
-#include "Session.h"
-#include "blend.h"
-#include "boundary.h"
-#include "compare.h"
-#include "curve.h"
-#include "fit.h"
-#include "flatten.h"
-#include "flow.h"
-#include "harmonic.h"
-#include "info.h"
-#include "interruption.h"
-#include "io/Temporary_file.h"
-#include "io/io_errors.h"
 #include "output_names.h"
-#include "spectrum.h"
-#include "sphere.h"
-#include "spin.h"
-#include "threads.h"
+
+#include "conformal/io/file/Temporary_file.h"
+#include "conformal/io/file/io_errors.h"
+#include "conformal/process/Failure.h"
+#include "conformal/process/interruption.h"
+#include "conformal/process/threads.h"
+#include "conformal/report/Report_files.h"
+#include "conformal/report/Session.h"
 
 #include <Conformal_geometry_processing/exceptions.h>
 
@@ -39,12 +28,7 @@ namespace {
 
 const char* const no_memory = "out of memory; try: a coarser mesh";
 
-struct Outcome {
-  Exit_code code = Exit_code::done;
-  std::string error;
-};
-
-Outcome outcome_of(const CGP::Solver_error& error)
+Ending ending_of(const CGP::Solver_error& error)
 {
   if (CGP::is_out_of_memory(error))
     return {Exit_code::out_of_memory, error.message() + "; try: a coarser mesh"};
@@ -52,7 +36,7 @@ Outcome outcome_of(const CGP::Solver_error& error)
           error.message() + "; try: less of a change, or a mesh without slivers"};
 }
 
-Outcome carry_out(const std::function<void()>& work)
+Ending carry_out(const std::function<void()>& work)
 {
   try {
     work();
@@ -64,7 +48,7 @@ Outcome carry_out(const std::function<void()>& work)
   } catch (const Write_error& error) {
     return {Exit_code::unwritable, error.what()};
   } catch (const CGP::Solver_error& error) {
-    return outcome_of(error);
+    return ending_of(error);
   } catch (const CGP::Precondition_error& error) {
     return {Exit_code::unsuitable, error.message()};
   } catch (const std::bad_alloc&) {
@@ -74,37 +58,18 @@ Outcome carry_out(const std::function<void()>& work)
   }
 }
 
-void dispatch(const Command_line& line, Session& session)
-{
-  if (const auto* options = std::get_if<Info_options>(&line.options)) info(*options, session);
-  if (const auto* options = std::get_if<Spin_options>(&line.options)) spin(*options, session);
-  if (const auto* options = std::get_if<Flow_options>(&line.options)) flow(*options, session);
-  if (const auto* options = std::get_if<Boundary_options>(&line.options))
-    boundary(*options, session);
-  if (const auto* options = std::get_if<Fit_options>(&line.options)) fit(*options, session);
-  if (const auto* options = std::get_if<Blend_options>(&line.options)) blend(*options, session);
-  if (const auto* options = std::get_if<Flatten_options>(&line.options)) flatten(*options, session);
-  if (const auto* options = std::get_if<Curve_options>(&line.options)) curve(*options, session);
-  if (const auto* options = std::get_if<Harmonic_options>(&line.options))
-    harmonic(*options, session);
-  if (const auto* options = std::get_if<Spectrum_options>(&line.options))
-    spectrum(*options, session);
-  if (const auto* options = std::get_if<Sphere_options>(&line.options)) sphere(*options, session);
-  if (const auto* options = std::get_if<Compare_options>(&line.options)) compare(*options, session);
-}
-
 // Adds the file name, which errors of the library do not contain.
-void dispatch_with_name(const Command_line& line, Session& session)
+void run_with_name(const Command& command, Session& session)
 {
   try {
-    dispatch(line, session);
+    command.run(session);
   } catch (const CGP::Precondition_error& error) {
     if (session.input().empty()) throw;
     throw unsuitable(session.input(), error.message());
   } catch (const CGP::Solver_error& error) {
     if (session.input().empty()) throw;
-    const Outcome outcome = outcome_of(error);
-    throw Failure(outcome.code, session.input() + ": " + outcome.error);
+    const Ending ending = ending_of(error);
+    throw Failure(ending.code, session.input() + ": " + ending.error);
   }
 }
 
@@ -114,29 +79,45 @@ void flush_output()
     throw Write_error("standard output", "cannot be written");
 }
 
-Outcome run_command(const Command_line& line)
+// Also what a command has told before it failed.
+void print_tables(Session& session)
 {
-  Session session(line.common, line.command);
-  Report_files files;
-  Outcome outcome = carry_out([&] {
-    require_separate_outputs(line);
-    files.open(line.common);
-    dispatch_with_name(line, session);
-    flush_output();
-  });
-  const bool is_interrupted = outcome.code >= Exit_code::interrupted;
-  if (is_interrupted && !session.keeps_report()) return outcome;
-  const Outcome written =
-      carry_out([&] { files.write(session, is_interrupted ? "" : outcome.error); });
-  return outcome.code == Exit_code::done ? written : outcome;
+  const std::string text = session.report().text();
+  if (!session.options().quiet) std::fwrite(text.data(), 1, text.size(), stdout);
+  flush_output();
 }
 
-Outcome parse_and_run(int argc, const char* const* argv)
+bool is_interrupted(const Ending& ending)
+{
+  return ending.code >= Exit_code::interrupted;
+}
+
+Ending run_command(const Command_line& line)
+{
+  Session session(line.common);
+  session.outcome().command = line.command->name;
+  session.report() = line.options;
+  Report_files files;
+  Ending ending = carry_out([&] {
+    require_separate_outputs(line);
+    files.open(line.common);
+    run_with_name(*line.command, session);
+  });
+  const Ending printed = carry_out([&] { print_tables(session); });
+  if (ending.code == Exit_code::done) ending = printed;
+  if (is_interrupted(ending) && !session.keeps_report()) return ending;
+  const Outcome& outcome = session.finished(is_interrupted(ending) ? "" : ending.error);
+  const Ending written = carry_out([&] { files.write(outcome); });
+  if (ending.code == Exit_code::done) ending = written;
+  return ending.code == Exit_code::done ? outcome.ending() : ending;
+}
+
+Ending parse_and_run(int argc, const char* const* argv)
 {
   Command_line line;
-  Outcome outcome = carry_out([&] { line = parse_command_line(argc, argv); });
-  if (outcome.code != Exit_code::done) return outcome;
-  if (line.answer.empty()) {
+  Ending ending = carry_out([&] { line = parse_command_line(argc, argv); });
+  if (ending.code != Exit_code::done) return ending;
+  if (line.command) {
     set_threads(line.common.threads);
     return run_command(line);
   }
@@ -181,10 +162,10 @@ int run(int argc, const char* const* argv)
   listen_to_signals();
   std::set_terminate(on_terminate);
   try {
-    const Outcome outcome = parse_and_run(argc, argv);
-    if (outcome.code != Exit_code::done)
-      std::fprintf(stderr, "conformal: error: %s\n", on_one_line(outcome.error).c_str());
-    return static_cast<int>(outcome.code);
+    const Ending ending = parse_and_run(argc, argv);
+    if (ending.code != Exit_code::done)
+      std::fprintf(stderr, "conformal: error: %s\n", on_one_line(ending.error).c_str());
+    return static_cast<int>(ending.code);
   } catch (const std::bad_alloc&) {  // before, or while, there is an outcome
     return tell_that_memory_is_out();
   }

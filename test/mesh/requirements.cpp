@@ -265,3 +265,17 @@ TEST(Require_genus_zero, counts_handles)
   EXPECT_EQ(complaint(CGP::require_genus_zero, btorus(6)),
             "the surface has genus 1; genus zero is needed");
 }
+
+TEST(Requirements, look_for_defects_that_are_counted)
+{
+  const Mesh_view two = disjoint_union(tetrahedron(), tetrahedron(), {5, 0, 0});
+  const CGP::internal::Defect further = CGP::internal::further_components(two);
+  EXPECT_EQ(further.kind, CGP::internal::Defect::Kind::further_component);
+  EXPECT_EQ(further.count, 1);
+  EXPECT_EQ(further.first, 4);
+  EXPECT_FALSE(CGP::internal::boundary_edges(two));
+  const CGP::internal::Defect flat = CGP::internal::faces_of_area_zero(flat_triangle(0));
+  EXPECT_EQ(flat.count, 1);
+  EXPECT_EQ(flat.first, 0);
+  EXPECT_EQ(CGP::internal::boundary_edges(flat_triangle(1)).count, 3);
+}

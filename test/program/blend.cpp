@@ -1,5 +1,5 @@
-// Tests examples/conformal/blend.cpp examples/conformal/editing_options.cpp
-// Tests examples/conformal/write_result.cpp examples/conformal/deform.cpp
+// Tests examples/conformal/commands/blend.cpp examples/conformal/commands/option_groups.cpp
+// Tests examples/conformal/transform/write_result.cpp examples/conformal/transform/deform.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/bounded_support.h"

@@ -1,12 +1,12 @@
-// Tests examples/conformal/boundary_curves.cpp examples/conformal/Closed_curve.cpp
-// Tests examples/conformal/io/number_rows.cpp
+// Tests examples/conformal/input/boundary_curves.cpp examples/conformal/input/Closed_curve.cpp
+// Tests examples/conformal/io/file/number_rows.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/bounded_support.h"
 
-#include "conformal/Closed_curve.h"
-#include "conformal/boundary_curves.h"
-#include "conformal/io/io_errors.h"
+#include "conformal/input/Closed_curve.h"
+#include "conformal/input/boundary_curves.h"
+#include "conformal/io/file/io_errors.h"
 
 #include <cmath>
 

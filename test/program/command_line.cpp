@@ -1,5 +1,5 @@
-// Tests examples/conformal/Command_line.cpp examples/conformal/run.cpp
-// Tests examples/conformal/versions.cpp
+// Tests examples/conformal/Command_line.cpp examples/conformal/commands/commands.cpp
+// Tests examples/conformal/run.cpp examples/conformal/process/versions.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
@@ -68,7 +68,7 @@ TEST_F(Command_line, outputs_that_cannot_be_written_are_refused_and_leave_nothin
 {
   write("a.off", off(cgp_test::icosphere(1)));
   const std::string spin = "spin a.off --rho-expression x -o ";
-  EXPECT_TRUE(fails(run(spin + "b.stl"), 5, "b.stl"));
+  EXPECT_TRUE(fails(run(spin + "b.xyz"), 5, "b.xyz"));
   EXPECT_TRUE(fails(run(spin + "b"), 5, "extension"));
   EXPECT_TRUE(fails(run(spin + "absent/b.ply"), 5, "absent/b.ply"));
   EXPECT_TRUE(fails(run(spin + "b.ply --json absent/b.json"), 5, "absent/b.json"));

@@ -1,12 +1,12 @@
-// Tests examples/conformal/curve.cpp examples/conformal/curve_report.cpp
-// Tests examples/conformal/Curve_flows.cpp examples/conformal/curve_command_line.cpp
-// Tests examples/conformal/refine_curve.cpp
+// Tests examples/conformal/commands/curve.cpp examples/conformal/curves/curve_report.cpp
+// Tests examples/conformal/curves/Curve_flows.cpp examples/conformal/curves/Pictures.cpp
+// Tests examples/conformal/curves/refine_curve.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
 #include "support/plane_curves.h"
 
-#include "conformal/io/numbers.h"
+#include "conformal/io/file/numbers.h"
 #include "conformal/io/read_plane_curves.h"
 
 #include <nlohmann/json.hpp>

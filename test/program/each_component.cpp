@@ -1,5 +1,5 @@
-// Tests examples/conformal/each_component.cpp examples/conformal/spin_components.cpp
-// Tests examples/conformal/Component_failures.cpp
+// Tests examples/conformal/transform/each_component.cpp examples/conformal/transform/Component.cpp
+// Tests examples/conformal/transform/Component_failures.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
@@ -169,6 +169,44 @@ TEST_F(Each_component, cannot_be_shown_in_snapshots_of_the_whole)
 {
   write("a.off", off(cgp_test::interleaved(parts()).mesh));
   EXPECT_TRUE(fails(run("flow -q a.off --every 1 --each-component -o b.ply"), 2, "--every"));
+}
+
+TEST_F(Each_component, that_fails_stays_as_it_was_if_the_others_are_wanted)
+{
+  const Joined_meshes all = cgp_test::interleaved(parts());
+  write("a.off", off(all.mesh));
+  const std::string each = " -q --each-component --keep-going --json b.json ";
+  EXPECT_TRUE(fails(run("flatten a.off --planar-mesh -o b.ply" + each), 1,
+                    "a.off: 2 of 3 components failed; component 0 (from vertex 0), component 1 "
+                    "(from vertex 1): the surface is closed"));
+  EXPECT_FALSE(json("b.json")["verified"]);
+  EXPECT_EQ(json("b.json")["result"]["verified_components"], 1);
+  EXPECT_EQ(points("b.ply", all.vertices[1]), points("a.off", all.vertices[1]));
+  EXPECT_LT(points("b.ply", all.vertices[2]).row(2).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_TRUE(fails(run("spin a.off --rho-expression x -o c.ply --max-flipped -1" + each), 1,
+                    "3 of 3 components failed"));
+  EXPECT_FALSE(has("c.ply"));
+  EXPECT_TRUE(fails(run("spin a.off --rho-expression x -o c.ply --keep-going"), 2, "--keep-going"));
+}
+
+TEST_F(Each_component, has_boundary_conditions_targets_and_differences_of_its_own)
+{
+  const Joined_meshes all = cgp_test::interleaved(
+      {cgp_test::cap_from_disk(cgp_test::disk(5), 1.5),
+       cgp_test::moved(cgp_test::cap_from_disk(cgp_test::disk(4), 1), {9, 0, 0})});
+  write("a.off", off(all.mesh));
+  const std::string each = " -q --each-component --json b.json --lambda q ";
+  ASSERT_EQ(run("boundary a.off --binormal-tilt 10 -o b.ply" + each).code, 0);
+  EXPECT_EQ(json("b.json")["result"]["verified_components"], 2);
+  ASSERT_EQ(run("boundary a.off --binormals-from b.ply -o c.ply" + each).code, 0);
+  for (const auto& own : json("b.json")["components"])
+    EXPECT_LT(own["result"]["boundary"]["direction_error"]["mean"], 1);
+  ASSERT_EQ(run("fit a.off b.ply -o d.ply" + each).code, 0);
+  for (const auto& own : json("b.json")["components"])
+    EXPECT_LT(own["result"]["distance"]["rms"], .02);
+  ASSERT_EQ(run("blend a.off b.ply --t 0 -o e.ply" + each).code, 0);
+  for (const auto& vertices : all.vertices)
+    EXPECT_LT((points("e.ply", vertices) - points("a.off", vertices)).cwiseAbs().maxCoeff(), .05);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-// Tests examples/conformal/flatten.cpp examples/conformal/flat_image.cpp
+// Tests examples/conformal/commands/flatten.cpp examples/conformal/transform/flat_image.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/bounded_support.h"
 #include "support/spheres.h"
 
-#include "conformal/io/texture_coordinates.h"
+#include "conformal/io/data/texture_coordinates.h"
 
 #include <cmath>
 

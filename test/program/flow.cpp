@@ -1,6 +1,6 @@
-// Tests examples/conformal/flow.cpp examples/conformal/flow_report.cpp
-// Tests examples/conformal/Flow_watch.cpp examples/conformal/run_flow.cpp
-// Tests examples/conformal/Grid.cpp examples/conformal/suitable_surface.cpp
+// Tests examples/conformal/commands/flow.cpp examples/conformal/transform/flow_report.cpp
+// Tests examples/conformal/transform/Flow_watch.cpp examples/conformal/transform/run_flow.cpp
+// Tests examples/conformal/report/Grid.cpp examples/conformal/transform/suitable_surface.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
@@ -256,7 +256,7 @@ TEST_F(Flow, nonsense_is_refused)
         "--steps 2 --filter-weight -1", "--steps 2 --every 0",
         "--steps 2 --filter-weight 1 --filter-order 4", "--steps 2 --balance much", "--steps many"})
     EXPECT_EQ(run("flow a.off -o b.ply " + option).code, 2) << option;
-  EXPECT_TRUE(fails(run("flow a.off --steps 2 -o b.stl"), 5, "b.stl"));
+  EXPECT_TRUE(fails(run("flow a.off --steps 2 -o b.xyz"), 5, "b.xyz"));
 }
 
 TEST_F(Flow, help_tells_about_signals)

@@ -1,6 +1,6 @@
+// Tests examples/conformal/commands/harmonic.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests examples/conformal/harmonic.cpp
 #include "program/support.h"
 #include "support/handlebodies.h"
 #include "support/spheres.h"

@@ -1,18 +1,18 @@
-// Tests examples/conformal/html_report.cpp examples/conformal/Report_files.cpp
-// Tests examples/conformal/conformal_charts.cpp examples/conformal/keep_exhibit.cpp
-// Tests examples/conformal/face_regions.cpp examples/conformal/mesh_piece.cpp
+// Tests examples/conformal/report/html_report.cpp examples/conformal/report/Report_files.cpp
+// Tests examples/conformal/report/conformal_charts.cpp examples/conformal/report/keep_exhibit.cpp
+// Tests examples/conformal/report/face_regions.cpp examples/conformal/report/mesh_piece.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/html_report.h"
+#include "conformal/report/html_report.h"
 
 #include "program/support.h"
 #include "support/spheres.h"
 #include "support/tori.h"
 
-#include "conformal/conformal_charts.h"
-#include "conformal/face_regions.h"
-#include "conformal/io/base64.h"
-#include "conformal/mesh_piece.h"
+#include "conformal/io/file/base64.h"
+#include "conformal/report/conformal_charts.h"
+#include "conformal/report/face_regions.h"
+#include "conformal/report/mesh_piece.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
-// Tests examples/conformal/mend_flat_faces.cpp examples/conformal/Flatness.cpp
-// Tests examples/conformal/Triangle_soup.cpp examples/conformal/corner_rows.h
+// Tests examples/conformal/repair/mend_flat_faces.cpp examples/conformal/repair/Flatness.cpp
+// Tests examples/conformal/repair/Triangle_soup.cpp examples/conformal/repair/corner_rows.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/mend_flat_faces.h"
+#include "conformal/repair/mend_flat_faces.h"
 
-#include "conformal/Defects.h"
+#include "conformal/input/Defects.h"
 #include "program/repair_support.h"
 #include "support/spheres.h"
 

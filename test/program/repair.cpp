@@ -1,13 +1,14 @@
-// Tests examples/conformal/repair.cpp examples/conformal/Corner_fans.cpp
-// Tests examples/conformal/separate_fans.cpp examples/conformal/select_faces.cpp
+// Tests examples/conformal/repair/repair.cpp examples/conformal/repair/Corner_fans.cpp
+// Tests examples/conformal/repair/separate_fans.cpp examples/conformal/repair/select_faces.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/repair.h"
+#include "conformal/repair/repair.h"
 
-#include "conformal/Defects.h"
-#include "conformal/Failure.h"
-#include "conformal/info.h"
-#include "conformal/io/io_errors.h"
+#include "conformal/input/Defects.h"
+#include "conformal/io/file/io_errors.h"
+#include "conformal/process/Failure.h"
+#include "conformal/report/Outcome.h"
+#include "conformal/report/report_input.h"
 #include "program/repair_support.h"
 #include "program/support.h"
 #include "support/spheres.h"
@@ -118,9 +119,9 @@ TEST(Repair, is_reported_with_numbers_that_are_integers)
 {
   Repaired r = repaired(off_of(corners_of_a_fan, {{0, 3, 1}, {0, 3, 2}, {3, 0, 4}}));
   r.input.repair = r.done;
-  Report report;
-  report_input(r.input, report);
-  const auto json = nlohmann::json::parse(to_json(report))["input"]["repair"];
+  Outcome outcome;
+  report_input(r.input, outcome.report);
+  const auto json = nlohmann::json::parse(to_json(outcome))["input"]["repair"];
   for (const char* name : {"new_vertex", "new_face", "vertex_in_file", "face_in_file"}) {
     EXPECT_GT(json[name].size(), 0u) << name;
     for (const auto& number : json[name]) EXPECT_TRUE(number.is_number_integer()) << name;

@@ -1,9 +1,9 @@
-// Tests examples/conformal/repair_alike.cpp examples/conformal/same_faces.cpp
+// Tests examples/conformal/repair/repair_alike.cpp examples/conformal/input/same_faces.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/repair_alike.h"
+#include "conformal/repair/repair_alike.h"
 
-#include "conformal/Failure.h"
+#include "conformal/process/Failure.h"
 #include "program/bounded_support.h"
 #include "program/repair_support.h"
 #include "support/spheres.h"

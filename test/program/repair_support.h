@@ -3,10 +3,10 @@
 #ifndef TEST_PROGRAM_REPAIR_SUPPORT_H
 #define TEST_PROGRAM_REPAIR_SUPPORT_H
 
-#include "conformal/Surface_input.h"
-#include "conformal/io/numbers.h"
+#include "conformal/input/Surface_input.h"
+#include "conformal/io/file/numbers.h"
 #include "conformal/io/read_surface.h"
-#include "conformal/repair.h"
+#include "conformal/repair/repair.h"
 
 #include <string>
 #include <utility>

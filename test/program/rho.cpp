@@ -1,18 +1,18 @@
-// Tests examples/conformal/rho.cpp examples/conformal/rho_from_values.cpp
-// Tests examples/conformal/rho_from_image.cpp examples/conformal/Expression.cpp
-// Tests examples/conformal/read_gray_image.cpp examples/conformal/filter_rho.cpp
+// Tests examples/conformal/input/rho.cpp examples/conformal/input/rho_from_values.cpp
+// Tests examples/conformal/input/rho_from_image.cpp examples/conformal/input/Expression.cpp
+// Tests examples/conformal/input/read_gray_image.cpp examples/conformal/input/filter_rho.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/rho.h"
+#include "conformal/input/rho.h"
 
 #include "program/support.h"
 #include "support/meshes.h"
 #include "support/spheres.h"
 
-#include "conformal/Expression.h"
-#include "conformal/Failure.h"
+#include "conformal/input/Expression.h"
+#include "conformal/input/read_gray_image.h"
 #include "conformal/io/read_surface.h"
-#include "conformal/read_gray_image.h"
+#include "conformal/process/Failure.h"
 
 #include <cmath>
 

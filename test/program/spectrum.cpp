@@ -1,7 +1,7 @@
+// Tests examples/conformal/commands/spectrum.cpp examples/conformal/commands/sphere.cpp
+// Tests examples/conformal/commands/option_checks.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests examples/conformal/spectrum.cpp, examples/conformal/sphere.cpp
-// Tests examples/conformal/spectrum_command_line.cpp
 #include "program/support.h"
 #include "support/bounded_meshes.h"
 #include "support/spheres.h"

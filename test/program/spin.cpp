@@ -1,5 +1,6 @@
-// Tests examples/conformal/spin.cpp examples/conformal/write_result.cpp
-// Tests examples/conformal/verification.cpp examples/conformal/solve_spin.cpp
+// Tests examples/conformal/commands/spin.cpp examples/conformal/transform/write_result.cpp
+// Tests examples/conformal/report/verification.cpp examples/conformal/report/certificate.cpp
+// Tests examples/conformal/transform/solve_spin.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"

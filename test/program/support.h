@@ -3,7 +3,7 @@
 #ifndef TEST_PROGRAM_SUPPORT_H
 #define TEST_PROGRAM_SUPPORT_H
 
-#include "conformal/io/numbers.h"
+#include "conformal/io/file/numbers.h"
 #include "support/Temporary_folder.h"
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>

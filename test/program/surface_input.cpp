@@ -1,10 +1,10 @@
-// Tests examples/conformal/Surface_input.cpp examples/conformal/orientation.cpp
-// Tests examples/conformal/triangulation.cpp
+// Tests examples/conformal/input/Surface_input.cpp examples/conformal/repair/orientation.cpp
+// Tests examples/conformal/repair/triangulation.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/Surface_input.h"
+#include "conformal/input/Surface_input.h"
 
-#include "conformal/triangulation.h"
+#include "conformal/repair/triangulation.h"
 #include "program/support.h"
 #include "support/spheres.h"
 

@@ -1,4 +1,4 @@
-// Tests examples/conformal/threads.cpp
+// Tests examples/conformal/process/threads.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"

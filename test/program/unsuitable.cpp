@@ -1,5 +1,5 @@
-// Tests examples/conformal/Defects.cpp examples/conformal/info.cpp
-// Tests examples/conformal/Shape.cpp
+// Tests examples/conformal/input/Defects.cpp examples/conformal/commands/info.cpp
+// Tests examples/conformal/report/Shape.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""A header includes its own folder or lower layers, never a folder beside it."""
+"""A file includes its own folder or lower layers, never a folder beside it: the headers of the
+library, and the files of the program."""
 
 import sources
 
@@ -13,6 +14,19 @@ LEVEL = {
     "spin": 5,
     "flow": 6, "parameterization": 6, "surfaces": 6, "curves": 6,
     "core": 7,
+}
+PROGRAM = "conformal"
+PROGRAM_LEVEL = {
+    "io/file": 1,
+    "io/data": 2, "process": 2,
+    "io/csv": 3, "io/glb": 3, "io/obj": 3, "io/off": 3, "io/ply": 3, "io/stl": 3, "io/svg": 3,
+    "io": 4,
+    "repair": 5,
+    "input": 6,
+    "report": 7,
+    "curves": 8, "transform": 8,
+    "commands": 9,
+    ".": 10,
 }
 BASE = {"config.h", "exceptions.h", "version.h"}
 ENTRY_POINTS = 8
@@ -26,24 +40,37 @@ def place(header):
     return folder, LEVEL.get(folder)
 
 
+def program_place(path):
+    folder = path.parent.as_posix()
+    return folder, PROGRAM_LEVEL.get(folder)
+
+
+def of_file(root, file, prefix, place_of):
+    """The complaints about one file; names in <> or "" begin with the prefix, or are beside it."""
+    folder, level = place_of(file)
+    if level is None:
+        yield f"{file}: the folder {folder} has no layer; see check_layers.py"
+        return
+    for line, name in sources.includes(root / file):
+        first, _, rest = name.partition("/")
+        if first != prefix:
+            continue
+        other = sources.pathlib.PurePath(rest)
+        other_folder, other_level = place_of(other)
+        if not (root / other).exists():
+            yield f"{file}:{line}: includes {rest}, which does not exist"
+        elif other_folder != folder and (other_level is None or other_level >= level):
+            yield (f"{file}:{line}: layer {level} ({folder}) includes {rest} "
+                   f"of layer {other_level} ({other_folder})")
+
+
 def complaints():
     for header in sources.headers():
-        folder, level = place(header)
-        if level is None:
-            yield f"{header}: the folder {folder} has no layer; see LEVEL in check_layers.py"
-            continue
-        for line, name in sources.includes(sources.INCLUDE / header):
-            prefix, _, rest = name.partition("/")
-            if prefix != sources.LIBRARY:
-                continue
-            other = sources.pathlib.PurePath(rest)
-            other_folder, other_level = place(other)
-            if not (sources.INCLUDE / other).exists():
-                yield f"{header}:{line}: includes {rest}, which does not exist"
-            elif other_folder != folder and (other_level is None or other_level >= level):
-                yield (f"{header}:{line}: layer {level} ({folder}) includes {rest} "
-                       f"of layer {other_level} ({other_folder})")
+        yield from of_file(sources.INCLUDE, header, sources.LIBRARY, place)
+    for file in sources.program():
+        yield from of_file(sources.PROGRAM, file, PROGRAM, program_place)
 
 
 if __name__ == "__main__":
-    sources.finish(list(complaints()), f"the layers of {len(sources.headers())} headers")
+    sources.finish(list(complaints()), f"the layers of {len(sources.headers())} headers and {len(sources.program())} "
+                   "files of the program")

@@ -3,16 +3,16 @@
 #ifndef TEST_TOOLS_FUZZ_READING_H
 #define TEST_TOOLS_FUZZ_READING_H
 
-#include "conformal/io/io_errors.h"
-#include "conformal/io/read_obj.h"
-#include "conformal/io/read_off.h"
-#include "conformal/io/read_ply.h"
-#include "conformal/io/read_stl.h"
+#include "conformal/io/file/io_errors.h"
+#include "conformal/io/glb/write_glb.h"
+#include "conformal/io/obj/read_obj.h"
+#include "conformal/io/obj/write_obj.h"
+#include "conformal/io/off/read_off.h"
+#include "conformal/io/off/write_off.h"
+#include "conformal/io/ply/read_ply.h"
+#include "conformal/io/ply/write_ply.h"
 #include "conformal/io/read_surface.h"
-#include "conformal/io/write_glb.h"
-#include "conformal/io/write_obj.h"
-#include "conformal/io/write_off.h"
-#include "conformal/io/write_ply.h"
+#include "conformal/io/stl/read_stl.h"
 #include "fuzz_trials.h"
 
 #include <cmath>

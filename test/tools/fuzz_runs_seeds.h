@@ -3,9 +3,9 @@
 #ifndef TEST_TOOLS_FUZZ_RUNS_SEEDS_H
 #define TEST_TOOLS_FUZZ_RUNS_SEEDS_H
 
-#include "conformal/io/write_obj.h"
-#include "conformal/io/write_off.h"
-#include "conformal/io/write_ply.h"
+#include "conformal/io/obj/write_obj.h"
+#include "conformal/io/off/write_off.h"
+#include "conformal/io/ply/write_ply.h"
 #include "fuzz_readers_seeds.h"
 #include "support/meshes.h"
 

@@ -9,6 +9,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIBRARY = "Conformal_geometry_processing"
 INCLUDE = ROOT / "include" / LIBRARY
+PROGRAM = ROOT / "examples" / "conformal"
 FOLDERS = ("include", "test", "examples", "benchmark", "doc")
 
 # The only headers that may reach CGAL's GPL parts: one per mesh type, the method for CGAL's package
@@ -40,6 +41,12 @@ def files(*suffixes):
     found = (path for folder in FOLDERS for path in (ROOT / folder).rglob("*"))
     return sorted(path.relative_to(ROOT) for path in found
                   if path.is_file() and path.suffix in suffixes)
+
+
+def program():
+    """The sources of the command-line program, as paths below examples/conformal."""
+    return sorted(path.relative_to(PROGRAM) for path in PROGRAM.rglob("*")
+                  if path.suffix in (".h", ".cpp"))
 
 
 def includes(path):

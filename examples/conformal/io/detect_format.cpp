@@ -2,81 +2,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "detect_format.h"
 
-#include "io_errors.h"
-#include "numbers.h"
-#include "read_stl.h"
+#include "conformal/io/file/checked_bytes.h"
+#include "conformal/io/file/io_errors.h"
+#include "conformal/io/file/numbers.h"
+#include "conformal/io/off/read_off.h"
+#include "conformal/io/stl/read_stl.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace conformal {
 namespace {
 
 using namespace std::string_view_literals;
-
-bool starts_with(std::string_view text, std::string_view prefix)
-{
-  return text.substr(0, prefix.size()) == prefix;
-}
-
-std::string lower(std::string_view text)
-{
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
-// the text from its first word on, blank lines and comments skipped
-std::string_view first_words(std::string_view text)
-{
-  for (;;) {
-    const std::size_t begin = text.find_first_not_of(" \t\v\f\r\n");
-    if (begin == std::string_view::npos) return {};
-    text.remove_prefix(begin);
-    if (text[0] != '#') return text;
-    const std::size_t end = text.find_first_of("\r\n");
-    if (end == std::string_view::npos) return {};
-    text.remove_prefix(end);
-  }
-}
-
-std::string_view first_word(std::string_view text)
-{
-  text = first_words(text);
-  return text.substr(0, text.find_first_of(" \t\v\f\r\n"));
-}
-
-struct Signature {
-  std::string_view bytes;
-  const char* message;
-};
-
-constexpr std::array<Signature, 11> not_meshes = {{
-    {"\x1f\x8b"sv, "is compressed with gzip, wanted the unpacked file (gunzip it)"},
-    {"PK\x03\x04"sv, "is a ZIP archive, wanted the unpacked file (unzip it)"},
-    {"BZh"sv, "is compressed with bzip2, wanted the unpacked file (bunzip2 it)"},
-    {"\xfd"
-     "7zXZ"sv,
-     "is compressed with xz, wanted the unpacked file (unxz it)"},
-    {"\x28\xb5\x2f\xfd"sv, "is compressed with zstd, wanted the unpacked file (unzstd it)"},
-    {"7z\xbc\xaf\x27\x1c"sv, "is a 7z archive, wanted the unpacked file"},
-    {"\xff\xfe"sv, "is UTF-16 text, wanted UTF-8 or ASCII (convert it with iconv)"},
-    {"\xfe\xff"sv, "is UTF-16 text, wanted UTF-8 or ASCII (convert it with iconv)"},
-    {"glTF"sv, "is a GLB file, which is only written; wanted OFF, OBJ, PLY or STL"},
-    {"\x89PNG"sv, "is a picture (PNG), wanted OFF, OBJ, PLY or STL"},
-    {"%PDF"sv, "is a PDF document, wanted OFF, OBJ, PLY or STL"},
-}};
-
-void refuse_markup(std::string_view bytes, const std::string& path)
-{
-  const std::string word = lower(first_word(bytes.substr(0, 4096)));
-  if (word.empty() || word[0] != '<') return;
-  const bool is_html = starts_with(word, "<!doctype") || starts_with(word, "<html");
-  throw Read_error(path, 0,
-                   std::string(is_html ? "is an HTML page" : "is an XML document") +
-                       ", wanted OFF, OBJ, PLY or STL");
-}
 
 bool is_obj_keyword(std::string_view word)
 {
@@ -108,25 +46,9 @@ const char* name_of(File_format format)
   return names[static_cast<std::size_t>(format)];
 }
 
-std::size_t length_of_off_keyword(std::string_view text)
-{
-  std::size_t length = 0;
-  for (const std::string_view part : {"ST"sv, "C"sv, "N"sv, "4"sv, "n"sv})
-    if (starts_with(text.substr(length), part)) length += part.size();
-  return starts_with(text.substr(length), "OFF") ? length + 3 : 0;
-}
-
-std::string_view checked_bytes(std::string_view bytes, const std::string& path)
-{
-  for (const Signature& signature : not_meshes)
-    if (starts_with(bytes, signature.bytes)) throw Read_error(path, 0, signature.message);
-  if (starts_with(bytes, "\xef\xbb\xbf")) bytes.remove_prefix(3);
-  refuse_markup(bytes, path);
-  return bytes;
-}
-
 File_format detect_format(std::string_view bytes, const std::string& path)
 {
+  if (starts_with(bytes, "glTF")) return File_format::glb;
   bytes = checked_bytes(bytes, path);
   const std::string_view word = first_word(bytes);
   if (bytes.substr(0, 3) == "ply" && word == "ply") return File_format::ply;

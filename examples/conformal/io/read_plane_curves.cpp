@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "read_plane_curves.h"
 
-#include "io_errors.h"
-#include "read_bytes.h"
-#include "read_curve_rows.h"
-#include "read_svg.h"
+#include "conformal/io/csv/read_curve_rows.h"
+#include "conformal/io/file/io_errors.h"
+#include "conformal/io/file/read_bytes.h"
+#include "conformal/io/svg/read_svg.h"
 
 #include <algorithm>
 #include <cctype>

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_IO_READ_PLANE_CURVES_H
 #define CONFORMAL_IO_READ_PLANE_CURVES_H
 
-#include "Plane_curve.h"
+#include "conformal/io/data/Plane_curve.h"
 
 #include <string>
 #include <vector>

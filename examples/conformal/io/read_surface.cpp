@@ -3,11 +3,13 @@
 #include "read_surface.h"
 
 #include "detect_format.h"
-#include "read_bytes.h"
-#include "read_obj.h"
-#include "read_off.h"
-#include "read_ply.h"
-#include "read_stl.h"
+
+#include "conformal/io/file/read_bytes.h"
+#include "conformal/io/glb/read_glb.h"
+#include "conformal/io/obj/read_obj.h"
+#include "conformal/io/off/read_off.h"
+#include "conformal/io/ply/read_ply.h"
+#include "conformal/io/stl/read_stl.h"
 
 namespace conformal {
 
@@ -20,8 +22,10 @@ Surface_file parse_surface(std::string_view bytes, const std::string& path, Bad_
       return parse_obj(bytes, path, bad_faces);
     case File_format::ply:
       return parse_ply(bytes, path, bad_faces);
+    case File_format::glb:
+      return parse_glb(bytes, path, bad_faces);
     default:
-      return parse_stl(bytes, path, bad_faces);  // GLB is refused by name
+      return parse_stl(bytes, path, bad_faces);
   }
 }
 

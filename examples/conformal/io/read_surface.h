@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_IO_READ_SURFACE_H
 #define CONFORMAL_IO_READ_SURFACE_H
 
-#include "Surface_file.h"
+#include "conformal/io/data/Surface_file.h"
 
 #include <string>
 #include <string_view>

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "write_plane_curves.h"
 
-#include "Temporary_file.h"
-#include "io_errors.h"
-#include "numbers.h"
 #include "read_plane_curves.h"
+
+#include "conformal/io/file/Temporary_file.h"
+#include "conformal/io/file/io_errors.h"
+#include "conformal/io/file/numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -3,20 +3,21 @@
 #include "write_surface.h"
 
 #include "detect_format.h"
-#include "io_errors.h"
-#include "write_glb.h"
-#include "write_obj.h"
-#include "write_off.h"
-#include "write_ply.h"
+
+#include "conformal/io/file/io_errors.h"
+#include "conformal/io/glb/write_glb.h"
+#include "conformal/io/obj/write_obj.h"
+#include "conformal/io/off/write_off.h"
+#include "conformal/io/ply/write_ply.h"
+#include "conformal/io/stl/write_stl.h"
 
 namespace conformal {
 
 File_format output_format(const std::string& path)
 {
   const auto format = format_of_extension(path);
-  if (!format) throw Write_error(path, "has no known extension, wanted .ply, .off, .obj or .glb");
-  if (*format == File_format::stl)
-    throw Write_error(path, "STL cannot keep vertices or colours, wanted .ply, .off, .obj or .glb");
+  if (!format)
+    throw Write_error(path, "has no known extension, wanted .ply, .off, .obj, .glb or .stl");
   return *format;
 }
 
@@ -29,6 +30,8 @@ std::vector<std::string> write_surface(const std::string& path, const Surface_fi
       return write_obj(path, file);
     case File_format::glb:
       return write_glb(path, file);
+    case File_format::stl:
+      return write_stl(path, file);
     default:
       return write_ply(path, file);
   }

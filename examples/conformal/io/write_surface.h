@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_IO_WRITE_SURFACE_H
 #define CONFORMAL_IO_WRITE_SURFACE_H
 
-#include "Surface_file.h"
+#include "conformal/io/data/Surface_file.h"
 
 #include <string>
 #include <vector>

@@ -28,6 +28,44 @@ std::string name_of_edge(const Mesh_view& mesh, int k);
 /// Returns "1 face of area zero", "3 faces of area zero" for what = "#face of area zero"
 std::string counted(int count, std::string what);
 
+/// The elements that violate a requirement
+struct Defect {
+  enum class Kind {
+    vertex_out_of_range,  ///< of coordinates
+    non_manifold_edge,
+    edge_of_opposed_faces,
+    non_manifold_vertex,
+    face_of_area_zero,
+    further_component,  ///< named by its first vertex
+    boundary_edge
+  };
+
+  Kind kind;
+  int count = 0;   ///< none: the requirement holds
+  int first = -1;  ///< index of the first one
+
+  explicit operator bool() const { return count > 0; }
+};
+
+/// Counts the i in [0, n) with `is_bad(i)`
+template <class Is_bad>
+Defect find_defect(Defect::Kind kind, int n, Is_bad is_bad)
+{
+  Defect defect{kind};
+  for (int i = 0; i < n; ++i)
+    if (is_bad(i) && defect.count++ == 0) defect.first = i;
+  return defect;
+}
+
+// What the requirements below look for.
+Defect non_finite_vertices(const Mesh_view& mesh);
+Defect non_manifold_edges(const Mesh_view& mesh);
+Defect edges_of_opposed_faces(const Mesh_view& mesh);
+Defect non_manifold_vertices(const Mesh_view& mesh);
+Defect faces_of_area_zero(const Mesh_view& mesh);
+Defect further_components(const Mesh_view& mesh);
+Defect boundary_edges(const Mesh_view& mesh);
+
 /// Throws if `is_bad(i)` for an i in [0, n): "3 faces of area zero, the first is face 7 (...)"
 /// \param what has a # before the noun to be put in the plural
 template <class Is_bad, class Name_of>

@@ -45,6 +45,99 @@ CGP_INLINE std::string name_of_vertex(int v)
   return "vertex " + std::to_string(v);
 }
 
+CGP_INLINE Defect non_finite_vertices(const Mesh_view& mesh)
+{
+  return find_defect(Defect::Kind::vertex_out_of_range, mesh.size_of_vertices(),
+                     [&](int v) { return !mesh.position(v).allFinite(); });
+}
+
+CGP_INLINE Defect non_manifold_edges(const Mesh_view& mesh)
+{
+  return find_defect(Defect::Kind::non_manifold_edge, mesh.size_of_edges(),
+                     [&](int k) { return mesh.halfedges_end(k) - mesh.halfedges_begin(k) > 2; });
+}
+
+CGP_INLINE Defect edges_of_opposed_faces(const Mesh_view& mesh)
+{
+  return find_defect(Defect::Kind::edge_of_opposed_faces, mesh.size_of_edges(), [&](int k) {
+    const int* h = mesh.halfedges_begin(k);
+    return mesh.halfedges_end(k) - h == 2 && mesh.from(h[0]) == mesh.from(h[1]);
+  });
+}
+
+CGP_INLINE Defect non_manifold_vertices(const Mesh_view& mesh)
+{
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  std::vector<int> corners(at(mesh.size_of_vertices()), 0), start(corners.size(), -1);
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h) {
+    const int v = mesh.from(h);
+    ++corners[at(v)];
+    if (start[at(v)] < 0 || mesh.twin(h) < 0) start[at(v)] = h;
+  }
+  // Walks counter-clockwise from `start`, the halfedge out of v without a face on its right if
+  // there is one: the fan is complete if the walk visits as many faces as v has corners.
+  return find_defect(Defect::Kind::non_manifold_vertex, mesh.size_of_vertices(), [&](int v) {
+    int met = 0;
+    for (int h = start[at(v)]; h >= 0;) {
+      ++met;
+      h = mesh.twin(Mesh_view::previous_in_face(h));
+      if (h == start[at(v)]) break;
+    }
+    return met != corners[at(v)];
+  });
+}
+
+CGP_INLINE Defect faces_of_area_zero(const Mesh_view& mesh)
+{
+  return find_defect(Defect::Kind::face_of_area_zero, mesh.size_of_faces(),
+                     [&](int f) { return has_area_zero(mesh, f); });
+}
+
+CGP_INLINE Defect further_components(const Mesh_view& mesh)
+{
+  // Components are numbered in the order of their first vertices.
+  const std::vector<int> component = connected_components(mesh);
+  int known = 1;
+  return find_defect(Defect::Kind::further_component, mesh.size_of_vertices(), [&](int v) {
+    const bool is_first = component[static_cast<std::size_t>(v)] == known;
+    known += is_first;
+    return is_first;
+  });
+}
+
+CGP_INLINE Defect boundary_edges(const Mesh_view& mesh)
+{
+  return find_defect(Defect::Kind::boundary_edge, mesh.size_of_edges(),
+                     [&](int k) { return mesh.halfedges_end(k) - mesh.halfedges_begin(k) == 1; });
+}
+
+/// Returns the name of element i of the kind
+inline std::string name_of(Defect::Kind kind, const Mesh_view& mesh, int i)
+{
+  using Kind = Defect::Kind;
+  switch (kind) {
+    case Kind::face_of_area_zero:
+      return name_of_face(mesh, i);
+    case Kind::non_manifold_edge:
+    case Kind::edge_of_opposed_faces:
+    case Kind::boundary_edge:
+      return name_of_edge(mesh, i);
+    default:
+      return name_of_vertex(i);
+  }
+}
+
+/// Throws if there is a defect
+/// \param what see `counted()`
+inline void refuse(const Defect& defect, const Mesh_view& mesh, const std::string& function,
+                   const std::string& what, const std::string& advice)
+{
+  if (defect)
+    throw Precondition_error(function, counted(defect.count, what) + ", the first is " +
+                                           name_of(defect.kind, mesh, defect.first) + "; " +
+                                           advice);
+}
+
 }  // namespace internal
 
 CGP_INLINE void require_not_empty(const Mesh_view& mesh, const std::string& function)
@@ -54,10 +147,8 @@ CGP_INLINE void require_not_empty(const Mesh_view& mesh, const std::string& func
 
 CGP_INLINE void require_finite_positions(const Mesh_view& mesh, const std::string& function)
 {
-  internal::refuse_if_any(
-      mesh.size_of_vertices(), [&](int v) { return !mesh.position(v).allFinite(); },
-      internal::name_of_vertex, function, "#vertex with a coordinate that is not finite",
-      "finite coordinates are needed");
+  internal::refuse(internal::non_finite_vertices(mesh), mesh, function,
+                   "#vertex with a coordinate that is not finite", "finite coordinates are needed");
 }
 
 CGP_INLINE void require_no_isolated_vertices(const Mesh_view& mesh, const std::string& function)
@@ -84,45 +175,17 @@ CGP_INLINE void require_distinct_corners(const Mesh_view& mesh, const std::strin
 
 CGP_INLINE void require_manifold_edges(const Mesh_view& mesh, const std::string& function)
 {
-  const auto name = [&](int k) { return internal::name_of_edge(mesh, k); };
-  internal::refuse_if_any(
-      mesh.size_of_edges(),
-      [&](int k) { return mesh.halfedges_end(k) - mesh.halfedges_begin(k) > 2; }, name, function,
-      "non-manifold #edge (more than two faces)", "a manifold is needed");
-  internal::refuse_if_any(
-      mesh.size_of_edges(),
-      [&](int k) {
-        const int* h = mesh.halfedges_begin(k);
-        return mesh.halfedges_end(k) - h == 2 && mesh.from(h[0]) == mesh.from(h[1]);
-      },
-      name, function, "#edge whose two faces are oriented against each other",
-      "a consistent orientation is needed");
+  internal::refuse(internal::non_manifold_edges(mesh), mesh, function,
+                   "non-manifold #edge (more than two faces)", "a manifold is needed");
+  internal::refuse(internal::edges_of_opposed_faces(mesh), mesh, function,
+                   "#edge whose two faces are oriented against each other",
+                   "a consistent orientation is needed");
 }
 
 CGP_INLINE void require_manifold_vertices(const Mesh_view& mesh, const std::string& function)
 {
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  std::vector<int> corners(at(mesh.size_of_vertices()), 0), start(corners.size(), -1);
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h) {
-    const int v = mesh.from(h);
-    ++corners[at(v)];
-    if (start[at(v)] < 0 || mesh.twin(h) < 0) start[at(v)] = h;
-  }
-  // Walks counter-clockwise from `start`, the halfedge out of v without a face on its right if
-  // there is one: the fan is complete if the walk visits as many faces as v has corners.
-  internal::refuse_if_any(
-      mesh.size_of_vertices(),
-      [&](int v) {
-        int met = 0;
-        for (int h = start[at(v)]; h >= 0;) {
-          ++met;
-          h = mesh.twin(Mesh_view::previous_in_face(h));
-          if (h == start[at(v)]) break;
-        }
-        return met != corners[at(v)];
-      },
-      internal::name_of_vertex, function, "non-manifold #vertex (several fans of faces)",
-      "a manifold is needed");
+  internal::refuse(internal::non_manifold_vertices(mesh), mesh, function,
+                   "non-manifold #vertex (several fans of faces)", "a manifold is needed");
 }
 
 CGP_INLINE bool has_area_zero(const Mesh_view& mesh, int f)
@@ -139,41 +202,30 @@ CGP_INLINE bool has_area_zero(const Mesh_view& mesh, int f)
 
 CGP_INLINE void require_positive_areas(const Mesh_view& mesh, const std::string& function)
 {
-  internal::refuse_if_any(
-      mesh.size_of_faces(), [&](int f) { return has_area_zero(mesh, f); },
-      [&](int f) { return internal::name_of_face(mesh, f); }, function, "#face of area zero",
-      "remove or repair them first");
+  internal::refuse(internal::faces_of_area_zero(mesh), mesh, function, "#face of area zero",
+                   "remove or repair them first");
 }
 
 CGP_INLINE void require_some_area(const Mesh_view& mesh, const std::string& function)
 {
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    if (!has_area_zero(mesh, f)) return;
-  throw Precondition_error(function, "all faces have area zero; a surface is needed");
+  if (internal::faces_of_area_zero(mesh).count == mesh.size_of_faces())
+    throw Precondition_error(function, "all faces have area zero; a surface is needed");
 }
 
 CGP_INLINE void require_connected(const Mesh_view& mesh, const std::string& function)
 {
-  const std::vector<int> component = connected_components(mesh);
-  int count = 0, second = -1;
-  for (std::size_t v = 0; v < component.size(); ++v) {
-    if (component[v] == 1 && second < 0) second = static_cast<int>(v);
-    count = (std::max)(count, component[v] + 1);
-  }
-  if (count > 1)
-    throw Precondition_error(function, "the mesh has " + std::to_string(count) +
+  const internal::Defect further = internal::further_components(mesh);
+  if (further)
+    throw Precondition_error(function, "the mesh has " + std::to_string(further.count + 1) +
                                            " components, the second begins at vertex " +
-                                           std::to_string(second) +
+                                           std::to_string(further.first) +
                                            "; one component is needed, transform each alone");
 }
 
 CGP_INLINE void require_closed(const Mesh_view& mesh, const std::string& function)
 {
-  internal::refuse_if_any(
-      mesh.size_of_edges(),
-      [&](int k) { return mesh.halfedges_end(k) - mesh.halfedges_begin(k) == 1; },
-      [&](int k) { return internal::name_of_edge(mesh, k); }, function, "boundary #edge",
-      "a closed surface is needed");
+  internal::refuse(internal::boundary_edges(mesh), mesh, function, "boundary #edge",
+                   "a closed surface is needed");
 }
 
 CGP_INLINE void require_genus_zero(const Mesh_view& mesh, const std::string& function)

@@ -3,7 +3,7 @@
 #ifndef TEST_PROGRAM_IO_CURVE_SUPPORT_H
 #define TEST_PROGRAM_IO_CURVE_SUPPORT_H
 
-#include "conformal/io/Plane_curve.h"
+#include "conformal/io/data/Plane_curve.h"
 
 #include <gtest/gtest.h>
 

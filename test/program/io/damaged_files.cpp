@@ -1,5 +1,5 @@
-// Tests examples/conformal/io/read_off.cpp examples/conformal/io/read_obj.cpp
-// Tests examples/conformal/io/read_ply.cpp examples/conformal/io/read_stl.cpp
+// Tests examples/conformal/io/off/read_off.cpp examples/conformal/io/obj/read_obj.cpp
+// Tests examples/conformal/io/ply/read_ply.cpp examples/conformal/io/stl/read_stl.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/io/io_support.h"

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "conformal/io/Surface_file.h"
-#include "conformal/io/io_errors.h"
+#include "conformal/io/data/Surface_file.h"
+#include "conformal/io/file/io_errors.h"
 #include "support/Temporary_folder.h"
 
 namespace io_test {

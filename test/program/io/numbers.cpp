@@ -1,7 +1,7 @@
-// Tests examples/conformal/io/numbers.cpp
+// Tests examples/conformal/io/file/numbers.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/io/numbers.h"
+#include "conformal/io/file/numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Tests examples/conformal/io/Property.cpp
+// Tests examples/conformal/io/data/Property.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/io/Property.h"
+#include "conformal/io/data/Property.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Tests examples/conformal/io/read_obj.cpp
+// Tests examples/conformal/io/obj/read_obj.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/io/read_obj.h"
+#include "conformal/io/obj/read_obj.h"
 
 #include "program/io/io_support.h"
 

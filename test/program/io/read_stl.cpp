@@ -1,7 +1,7 @@
-// Tests examples/conformal/io/read_stl.cpp
+// Tests examples/conformal/io/stl/read_stl.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/io/read_stl.h"
+#include "conformal/io/stl/read_stl.h"
 
 #include "program/io/io_support.h"
 #include "tools/fuzz_readers_seeds.h"

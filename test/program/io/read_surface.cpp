@@ -1,5 +1,5 @@
 // Tests examples/conformal/io/read_surface.cpp examples/conformal/io/detect_format.cpp
-// Tests examples/conformal/io/read_bytes.cpp
+// Tests examples/conformal/io/file/read_bytes.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/read_surface.h"
@@ -63,7 +63,7 @@ TEST(Read_surface, names_what_is_no_mesh)
       {"\n<!DOCTYPE html>", "a: is an HTML page, wanted OFF, OBJ, PLY or STL"},
       {"<html>", "a: is an HTML page, wanted OFF, OBJ, PLY or STL"},
       {"<?xml version='1.0'?>", "a: is an XML document, wanted OFF, OBJ, PLY or STL"},
-      {"glTF\2", "a: is a GLB file, which is only written; wanted OFF, OBJ, PLY or STL"},
+      {"glTF\2", "a: is not a GLB file of version 2"},
       {"\x89PNG", "a: is a picture (PNG), wanted OFF, OBJ, PLY or STL"},
       {"%PDF-1.4", "a: is a PDF document, wanted OFF, OBJ, PLY or STL"},
       {"hello", "a: is of no known format: it begins with 'hello', wanted OFF, OBJ, PLY or STL"}};

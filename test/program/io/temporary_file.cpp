@@ -1,7 +1,7 @@
-// Tests examples/conformal/io/Temporary_file.cpp
+// Tests examples/conformal/io/file/Temporary_file.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/io/Temporary_file.h"
+#include "conformal/io/file/Temporary_file.h"
 
 #include "program/io/io_support.h"
 

@@ -1,10 +1,11 @@
-// Tests examples/conformal/io/texture_coordinates.cpp examples/conformal/io/Surface_file.cpp
+// Tests examples/conformal/io/data/texture_coordinates.cpp
+// Tests examples/conformal/io/data/Surface_file.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/io/texture_coordinates.h"
+#include "conformal/io/data/texture_coordinates.h"
 
-#include "conformal/io/read_obj.h"
-#include "conformal/io/read_ply.h"
+#include "conformal/io/obj/read_obj.h"
+#include "conformal/io/ply/read_ply.h"
 #include "program/io/io_support.h"
 #include "tools/fuzz_readers_seeds.h"
 

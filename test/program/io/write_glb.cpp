@@ -1,14 +1,14 @@
-// Tests examples/conformal/io/write_glb.cpp examples/conformal/io/Glb_mesh.cpp
-// Tests examples/conformal/io/checkerboard.cpp
+// Tests examples/conformal/io/glb/write_glb.cpp examples/conformal/io/glb/Glb_mesh.cpp
+// Tests examples/conformal/io/glb/checkerboard.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/io/write_glb.h"
+#include "conformal/io/glb/write_glb.h"
 
-#include "conformal/io/Glb_mesh.h"
-#include "conformal/io/checkerboard.h"
-#include "conformal/io/little_endian.h"
-#include "conformal/io/read_obj.h"
-#include "conformal/io/read_off.h"
+#include "conformal/io/file/little_endian.h"
+#include "conformal/io/glb/Glb_mesh.h"
+#include "conformal/io/glb/checkerboard.h"
+#include "conformal/io/obj/read_obj.h"
+#include "conformal/io/off/read_off.h"
 #include "program/io/io_support.h"
 
 #include <cmath>

@@ -1,11 +1,11 @@
-// Tests examples/conformal/io/write_off.cpp examples/conformal/io/encode_text.cpp
+// Tests examples/conformal/io/off/write_off.cpp examples/conformal/io/data/encode_text.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "conformal/io/write_off.h"
+#include "conformal/io/off/write_off.h"
 
-#include "conformal/io/read_obj.h"
-#include "conformal/io/read_off.h"
-#include "conformal/io/read_ply.h"
+#include "conformal/io/obj/read_obj.h"
+#include "conformal/io/off/read_off.h"
+#include "conformal/io/ply/read_ply.h"
 #include "program/io/io_support.h"
 #include "tools/fuzz_readers_seeds.h"
 

@@ -1,0 +1,246 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.h"
+#include "numbered_outputs.h"
+#include "option_groups.h"
+
+#include "conformal/input/rho.h"
+#include "conformal/input/same_faces.h"
+#include "conformal/io/file/snapshot_path.h"
+#include "conformal/io/write_surface.h"
+#include "conformal/process/Failure.h"
+#include "conformal/process/text.h"
+#include "conformal/report/keep_exhibit.h"
+#include "conformal/transform/deform.h"
+#include "conformal/transform/each_component.h"
+#include "conformal/transform/suitable_surface.h"
+#include "conformal/transform/write_result.h"
+
+#include <Conformal_geometry_processing/measure/alignment.h>
+#include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
+#include <Conformal_geometry_processing/spin/curvature_difference.h>
+#include <Conformal_geometry_processing/spin/turned_binormals.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace conformal {
+namespace {
+
+const char* const about =
+    "Goes from A towards B, or beyond: adds t times the difference of their mean curvature\n"
+    "half-densities. A and B have the same faces and are conformally equivalent, as results of\n"
+    "conformal spin and flow are to their inputs; so is every surface on the way. Area and\n"
+    "centroid are those of A; at a boundary the binormals turn evenly. --onto adds the\n"
+    "difference to a third surface. The output has the vertex properties quality\n"
+    "(quasi-conformal error, 1 is perfect) and rho.\n"
+    "What does not verify is not written, and the exit code is 1.\n"
+    "Example: conformal blend bear.off bear_spin.ply --t 1.5 -o bear_more.ply";
+
+struct Blend_options {
+  Spin_options spin;         ///< what this command has in common with that; input is A
+  std::string other, onto;   ///< files; the difference is added to A, unless there is another
+  double t = 0.5, from = 0;  ///< of B - A; the first of the frames
+  int frames = 0;
+};
+
+void add_options(CLI::App& command, Blend_options& blend, Common_options& common)
+{
+  command.add_option("a", blend.spin.input, "mesh file, - for standard input")->required();
+  command.add_option("b", blend.other, "mesh file with the same faces")->required();
+  command
+      .add_option("--t", blend.t,
+                  "how much of the difference is added: 0 for A, 1 for B, 2 for twice as far, "
+                  "-1 for as far the other way")
+      ->check(finite)
+      ->capture_default_str();
+  command
+      .add_option("--onto", blend.onto,
+                  "the mesh to which the difference is added, with the same faces (default: A)")
+      ->check(not_empty);
+  command
+      .add_option("--frames", blend.frames,
+                  "write so many surfaces on the way, OUTPUT with the number of the frame: "
+                  "bear_0000.ply is at --from, the last at --t")
+      ->check(CLI::Range(2, 9999));
+  command.add_option("--from", blend.from, "t of the first frame")
+      ->check(finite)
+      ->needs("--frames")
+      ->capture_default_str();
+  add_lambda(command, blend.spin.lambda);
+  add_solver(command, blend.spin.solver);
+  add_transformation(command, common);
+  add_eigenvector(command, common);
+  add_limits(command, blend.spin.limits, blend.spin.force);
+}
+
+Files files(const Blend_options& blend)
+{
+  const auto role = blend.onto.empty() ? Named_file::Role::replaceable : Named_file::Role::read;
+  return {{"the mesh A", blend.spin.input, role},
+          {"the mesh B", blend.other},
+          {"--onto", blend.onto, Named_file::Role::replaceable}};
+}
+
+/// the pair of surfaces, and the one to which their difference is added
+struct Trio {
+  CGP::Mesh_view a, b, start;
+};
+
+/// the difference of a pair
+struct Difference {
+  CGP::Curvature_potential rho;  ///< in 1/length of the surface to which it is added
+  CGP::Mesh_view b_near_a;       ///< placed so that the boundary turns no more than it must
+};
+
+/// The values of t in order; the last one belongs to the output.
+std::vector<double> values_of_t(const Blend_options& options)
+{
+  std::vector<double> all;
+  for (int k = 0; k + 1 < options.frames; ++k)
+    all.push_back(options.from + (options.t - options.from) * k / (options.frames - 1));
+  all.push_back(options.t);
+  return all;
+}
+
+void note_unlike(const CGP::Mesh_view& a, const CGP::Mesh_view& b, const Blend_options& options,
+                 Session& session)
+{
+  const double Q = CGP::quasi_conformal_error(a, b.positions()).mean;
+  session.report().set("result/pair/quasi_conformal/mean", Q);
+  const double of_coarse_meshes = 1.25;
+  if (!(Q <= of_coarse_meshes))
+    session.note(options.other + " is no conformal image of " + options.spin.input +
+                 " (mean quasi-conformal error " + text_of(Q, 3) +
+                 "): the way does not lead there, but to what has its curvature");
+}
+
+Difference difference(const Trio& meshes)
+{
+  const CGP::Points& p = meshes.b.positions();
+  return {CGP::transferred(CGP::curvature_difference(meshes.a, p), meshes.a, meshes.start),
+          {CGP::align(p, meshes.a.positions()).apply(p), meshes.a.corners()}};
+}
+
+Spin_problem problem_at(double t, const Trio& meshes, const Difference& whole)
+{
+  Spin_problem problem;
+  problem.rho = {whole.rho.on, t * whole.rho.values};
+  if (CGP::topology(meshes.start).is_closed()) return problem;
+  problem.boundary = CGP::Boundary_condition::binormals(
+      CGP::turned_binormals(meshes.a, whole.b_near_a, meshes.start, t));
+  problem.closes_loops = false;  // the prescribed data determine the loops
+  return problem;
+}
+
+/// a surface on the way
+struct Frame {
+  double t;
+  Spin_problem problem;
+  Spin_solution solution;
+};
+
+std::vector<Frame> solve_frames(const Trio& meshes, const Blend_options& options, Session& session)
+{
+  const Difference whole = difference(meshes);
+  std::vector<Frame> frames;
+  for (const double t : values_of_t(options)) {
+    if (!frames.empty()) session.end_stage("frames");
+    const Spin_problem problem = problem_at(t, meshes, whole);
+    const auto solve = [&](const Go_further& go_further) {
+      return solve_spin(meshes.start, problem, options.spin, session.options(), go_further);
+    };
+    frames.push_back({t, problem, watched(solve, session, "t = " + text_of(t, 4) + ", ")});
+  }
+  return frames;
+}
+
+/// after the certificate of the last one
+void tell_frames(const std::vector<Frame>& frames, const CGP::Mesh_view& b, Report& report)
+{
+  Grid grid({"t", "energy/4pi", "closure", "Q mean", "Q max", "flips", "from B"});
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const Spin_solution& solution = frames[k].solution;
+    const CGP::Conformality& map = solution.report.conformality;
+    const double energy = CGP::willmore_energy(CGP::Mesh_view(solution.positions, b.corners()));
+    const double distance = CGP::align(solution.positions, b.positions()).rms;
+    const std::string place = "steps/" + std::to_string(k);
+    report.set(place + "/t", frames[k].t);
+    report.set(place + "/energy", energy);
+    report.set(place + "/closure_residual", solution.report.closure_residual);
+    report.set(place + "/quasi_conformal/mean", map.quasi_conformal.mean);
+    report.set(place + "/quasi_conformal/max", map.quasi_conformal.max);
+    report.set(place + "/flipped_faces", map.flipped_faces);
+    report.set(place + "/distance", distance);
+    grid.add({text_of(frames[k].t, 4), text_of(energy / (4 * std::acos(-1.))),
+              text_of(solution.report.closure_residual, 3), text_of(map.quasi_conformal.mean, 5),
+              text_of(map.quasi_conformal.max, 5), std::to_string(map.flipped_faces),
+              text_of(distance, 3)});
+  }
+  report.show(grid);
+}
+
+/// The frames of a surface in one component, all of which verify.
+std::vector<Frame> verified_frames(const Surface_input& start, const Trio& meshes,
+                                   const Blend_options& options, Session& session)
+{
+  note_unlike(meshes.a, meshes.b, options, session);
+  std::vector<Frame> frames = solve_frames(meshes, options, session);
+  session.begin_stage();
+  session.report().set("result/t", options.t);
+  const Frame& last = frames.back();
+  tell_solution(start, last.problem.boundary, last.solution.report, session.outcome());
+  tell_frames(frames, meshes.b, session.report());
+  for (const Frame& frame : frames)
+    conclude(start, frame.solution, options.spin, "a --t closer to 0", session,
+             "t = " + text_of(frame.t, 4));
+  return frames;
+}
+
+void write_frames(const std::vector<Transformed_surface>& surfaces, const Surface_input& start,
+                  const Blend_options& options, Session& session)
+{
+  const std::string& output = session.options().output;
+  for (int k = 0; k < options.frames; ++k)
+    session.note_all(write_surface(
+        snapshot_path(output, k),
+        result_file(start, surfaces[static_cast<std::size_t>(k)], options.spin.lambda)));
+  write_result(start, surfaces.back(), session, options.spin.lambda);
+}
+
+void blend(const Blend_options& options, Session& session)
+{
+  require_writable(session.options().output);
+  require_new_files("frame", session.options().output, options.frames,
+                    {options.spin.input, options.other, options.onto});
+  const Surface_input a = read_suitable_surface(options.spin.input, session);
+  const CGP::Mesh_view b = read_surface_like(a, options.other).mesh;
+  const Surface_input start = options.onto.empty() ? a : read_surface_like(a, options.onto);
+  session.note_all(notes_of_repair_alike(a, {options.other, options.onto}));
+  const double unit = User_frame(start.mesh).unit();
+  Transformed_surface unchanged = Transformed_surface::unchanged(start.mesh);
+  unchanged.rho = CGP::no_potential(start.mesh);
+  std::vector<Transformed_surface> surfaces(values_of_t(options).size(), unchanged);
+  each_component(start, session, [&](const Component& component, Session& own) {
+    const Trio meshes{on_component(a.mesh, component), on_component(b, component),
+                      component.input.mesh};
+    const auto frames = verified_frames(component.input, meshes, options, own);
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      surfaces[k].set(component, frames[k].solution);
+      surfaces[k].rho.values(component.vertices) = unit * frames[k].problem.rho.values;
+    }
+  });
+  write_frames(surfaces, start, options, session);
+}
+
+}  // namespace
+
+Command blend_command()
+{
+  return make_command<Blend_options>("blend", about, add_options, files, blend);
+}
+
+}  // namespace conformal

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.h"
+#include "option_groups.h"
+
+#include "conformal/input/boundary_condition.h"
+#include "conformal/input/rho.h"
+#include "conformal/input/same_faces.h"
+#include "conformal/transform/deform.h"
+#include "conformal/transform/each_component.h"
+#include "conformal/transform/suitable_surface.h"
+#include "conformal/transform/write_result.h"
+
+#include <Conformal_geometry_processing/operators/mean_curvature.h>
+#include <Conformal_geometry_processing/surfaces/minimal_surface.h>
+
+namespace conformal {
+namespace {
+
+const char* const about =
+    "Deforms a surface with boundary conformally so that the boundary gets other tangents, "
+    "binormals\n"
+    "or positions, in one step. The mean curvature half-density stays as it is (a flat surface "
+    "becomes\n"
+    "a minimal one), or changes by rho as with conformal spin. Directions are absolute, sizes are "
+    "not\n"
+    "prescribed: area and centroid stay, unless positions are given.\n"
+    "Any binormals can be realised, up to a constant gamma that is added to rho; so can the "
+    "tangents\n"
+    "of plane curves, but of others only those that fulfil one condition, which the program "
+    "checks:\n"
+    "the exit code is 1, and nothing is written, where gamma times the radius stays away from 0.\n"
+    "A loop begins at its vertex of smallest number, and has the surface on its left.\n"
+    "Example: conformal boundary disk.off --binormal-tilt '40*cos(6*pi*s)' -o flower.ply";
+
+struct Boundary_options {
+  Spin_options spin;  ///< what this command has in common with that; without a source, rho is 0
+  Prescription_options prescription;
+  bool minimal = false;  ///< rho is -H
+};
+
+void add_prescription(CLI::App& command, Prescription_options& prescription)
+{
+  auto* what = command.add_option_group("boundary", "what the boundary becomes, one of");
+  what->add_option("--tangents-from", prescription.tangents_from,
+                   "has the tangents of this mesh, which has the same faces")
+      ->check(not_empty);
+  what->add_option("--binormals-from", prescription.binormals_from,
+                   "has the binormals of this mesh (tangent x normal, out of the surface)")
+      ->check(not_empty);
+  what->add_option("--positions-from", prescription.positions_from,
+                   "lies where that of this mesh does, with its normals")
+      ->check(not_empty);
+  what->add_option("--curve", prescription.curve,
+                   "has the tangents of a closed curve: a text file with a point per line, an "
+                   "empty line between curves, one for each loop, in the order of conformal info; "
+                   "with as many points as the loop has vertices they belong together, else equal "
+                   "shares of the lengths do")
+      ->check(not_empty);
+  what->add_option("--tangent-rotation", prescription.tangent_rotation,
+                   "has its tangents turned about the normals, counterclockwise seen from outside, "
+                   "by so many degrees: a formula in x y z nx ny nz (normalised frame), s in [0,1) "
+                   "along the loop, and loop, the number of it")
+      ->check(formula);
+  what->add_option("--binormal-tilt", prescription.binormal_tilt,
+                   "has its binormals turned towards the normals, by a formula likewise")
+      ->check(formula);
+  what->require_option(1);
+}
+
+void add_options(CLI::App& command, Boundary_options& boundary, Common_options& common)
+{
+  Spin_options& spin = boundary.spin;
+  add_input(command, spin.input);
+  add_transformation(command, common);
+  add_prescription(command, boundary.prescription);
+  CLI::Option_group* rho = add_rho(command, spin.rho);
+  rho->add_flag("--minimal", boundary.minimal,
+                "minus the mean curvature: the result is a minimal surface");
+  rho->require_option(0, 1);
+  add_lambda(command, spin.lambda);
+  add_solver(command, spin.solver);
+  add_period_defect(command, spin.max_period_defect);
+  add_eigenvector(command, common);
+  add_limits(command, spin.limits, spin.force);
+}
+
+Files files(const Boundary_options& boundary)
+{
+  const Rho_options& rho = boundary.spin.rho;
+  const Prescription_options& by = boundary.prescription;
+  return {{"the input", boundary.spin.input, Named_file::Role::replaceable},
+          {"--rho-file", rho.file},
+          {"--paint", rho.image},
+          {"--tangents-from", by.tangents_from},
+          {"--binormals-from", by.binormals_from},
+          {"--positions-from", by.positions_from},
+          {"--curve", by.curve}};
+}
+
+bool has_source(const Rho_options& rho)
+{
+  return !(rho.expression.empty() && rho.property.empty() && rho.file.empty() && rho.image.empty());
+}
+
+/// rho in the user's frame
+CGP::Curvature_potential potential(const Surface_input& input, const Boundary_options& options)
+{
+  if (has_source(options.spin.rho)) return read_rho(input, options.spin.rho);
+  if (!options.minimal) return CGP::no_potential(input.mesh);
+  const double unit = User_frame(input.mesh).unit();
+  return CGP::Curvature_potential::on_vertices(-unit * CGP::mean_curvature(input.mesh));
+}
+
+/// \param rho in 1/length
+Spin_problem problem_of(CGP::Curvature_potential rho, CGP::Boundary_condition condition,
+                        const Surface_input& input, const Boundary_options& options)
+{
+  Spin_problem problem;
+  problem.rho = std::move(rho);
+  problem.boundary = std::move(condition);
+  // The prescribed data determine the loops: they close, or the residual is large.
+  problem.closes_loops = false;
+  if (options.minimal) problem.kernel_tolerance = CGP::minimal_kernel_tolerance(input.mesh);
+  return problem;
+}
+
+void boundary(const Boundary_options& options, Session& session)
+{
+  require_writable(session.options().output);
+  const Surface_input input = read_bounded_surface(options.spin.input, session);
+  Transformed_surface surface = Transformed_surface::unchanged(input.mesh);
+  surface.rho = potential(input, options);
+  const Prescription_options& by = options.prescription;
+  const CGP::Boundary_condition condition = prescribed_boundary(input, by);
+  session.note_all(
+      notes_of_repair_alike(input, {by.tangents_from, by.binormals_from, by.positions_from}));
+  const double unit = User_frame(input.mesh).unit();
+  each_component(input, session, [&](const Component& component, Session& own) {
+    require_boundary(component.input);
+    const Spin_problem problem =
+        problem_of(on_component(surface.rho, component, 1 / unit),
+                   on_component(condition, input.mesh, component), component.input, options);
+    surface.set(component, deform(component.input, problem, options.spin,
+                                  "a gentler change of the directions", own));
+  });
+  write_result(input, surface, session, options.spin.lambda);
+}
+
+}  // namespace
+
+Command boundary_command()
+{
+  return make_command<Boundary_options>("boundary", about, add_options, files, boundary);
+}
+
+}  // namespace conformal

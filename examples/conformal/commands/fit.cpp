@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.h"
+#include "option_groups.h"
+
+#include "conformal/input/Expression.h"
+#include "conformal/input/boundary_condition.h"
+#include "conformal/input/rho.h"
+#include "conformal/input/same_faces.h"
+#include "conformal/process/Failure.h"
+#include "conformal/process/text.h"
+#include "conformal/transform/deform.h"
+#include "conformal/transform/each_component.h"
+#include "conformal/transform/solve_fit.h"
+#include "conformal/transform/suitable_surface.h"
+#include "conformal/transform/write_result.h"
+
+#include <Conformal_geometry_processing/measure/Conformality.h>
+#include <Conformal_geometry_processing/measure/alignment.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <cmath>
+#include <utility>
+
+namespace conformal {
+namespace {
+
+const char* const about =
+    "Deforms a surface conformally, as nearly as it can in the way another program has deformed\n"
+    "it. SOURCE and TARGET have the same faces. The curvature of the target is kept, and at a\n"
+    "boundary its tangents (or binormals); its shear is not, so what only shears and stretches\n"
+    "is undone. The result is placed to lie near the target. It has the vertex property quality\n"
+    "(quasi-conformal error against the source, 1 is perfect) and the face property rho.\n"
+    "A result that does not verify is not written, and the exit code is 1.\n"
+    "Example: conformal fit bear.off bear_posed.off -o bear_fit.ply";
+
+struct Fit_options {
+  Spin_options spin;  ///< what this command has in common with that; input is the source
+  std::string target;
+  double blend = 0;   ///< 0 is conformal, 1 nearest to the target
+  std::string scale;  ///< a formula of factors for the scales of the target, none if empty
+  Boundary_choice boundary = Boundary_choice::tangents;  ///< taken from the target; not free
+};
+
+void add_options(CLI::App& command, Fit_options& fit, Common_options& common)
+{
+  command.add_option("source", fit.spin.input, "mesh file, - for standard input")->required();
+  command.add_option("target", fit.target, "the deformed mesh, with the same faces")->required();
+  command
+      .add_option("--blend", fit.blend,
+                  "t in (1 - t) lambda + t mu, 0 for conformal, 1 for nearest to the target")
+      ->check(finite)
+      ->capture_default_str();
+  command
+      .add_option("--scale-expression", fit.scale,
+                  "multiplies the scales |mu|^2 of the target that are blended in (a conformal "
+                  "surface has its own) by a formula above 0 in x y z (normalised frame) and nx ny "
+                  "nz (outward normal)")
+      ->check(formula)
+      ->needs("--blend");
+  const auto choose = [&fit](const std::string& word) {
+    fit.boundary = word == "tangents" ? Boundary_choice::tangents : Boundary_choice::binormals;
+  };
+  command
+      .add_option_function<std::string>("--boundary", choose,
+                                        "which directions the boundary takes from the target")
+      ->check(CLI::IsMember({"tangents", "binormals"}))
+      ->default_str("tangents");
+  add_mollification(command, fit.spin.mollification);
+  add_lambda(command, fit.spin.lambda);
+  add_transformation(command, common);
+  add_eigenvector(command, common);
+  add_limits(command, fit.spin.limits, fit.spin.force);
+}
+
+Files files(const Fit_options& fit)
+{
+  return {{"the input", fit.spin.input, Named_file::Role::replaceable}, {"the target", fit.target}};
+}
+
+/// Evaluates a formula for the factors at the vertices; empty if there is no formula.
+Eigen::VectorXd scale_factors(const Surface_input& input, const std::string& text)
+{
+  if (text.empty()) return {};
+  Expression expression(text, "--scale-expression");
+  const User_frame frame(input.mesh);
+  const CGP::Points normals = CGP::vertex_normals(input.mesh);
+  Eigen::VectorXd factors(input.mesh.size_of_vertices());
+  for (int v = 0; v < factors.size(); ++v) {
+    factors[v] = expression(frame(input.mesh.position(v)), normals.col(v));
+    if (!(factors[v] > 0) || !std::isfinite(factors[v]))
+      throw unsuitable(input.file.path, "--scale-expression is " + text_of(factors[v]) + " at " +
+                                            name_of_vertex(input, v) +
+                                            ", wanted finite numbers above 0; try: exp(...)");
+  }
+  return factors;
+}
+
+/// Tells how far the target is from the surface, and from a conformal one.
+void tell_target(const CGP::Mesh_view& mesh, const CGP::Mesh_view& target,
+                 const Fit_solution& solution, Session& session)
+{
+  Report& report = session.report();
+  const CGP::Mesh_view measured = measured_part(mesh, solution.spin.report.mollification.share > 0);
+  const auto Q = CGP::conformality(measured, target.positions(),
+                                   CGP::neighbourhood_normals(measured, target.positions()))
+                     .quasi_conformal;
+  const std::string place = "result/target/quasi_conformal/";
+  report.tell(place + "mean", "quasi-conformal error of the target, mean", Q.mean);
+  report.set(place + "p99", Q.p99);
+  report.tell(place + "max", "quasi-conformal error of the target, max", Q.max);
+  report.set("result/target/sign_conflicts", solution.sign_conflicts);
+  if (solution.spin.report.converged) {
+    const auto a = CGP::align(solution.spin.positions, target.positions());
+    report.tell("result/distance/rms", "distance from the target, rms / diagonal", a.rms);
+    report.tell("result/distance/max", "distance from the target, max / diagonal", a.max);
+  }
+  report.end_table();
+  if (solution.sign_conflicts > 0)
+    session.note("the rotations of the target jump by more than half a turn across " +
+                 count_of(static_cast<std::size_t>(solution.sign_conflicts), "edge"));
+}
+
+Fit_solution solve(const Surface_input& input, const Fit_problem& problem, Session& session)
+{
+  Fit_solution solution;
+  solution.spin = watched(
+      [&](const Go_further& go_further) {
+        solution = solve_fit(input.mesh, problem, session.options(), go_further);
+        return std::move(solution.spin);
+      },
+      session);
+  return solution;
+}
+
+/// Solves the problem on a surface in one component, tells what came of it, and concludes.
+Fit_solution fit_surface(const Surface_input& input, const CGP::Boundary_condition& boundary,
+                         Fit_problem problem, const Fit_options& options, Session& session)
+{
+  problem.direction = boundary.direction;
+  problem.blend = options.blend;
+  problem.mollification = options.spin.mollification.value_or(0);
+  Fit_solution solution = solve(input, problem, session);
+  session.begin_stage();
+  tell_target(input.mesh, CGP::Mesh_view(problem.target, input.mesh.corners()), solution, session);
+  tell_solution(input, boundary, solution.spin.report, session.outcome());
+  conclude(input, solution.spin, options.spin, "a target that is bent and sheared less", session,
+           session.input());
+  return solution;
+}
+
+void fit(const Fit_options& options, Session& session)
+{
+  const Flat_faces flat = flat_faces(options.spin.mollification);
+  require_writable(session.options().output);
+  const Surface_input input = read_suitable_surface(options.spin.input, session, flat);
+  const CGP::Mesh_view target = read_surface_like(input, options.target, flat).mesh;
+  session.note_all(notes_of_repair_alike(input, {options.target}));
+  const Eigen::VectorXd factors = scale_factors(input, options.scale);
+  const double unit = User_frame(input.mesh).unit();
+  Transformed_surface surface = Transformed_surface::unchanged(input.mesh);
+  surface.rho =
+      CGP::Curvature_potential::on_faces(Eigen::VectorXd::Zero(input.mesh.size_of_faces()));
+  const bool is_bounded = !CGP::topology(input.mesh).is_closed();
+  CGP::Boundary_condition boundary = CGP::Boundary_condition::free();
+  if (is_bounded) boundary = directions_of(input, target, options.boundary);
+  each_component(input, session, [&](const Component& component, Session& own) {
+    Fit_problem problem;
+    problem.target = on_component(target, component).positions();
+    if (factors.size() > 0) problem.scales = factors(component.vertices);
+    const Fit_solution solution =
+        fit_surface(component.input, on_component(boundary, input.mesh, component),
+                    std::move(problem), options, own);
+    surface.set(component, solution.spin);
+    surface.rho.values(component.faces) = unit * solution.rho.values;
+  });
+  write_result(input, surface, session, options.spin.lambda);
+}
+
+}  // namespace
+
+Command fit_command()
+{
+  return make_command<Fit_options>("fit", about, add_options, files, fit);
+}
+
+}  // namespace conformal

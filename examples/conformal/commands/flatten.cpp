@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.h"
+#include "option_groups.h"
+
+#include "conformal/io/data/texture_coordinates.h"
+#include "conformal/io/write_surface.h"
+#include "conformal/process/interruption.h"
+#include "conformal/report/keep_exhibit.h"
+#include "conformal/transform/each_component.h"
+#include "conformal/transform/flat_image.h"
+#include "conformal/transform/suitable_surface.h"
+#include "conformal/transform/write_result.h"
+
+#include <Conformal_geometry_processing/mesh/topology.h>
+#include <Conformal_geometry_processing/parameterization/place_in_plane.h>
+#include <Conformal_geometry_processing/parameterization/place_side_by_side.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace conformal {
+namespace {
+
+const char* const about =
+    "Maps a surface with boundary to the plane with little distortion of angles, and writes the\n"
+    "map as texture coordinates in the unit square, beside the mesh as it was, or the flat mesh\n"
+    "itself, as large as the surface. Holes are taken as they come. The property quality is the\n"
+    "quasi-conformal error.\n"
+    "--planar has the surface unbend by curvature: its mean curvature becomes zero, and the\n"
+    "tangents of its boundary, which must be one loop, those of a plane curve that turns as it\n"
+    "did.\n"
+    "--cut opens closed surfaces first.\n"
+    "Example: conformal flatten face.off -o face.glb --json face.json";
+
+void add_options(CLI::App& command, Flatten_options& options, Common_options& common)
+{
+  add_input(command, options.input);
+  add_transformation(command, common);
+  CLI::Option* method =
+      add_choice(command, "--method", options.method, {"spectral", "dirac"},
+                 "spectral (normals of the faces), or as in the thesis with those of the vertices: "
+                 "dirac, which is worse on scans");
+  CLI::Option* loops =
+      command.add_flag("--all-loops", options.all_loops,
+                       "keep the spread of all boundary loops, and not of the longest alone");
+  command.add_flag("--planar", options.planar, "by curvature, and not by an energy")
+      ->excludes(method)
+      ->excludes(loops);
+  const auto set_tips = [&options](const std::string& text) { options.cut.tips = std::stoi(text); };
+  command
+      .add_flag("--cut{4}",
+                "cut closed surfaces open, by short cuts through so many tips (--cut=2; default 4) "
+                "and around handles; texture coordinates jump there, and the flat mesh is open")
+      ->check(above_zero)
+      ->each(set_tips);
+  command
+      .add_option("--cones", options.cut.cones,
+                  "cut closed surfaces open, through these vertices in place of tips: 7,12,19")
+      ->delimiter(',')
+      ->check(CLI::NonNegativeNumber);
+  command.add_flag("--planar-mesh", options.planar_mesh,
+                   "write the flat mesh, and not the surface with texture coordinates alone");
+  command.add_option("--tolerance", options.tolerance, "of the spectral map")
+      ->check(above_zero)
+      ->capture_default_str();
+  add_limits(command, options.limits, options.force);
+}
+
+Files files(const Flatten_options& flatten)
+{
+  return {{"the input", flatten.input, Named_file::Role::replaceable}};
+}
+
+/// \brief texture coordinates in the unit square, of the same shape as the image, at its lower left
+/// corner; (0, 0) for vertices without a face.
+std::vector<std::array<double, 2>> in_unit_square(const Surface_input& input,
+                                                  const CGP::Points& positions)
+{
+  const Eigen::Vector2d low = positions.topRows<2>().rowwise().minCoeff();
+  const Eigen::Vector2d extent = positions.topRows<2>().rowwise().maxCoeff() - low;
+  std::vector<std::array<double, 2>> uv(input.file.points.size(), {0, 0});
+  for (std::size_t v = 0; v < input.vertex_in_file.size(); ++v) {
+    const Eigen::Vector2d p =
+        (positions.col(static_cast<Eigen::Index>(v)).head<2>() - low) / extent.maxCoeff();
+    uv[static_cast<std::size_t>(input.vertex_in_file[v])] = {p.x(), p.y()};
+  }
+  return uv;
+}
+
+/// Moves the images of components side by side.
+void place_apart(const CGP::Mesh_view& mesh, CGP::Points& positions)
+{
+  Eigen::VectorXcd z(positions.cols());
+  z.real() = positions.row(0).transpose();
+  z.imag() = positions.row(1).transpose();
+  CGP::place_side_by_side(CGP::connected_components(mesh), z);
+  positions.topRows<2>() = CGP::in_space(z).topRows<2>();
+}
+
+/// the image of all components; those without one are a point
+struct Flat_components {
+  CGP::Points positions;
+  std::vector<char> has_image;  ///< of each vertex
+};
+
+Flat_components flatten_components(const Surface_input& input, const Flatten_options& options,
+                                   Session& session)
+{
+  const int n = input.mesh.size_of_vertices();
+  Flat_components flat{CGP::Points::Zero(3, n), std::vector<char>(static_cast<std::size_t>(n), 0)};
+  each_component(input, session, [&](const Component& component, Session& own) {
+    require_boundary(component.input);
+    flat.positions(Eigen::indexing::all, component.vertices) =
+        flat_image(component.input, options, own);
+    for (const int v : component.vertices) flat.has_image[static_cast<std::size_t>(v)] = 1;
+  });
+  if (session.options().each_component) place_apart(input.mesh, flat.positions);
+  return flat;
+}
+
+/// the image, and those without one as they were
+CGP::Points with_those_left(const CGP::Mesh_view& mesh, const Flat_components& flat)
+{
+  CGP::Points positions = flat.positions;
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    if (!flat.has_image[static_cast<std::size_t>(v)]) positions.col(v) = mesh.position(v);
+  return positions;
+}
+
+/// the file before cuts, with texture coordinates that jump there, and quality
+Surface_file textured(Surface_file file, const Cut_surface& cut,
+                      const std::vector<std::array<double, 2>>& texture,
+                      const std::vector<float>& quality)
+{
+  Corner_values values;
+  for (const auto& [u, v] : texture) values.values.push_back({u, v, 0});
+  values.index = cut.input.file.polygons.corners;
+  set_texture_coordinates(file, std::move(values));
+  std::vector<float> at_vertices(file.points.size(), 1);
+  for (std::size_t i = quality.size(); i-- > 0;)  // of copies the first one counts
+    at_vertices[static_cast<std::size_t>(cut.origin[i])] = quality[i];
+  set_property(file.vertices, "quality", at_vertices);
+  return file;
+}
+
+Surface_input read_input(const Flatten_options& options, Session& session)
+{
+  return options.cut.is_cut() ? read_suitable_surface(options.input, session)
+                              : read_bounded_surface(options.input, session);
+}
+
+Cut_surface opened(Surface_input&& input, const Cut_options& options)
+{
+  if (options.is_cut()) return cut_open(input, options);
+  return {std::move(input), {}};
+}
+
+/// the flat mesh, or the one before with the map as texture coordinates
+Surface_file file_of(const Cut_surface& surface, Surface_file&& before, const Flat_components& flat,
+                     const Flatten_options& options)
+{
+  const Surface_input& input = surface.input;
+  const auto texture = in_unit_square(input, flat.positions);
+  const CGP::Points shown = with_those_left(input.mesh, flat);
+  if (options.cut.is_cut() && !options.planar_mesh)
+    return textured(std::move(before), surface, texture, quality(input, shown));
+  Surface_file file = options.planar_mesh ? moved(input, shown) : std::move(before);
+  set_texture_coordinates(file, texture);
+  set_quality(input, shown, file);
+  return file;
+}
+
+void flatten(const Flatten_options& options, Session& session)
+{
+  const std::string& output = session.options().output;
+  require_writable(output);
+  Surface_input input = read_input(options, session);
+  Surface_file before = input.file;
+  const Cut_surface surface = opened(std::move(input), options.cut);
+  const Flat_components flat = flatten_components(surface.input, options, session);
+  keep_flat_exhibit(surface.input, with_those_left(surface.input.mesh, flat), session);
+  session.note_all(write_surface(output, file_of(surface, std::move(before), flat, options)));
+  session.end_stage("write");
+}
+
+}  // namespace
+
+Command flatten_command()
+{
+  return make_command<Flatten_options>("flatten", about, add_options, files, flatten);
+}
+
+}  // namespace conformal

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.h"
+#include "option_groups.h"
+
+#include "conformal/input/boundary_condition.h"
+#include "conformal/process/Failure.h"
+#include "conformal/process/text.h"
+#include "conformal/report/boundary_report.h"
+#include "conformal/transform/each_component.h"
+#include "conformal/transform/flow_report.h"
+#include "conformal/transform/suitable_surface.h"
+#include "conformal/transform/write_result.h"
+
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+namespace conformal {
+namespace {
+
+const char* const about =
+    "Smooths a surface by the conformal Willmore flow: as smooth as its conformal class allows, a\n"
+    "sphere where there are no handles. With a boundary that is free, or keeps its tangents, it\n"
+    "becomes a minimal surface; with its binormals kept, one of constant mean curvature.\n"
+    "Area, centroid and triangle quality stay. The\n"
+    "output has the vertex property quality (quasi-conformal error against the input, 1 is\n"
+    "perfect). The flow stops early where the energy has settled, or no step lowers it.\n"
+    "When interrupted (Ctrl-C, SIGTERM), it writes the surface after the last complete step (with\n"
+    "--each-component nothing), and ends with exit code 130 or 143; a second signal ends it at "
+    "once.\n"
+    "A result that does not verify is not written, and the exit code is 1.\n"
+    "Example: conformal flow bear.off -o bear_flow.ply --html bear.html";
+
+void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
+{
+  add_input(command, flow.input);
+  add_transformation(command, common);
+  command.add_option("--steps", flow.steps, "how many steps at most")
+      ->check(above_zero)
+      ->capture_default_str();
+  command
+      .add_option("--time-step", flow.time_step,
+                  "the largest; 1 goes furthest, 2 is the limit of stability")
+      ->check(above_zero)
+      ->check(CLI::Range(0., 2.))
+      ->capture_default_str();
+  command
+      .add_option("--filter-weight", flow.filter_weight,
+                  "keeps the large features; detail finer than this to the power "
+                  "1/(2 order), in radii of the sphere of the same area, is smoothed")
+      ->check(above_zero);
+  command.add_option("--filter-order", flow.filter_order, "sharpness of the filter, 0 to 3")
+      ->check(CLI::Range(0, 3))
+      ->needs("--filter-weight")
+      ->capture_default_str();
+  add_boundary(command, flow.boundary);
+  add_mollification(command, flow.mollification);
+  add_period_defect(command, flow.max_period_defect);
+  add_choice(command, "--balance", flow.balance, {"none", "initial", "canonical"},
+             "undoes drift of closed surfaces by sphere inversions: towards the initial areas, "
+             "or those of the canonical metric (genus > 0)");
+  command
+      .add_option("--every", flow.every,
+                  "write every so many steps a snapshot, OUTPUT with the number of the step: "
+                  "bear_0005.ply")
+      ->check(above_zero);
+  add_eigenvector(command, common);
+  add_limits(command, flow.limits, flow.force);
+}
+
+Files files(const Flow_options& flow)
+{
+  return {{"the input", flow.input, Named_file::Role::replaceable}};
+}
+
+void require_options_that_fit(const Surface_input& input, const Flow_options& options)
+{
+  require_boundary_to_keep(input, options.boundary);
+  if (options.balance == Balance_choice::none) return;
+  const auto topology = CGP::topology(input.mesh);
+  if (!topology.is_closed())
+    throw unsuitable(options.input, "--balance wants a closed surface; try: without it");
+  if (options.balance == Balance_choice::canonical && topology.genus == 0)
+    throw unsuitable(options.input,
+                     "has genus 0 and so no canonical metric; try: --balance initial");
+}
+
+std::string stopped_after(const CGP::Flow_report& report, const Flow_options& options)
+{
+  return "stopped after " + std::to_string(report.steps.size()) + " of " +
+         count_of(static_cast<std::size_t>(options.steps), "step") + ": " + reason(report);
+}
+
+Evidence evidence_of(const Flow_solution& solution, const CGP::Spin_report& steps,
+                     const Surface_input& input, const Flow_options& options)
+{
+  const CGP::Flow_report& report = solution.report;
+  Evidence evidence{solution.positions};
+  if (!report.steps.empty()) {
+    evidence.spin = steps;
+    evidence.spin->conformality = report.conformality;
+  } else if (!report) {
+    evidence.fault = stopped_after(report, options) + "; try: a finer mesh, or one without slivers";
+  }
+  return evidence;
+}
+
+void conclude(const Flow_solution& solution, const CGP::Spin_report& steps,
+              const Surface_input& input, const Flow_options& options, Session& session)
+{
+  const Verdict verdict =
+      judge(evidence_of(solution, steps, input, options), options.limits, easier_than_flow);
+  session.conclude(verdict, on_fault(options.force));
+  if (verdict.is_verified() && !solution.report && signal_received() == 0)
+    session.note(stopped_after(solution.report, options));
+}
+
+void tell(const Flow_solution& solution, const CGP::Spin_report& evidence,
+          const Surface_input& input, const Flow_options& options, Session& session)
+{
+  tell_flow(solution, input.mesh, evidence, session.outcome());
+  if (!solution.report.steps.empty())
+    tell_boundary(input.mesh, kept_boundary(options.boundary), solution.report.steps.back().spin,
+                  session.report());
+}
+
+void throw_if_interrupted_after(const CGP::Flow_report& report, Session& session)
+{
+  if (signal_received() == 0) return;
+  session.keep_report();
+  throw_if_interrupted("the surface after " + count_of(report.steps.size(), "step") +
+                       " was written to " + session.options().output);
+}
+
+/// Runs the flow on a surface with one component, tells what came of it, and concludes.
+Flow_solution flowed(const Surface_input& input, const Flow_options& options, Session& session)
+{
+  require_options_that_fit(input, options);
+  Flow_watch watch(input, options, session);
+  Flow_solution solution = run_flow(input.mesh, options, session.options(), watch);
+  watch.end();
+  if (solution.report.steps.empty()) throw_if_interrupted();
+  session.end_stage("flow");
+  tell(solution, watch.evidence(), input, options, session);
+  conclude(solution, watch.evidence(), input, options, session);
+  return solution;
+}
+
+void require_no_snapshots(const Flow_options& options)
+{
+  if (options.every > 0)
+    throw Failure(Exit_code::usage,
+                  "--every wants snapshots of the whole surface, whose components flow one after "
+                  "the other; try: without --each-component");
+}
+
+void flow(const Flow_options& options, Session& session)
+{
+  const bool is_whole = !session.options().each_component;
+  require_writable(session.options().output);
+  const Surface_input input =
+      read_suitable_surface(options.input, session, flat_faces(options.mollification));
+  if (!is_whole) require_no_snapshots(options);
+  Transformed_surface surface{input.mesh.positions()};
+  CGP::Flow_report report;
+  each_component(input, session, [&](const Component& component, Session& own) {
+    const Flow_solution solution = flowed(component.input, options, own);
+    if (!is_whole) throw_if_interrupted();
+    surface.positions(Eigen::indexing::all, component.vertices) = solution.positions;
+    report = solution.report;
+  });
+  write_result(input, surface, session);
+  if (is_whole) throw_if_interrupted_after(report, session);
+}
+
+}  // namespace
+
+Command flow_command()
+{
+  return make_command<Flow_options>("flow", about, add_options, files, flow);
+}
+
+}  // namespace conformal

@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.h"
+#include "option_groups.h"
+
+#include "conformal/io/write_surface.h"
+#include "conformal/process/Failure.h"
+#include "conformal/process/interruption.h"
+#include "conformal/process/text.h"
+#include "conformal/transform/suitable_surface.h"
+#include "conformal/transform/write_result.h"
+
+#include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
+#include <Conformal_geometry_processing/forms/conformal_modulus.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
+#include <Conformal_geometry_processing/operators/divergence.h>
+#include <Conformal_geometry_processing/operators/exterior_derivative.h>
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace conformal {
+namespace {
+
+const char* const about =
+    "Finds the harmonic 1-forms of a closed surface with handles, two for each, and their tangent\n"
+    "fields; of a torus also the conformal modulus. -o writes a PLY file with the fields as\n"
+    "face properties harmonic_0_x, harmonic_0_y, harmonic_0_z, ..., in 1/length.\n"
+    "Example: conformal harmonic torus.obj -o torus_fields.ply --json torus.json";
+
+struct Harmonic_options {
+  std::string input;
+  std::optional<int> form;  ///< the only one to be written
+};
+
+void add_options(CLI::App& command, Harmonic_options& harmonic, Common_options& common)
+{
+  add_input(command, harmonic.input);
+  add_repair(command, common);
+  add_output(command, common, "the mesh with the fields");
+  command.add_option("--form", harmonic.form, "write only this one, counted from 0")
+      ->check(CLI::NonNegativeNumber);
+}
+
+Files files(const Harmonic_options& harmonic)
+{
+  return {{"the input", harmonic.input, Named_file::Role::replaceable}};
+}
+
+Surface_input read_surface_with_handles(const Harmonic_options& options, Session& session)
+{
+  Surface_input input = read_closed_surface(options.input, session);
+  const int genus = CGP::topology(input.mesh).genus;
+  if (genus == 0)
+    throw unsuitable(options.input, "has genus 0 and so no harmonic fields, wanted handles");
+  if (options.form && *options.form >= 2 * genus)
+    throw Failure(Exit_code::usage, options.input + ": there is no form " +
+                                        std::to_string(*options.form) + "; try: --form 0 to " +
+                                        std::to_string(2 * genus - 1));
+  return input;
+}
+
+CGP::Mesh_view in_frame(const CGP::Mesh_view& mesh)
+{
+  return {CGP::internal::Normalized_frame(mesh.positions()).to_frame(mesh.positions()),
+          mesh.corners()};
+}
+
+// The certificate: forms are harmonic if they are closed, coclosed and orthonormal, independently
+// of their computation.
+struct Residuals {
+  double closed, coclosed, orthonormal;
+
+  double largest() const
+  {
+    const Eigen::Array3d all(closed, coclosed, orthonormal);
+    return all.maxCoeff<Eigen::PropagateNaN>();
+  }
+};
+
+Residuals residuals(const CGP::Mesh_view& mesh, const CGP::Hodge_decomposition<>& hodge)
+{
+  const Eigen::MatrixXd& forms = hodge.harmonic_basis().one_forms;
+  const double size = forms.cwiseAbs().maxCoeff();
+  const Eigen::MatrixXd around_faces = CGP::exterior_derivative_1(mesh) * forms;
+  const Eigen::MatrixXd around_vertices = CGP::codifferential(mesh, hodge.weights(), forms);
+  const Eigen::MatrixXd products = hodge.harmonic_basis().coefficients(hodge.weights(), forms);
+  const auto identity = Eigen::MatrixXd::Identity(products.rows(), products.cols());
+  return {around_faces.cwiseAbs().maxCoeff() / size, around_vertices.cwiseAbs().maxCoeff() / size,
+          (products - identity).cwiseAbs().maxCoeff()};
+}
+
+std::string fault_of(const Residuals& found)
+{
+  const double limit = 1e-6;
+  if (found.largest() <= limit) return {};
+  return "the residual of the forms is " + text_of(found.largest(), 3) + ", more than " +
+         text_of(limit, 3) + "; try: a mesh without slivers";
+}
+
+// How well the equations hold, and the class of a torus.
+void tell(const CGP::Mesh_view& mesh, const CGP::Hodge_decomposition<>& hodge,
+          const Residuals& found, Report& report)
+{
+  const CGP::Harmonic_basis& basis = hodge.harmonic_basis();
+  report.tell("result/genus", "genus", basis.genus());
+  report.tell("result/forms", "harmonic forms", basis.size());
+  report.tell("result/closed_residual", "sum around faces, relative", found.closed);
+  report.tell("result/coclosed_residual", "sum around vertices, relative", found.coclosed);
+  report.tell("result/orthonormal_residual", "deviation from orthonormal", found.orthonormal);
+  if (basis.genus() != 1) return;
+  const std::complex<double> tau = CGP::conformal_modulus(mesh, basis);
+  const std::string place = "result/conformal_modulus/";
+  report.tell(place + "real", "conformal modulus, real part", tau.real());
+  report.tell(place + "imaginary", "conformal modulus, imaginary part", tau.imag());
+}
+
+/// Sets a field as three face properties; a polygon has the mean of its triangles.
+/// \param mesh the triangles in the frame of the computation
+void set_field(const Surface_input& input, const CGP::Mesh_view& mesh, const CGP::Points& field,
+               const std::string& name, Surface_file& file)
+{
+  const char* const suffixes[] = {"_x", "_y", "_z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> sum(file.polygons.size(), 0), area(sum);
+    for (int t = 0; t < mesh.size_of_faces(); ++t) {
+      const auto f = static_cast<std::size_t>(input.face_in_file[static_cast<std::size_t>(t)]);
+      const double A = mesh.double_area_vector(t).norm();
+      sum[f] += A * field(axis, t);
+      area[f] += A;
+    }
+    for (std::size_t f = 0; f < sum.size(); ++f) sum[f] /= area[f];
+    set_property(file.faces, name + suffixes[axis], sum);
+  }
+}
+
+Surface_file file_with_fields(const Surface_input& input, const CGP::Mesh_view& mesh,
+                              const CGP::Harmonic_basis& basis, const std::optional<int>& form)
+{
+  Surface_file file = input.file;
+  const double unit = CGP::internal::Normalized_frame(input.mesh.positions()).unit();
+  for (int i = 0; i < basis.size(); ++i)
+    if (form.value_or(i) == i)
+      set_field(input, mesh, basis.fields[static_cast<std::size_t>(i)] / unit,
+                "harmonic_" + std::to_string(i), file);
+  return file;
+}
+
+void harmonic(const Harmonic_options& options, Session& session)
+{
+  const std::string& output = session.options().output;
+  if (!output.empty()) require_writable(output);
+  const Surface_input input = read_surface_with_handles(options, session);
+  const CGP::Mesh_view mesh = in_frame(input.mesh);
+  const CGP::Hodge_decomposition<> hodge(mesh, "harmonic");
+  throw_if_interrupted();
+  session.end_stage("solve");
+  const Residuals found = residuals(mesh, hodge);
+  tell(mesh, hodge, found, session.report());
+  Evidence evidence{mesh.positions()};
+  evidence.fault = fault_of(found);
+  session.conclude(judge(evidence, {}, ""), On_fault::refuse);
+  session.end_stage("measure");
+  if (output.empty()) return;
+  session.note_all(
+      write_surface(output, file_with_fields(input, mesh, hodge.harmonic_basis(), options.form)));
+  session.end_stage("write");
+}
+
+}  // namespace
+
+Command harmonic_command()
+{
+  return make_command<Harmonic_options>("harmonic", about, add_options, files, harmonic);
+}
+
+}  // namespace conformal

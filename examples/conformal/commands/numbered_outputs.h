@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_COMMANDS_NUMBERED_OUTPUTS_H
+#define CONFORMAL_COMMANDS_NUMBERED_OUTPUTS_H
+
+#include <string>
+#include <vector>
+
+namespace conformal {
+
+/// Refuses a name of numbered files, see `snapshot_path()`, one of which would replace an input.
+/// \param noun what has the number, for the message
+/// \throws Failure (usage)
+void require_new_files(const std::string& noun, const std::string& output, int count,
+                       const std::vector<std::string>& inputs);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_COMMANDS_OPTION_CHECKS_H
+#define CONFORMAL_COMMANDS_OPTION_CHECKS_H
+
+#include <string>
+
+namespace conformal {
+
+// Checks of the text of an option: an empty string if all is well, or what is wanted.
+
+std::string above_zero(const std::string& text);
+std::string below_one(const std::string& text);  // and above zero
+std::string between_zero_and_one(const std::string& text);
+std::string finite(const std::string& text);
+std::string file_name(const std::string& text);  // of an output: standard output has none
+std::string formula(const std::string& text);
+std::string not_empty(const std::string& text);
+
+}  // namespace conformal
+
+#endif

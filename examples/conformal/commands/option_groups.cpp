@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "option_groups.h"
+
+#include <cstdlib>
+
+namespace conformal {
+
+void add_common(CLI::App& command, Common_options& common)
+{
+  command
+      .add_option("--json", common.json,
+                  "write the report to this file, or to /dev/stdout for a pipe")
+      ->check(file_name);
+  command.add_option("--threads", common.threads, "threads of the linear algebra")
+      ->check(above_zero)
+      ->capture_default_str();
+  command.add_flag("-q,--quiet", common.quiet, "print nothing but errors");
+  command.add_flag("--strict", common.strict, "refuse what would be repaired with a note");
+}
+
+void add_input(CLI::App& command, std::string& input)
+{
+  command.add_option("input", input, "mesh file, - for standard input")->required();
+}
+
+void add_repair(CLI::App& command, Common_options& common)
+{
+  command.add_flag(
+      "--repair", common.repair,
+      "first merge coincident points, remove degenerate and repeated faces, mend those "
+      "of area zero, and cut where the surface is no manifold; new numbers are in the "
+      "JSON report");
+}
+
+CLI::Option* add_output(CLI::App& command, Common_options& common, const char* what)
+{
+  return command.add_option("-o,--output", common.output, what)->check(file_name);
+}
+
+void add_html(CLI::App& command, Common_options& common)
+{
+  command
+      .add_option("--html", common.html,
+                  "write a page that shows both shapes, the error of each face and the report; "
+                  "it opens in a browser without a network")
+      ->check(file_name);
+}
+
+void add_transformation(CLI::App& command, Common_options& common)
+{
+  add_repair(command, common);
+  CLI::Option* each = command.add_flag(
+      "--each-component", common.each_component,
+      "take a surface of several components, and work on each as if it were alone");
+  command
+      .add_flag("--keep-going", common.keep_going,
+                "where some of them fail, write the others, and those as they were; the exit code "
+                "is 1 all the same")
+      ->needs(each);
+  add_output(command, common)->required();
+  add_html(command, common);
+}
+
+CLI::Option_group* add_rho(CLI::App& command, Rho_options& rho)
+{
+  auto* source = command.add_option_group("rho", "the change of mean curvature, one of");
+  source
+      ->add_option("--rho-expression", rho.expression,
+                   "formula in x y z (normalised frame), nx ny nz (outward normal), pi, e; "
+                   "sin exp abs min ... gauss(d,s) bump(d,r)")
+      ->check(formula);
+  source->add_option("--rho-property", rho.property, "vertex or face property of the mesh")
+      ->check(not_empty);
+  source
+      ->add_option("--rho-file", rho.file,
+                   "text file, a number per vertex or face; # begins a comment")
+      ->check(not_empty);
+  source
+      ->add_option("--paint,--rho-image", rho.image,
+                   "picture (PNG, JPEG, PGM, PPM): rho = gray - 0.5, gray from 0 to 1")
+      ->check(not_empty);
+  add_choice(command, "--projection", rho.projection, {"uv", "x", "y", "z", "sphere"},
+             "of the picture: uv, along an axis (x, y, z), or sphere around the z axis");
+  command.add_option("--amplitude", rho.amplitude, "multiplies rho")
+      ->check(finite)
+      ->capture_default_str();
+  const auto set_on = [&rho](const std::string& word) { rho.on_faces = word == "faces"; };
+  command
+      .add_option_function<std::string>("--on", set_on,
+                                        "where rho has its values (default: vertices)")
+      ->check(CLI::IsMember({"vertices", "faces"}));
+  return source;
+}
+
+void add_filter(CLI::App& command, Filter_request& filter)
+{
+  add_choice(command, "--filter", filter.choice, {"none", "low-pass", "high-pass", "unsharp"},
+             "keeps the large features of rho, the small ones, or lifts the small ones out");
+  const auto set_on = [&filter](const std::string& word) { filter.on_image = word == "image"; };
+  command
+      .add_option_function<std::string>("--filter-on", set_on,
+                                        "the picture before it is painted, or rho on the surface "
+                                        "(default: the picture, if there is one)")
+      ->check(CLI::IsMember({"image", "surface"}));
+  command
+      .add_option("--filter-radius", filter.radius,
+                  "on a picture, the standard deviation of the Gauss function in pixels "
+                  "(default: 6)")
+      ->check(above_zero);
+  command
+      .add_option("--filter-weight", filter.weight,
+                  "on the surface, features larger than this to the power 1/(2 order), in radii of "
+                  "the sphere of the same area, are large (default: 0.01)")
+      ->check(above_zero);
+  command
+      .add_option("--filter-order", filter.order,
+                  "on the surface, the sharpness of the filter, 0 to 3 (default: 1)")
+      ->check(CLI::Range(0, 3));
+  command
+      .add_option("--filter-amount", filter.amount,
+                  "how often the unsharp mask adds the small features (default: 1)")
+      ->check(finite);
+  for (const char* const detail :
+       {"--filter-on", "--filter-radius", "--filter-weight", "--filter-order", "--filter-amount"})
+    command.get_option(detail)->needs("--filter");
+}
+
+void add_lambda(CLI::App& command, std::string& lambda)
+{
+  command.add_option("--lambda", lambda,
+                     "write the quaternions lambda as vertex properties NAME_w to NAME_z");
+}
+
+void add_solver(CLI::App& command, std::string& solver)
+{
+  command.add_option("--solver", solver, "native, cholmod (where it was built in) or eigen")
+      ->check(CLI::IsMember({"native", "cholmod", "eigen"}))
+      ->capture_default_str();
+}
+
+void add_mollification(CLI::App& command, std::optional<double>& mollification,
+                       const std::string& otherwise)
+{
+  const std::string description =
+      std::string(
+          "take thin faces as they are, also those of area zero: solve on the intrinsic Delaunay "
+          "triangulation, and add to all edges what triangles lack, at most this share of the mean "
+          "edge (--mollify=0.001; default 1e-6); the report tells how many edges were flipped and "
+          "by "
+          "how much they were made longer") +
+      otherwise;
+  command.add_flag("--mollify{1e-6}", description)
+      ->check(below_one)
+      ->each([&mollification](const std::string& text) {
+        mollification = std::strtod(text.c_str(), nullptr);
+      });
+}
+
+void add_boundary(CLI::App& command, Boundary_choice& boundary)
+{
+  add_choice(command, "--boundary", boundary, {"free", "tangents", "binormals"},
+             "what its boundary keeps: nothing (it moves as little as it can), its tangents, or "
+             "its binormals, which point out of the surface");
+}
+
+void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect)
+{
+  command
+      .add_option("--max-period-defect", max_period_defect,
+                  "largest part of the edges that may fail to close up around handles and holes; "
+                  "by default a quarter of the discretisation error")
+      ->check(above_zero);
+}
+
+void add_eigenvector(CLI::App& command, Common_options& common)
+{
+  command.add_option("--seed", common.seed, "of random start vectors")->capture_default_str();
+  command.add_option("--tolerance", common.tolerance, "of the eigenvector")
+      ->check(above_zero)
+      ->capture_default_str();
+}
+
+void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
+{
+  command.add_option("--max-closure", limits.closure, "largest closure residual")
+      ->check(above_zero)
+      ->capture_default_str();
+  command
+      .add_option("--max-quasi-conformal", limits.quasi_conformal,
+                  "largest mean quasi-conformal error")
+      ->check(above_zero)
+      ->capture_default_str();
+  command.add_option("--max-flipped", limits.flipped, "largest share of flipped faces")
+      ->check(finite)
+      ->capture_default_str();
+  command
+      .add_option("--max-direction-error", limits.direction_error,
+                  "by how many degrees directions at a boundary may be missed in the mean")
+      ->check(above_zero)
+      ->capture_default_str();
+  command
+      .add_option("--min-realised", limits.realised,
+                  "smallest share of rho that the new surface may have, where handles or holes do "
+                  "not allow all")
+      ->check(finite)
+      ->capture_default_str();
+  command
+      .add_option("--max-collapsed", limits.collapsed,
+                  "largest share of the area whose lengths may shrink below a tenth of the mean")
+      ->check(finite)
+      ->capture_default_str();
+  command.add_flag("--force", force, "write also what does not verify");
+}
+
+}  // namespace conformal

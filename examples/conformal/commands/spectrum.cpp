@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.h"
+#include "option_groups.h"
+
+#include "conformal/io/file/Temporary_file.h"
+#include "conformal/io/file/numbers.h"
+#include "conformal/process/Failure.h"
+#include "conformal/process/interruption.h"
+#include "conformal/process/text.h"
+#include "conformal/transform/suitable_surface.h"
+#include "conformal/transform/write_result.h"
+
+#include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
+#include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace conformal {
+namespace {
+
+const char* const about =
+    "Finds eigenvalues of the quaternionic Dirac operator of a surface: those of the smallest\n"
+    "modulus, or those nearest to a shift, with sign and multiplicity, in 1/length. Constants "
+    "have\n"
+    "the eigenvalue 0. At a boundary binormals are kept.\n"
+    "--csv writes one line for each; --surface N -o FILE the surface whose spin is eigenfunction "
+    "N.\n"
+    "Example: conformal spectrum sphere.off --count 16 --csv eigenvalues.csv";
+
+/// what `conformal spectrum` takes
+struct Spectrum_options {
+  std::string input, csv;
+  int count = 10;
+  double shift = 0;
+  double resolution = 0.005;  ///< eigenvalues nearer than this share of the largest are told as one
+  std::optional<int> surface;  ///< the eigenfunction whose surface is written
+};
+
+void add_options(CLI::App& command, Spectrum_options& options, Common_options& common)
+{
+  add_repair(command, common);
+  add_output(command, common, "the surface of an eigenfunction");
+  add_input(command, options.input);
+  command.add_option("--count", options.count, "how many eigenvalues")
+      ->check(above_zero)
+      ->capture_default_str();
+  command.add_option("--shift", options.shift, "those nearest to it, in 1/length")
+      ->capture_default_str();
+  command.add_option("--csv", options.csv, "write the eigenvalues to this file")->check(file_name);
+  command
+      .add_option("--resolution", options.resolution,
+                  "eigenvalues nearer than this share of the largest are shown as one")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      .add_option("--surface", options.surface,
+                  "write the surface of this eigenfunction, counted from 0")
+      ->check(CLI::NonNegativeNumber)
+      ->needs("--output");
+  add_eigenvector(command, common);
+}
+
+Files files(const Spectrum_options& spectrum)
+{
+  return {{"the input", spectrum.input, Named_file::Role::replaceable},
+          {"--csv", spectrum.csv, Named_file::Role::written}};
+}
+
+CGP::internal::Dirac_spectrum find(const Surface_input& input, const Spectrum_options& options,
+                                   const Common_options& common)
+{
+  const CGP::Mesh_view& mesh = input.mesh;
+  if (options.count > mesh.size_of_vertices())
+    throw Failure(Exit_code::usage, "--count " + std::to_string(options.count) + ": " +
+                                        options.input + " has only " +
+                                        std::to_string(mesh.size_of_vertices()) + " vertices");
+  CGP::internal::Dirac_spectrum_options o;
+  o.shift = options.shift;
+  o.tolerance = common.tolerance;
+  o.random_seed = common.seed;
+  const auto condition = CGP::boundary_loops(mesh).empty() ? CGP::Boundary_condition::free()
+                                                           : CGP::Boundary_condition::binormals();
+  CGP::internal::Dirac_spectrum s =
+      CGP::internal::Dirac_spectral_problem<>(mesh, condition, "spectrum")
+          .find(CGP::no_potential(mesh), options.count, o,
+                [](const CGP::internal::Krylov_progress&) { return signal_received() == 0; });
+  throw_if_interrupted();
+  if (!s.converged)
+    throw Failure(Exit_code::failed, options.input +
+                                         ": not all eigenvalues were found; try: a "
+                                         "smaller --count, or another --shift");
+  return s;
+}
+
+std::vector<double> numbers(const Eigen::VectorXd& v)
+{
+  return {v.begin(), v.end()};
+}
+
+void tell(const CGP::internal::Dirac_spectrum& s, const Spectrum_options& options, Report& report)
+{
+  report.set("result/eigenvalues", numbers(s.eigenvalues));
+  report.set("result/pencil_eigenvalues", numbers(s.pencil_eigenvalues));
+  report.set("result/residual", s.residuals.maxCoeff());
+  report.set("result/restarts", s.restarts);
+  report.set("result/complete_from", s.shift - s.complete_radius);
+  report.set("result/complete_to", s.shift + s.complete_radius);
+  report.set("result/is_complete", s.is_complete());
+  const double resolution = options.resolution * s.eigenvalues.cwiseAbs().maxCoeff();
+  report.show("eigenvalue", "multiplicity");
+  for (const auto& [value, multiplicity] : CGP::with_multiplicities(s.eigenvalues, resolution))
+    report.show(text_of(value), std::to_string(multiplicity));
+  report.show("complete from", text_of(s.shift - s.complete_radius));
+  report.show("complete to", text_of(s.shift + s.complete_radius));
+}
+
+std::string csv_of(const CGP::internal::Dirac_spectrum& s)
+{
+  std::string text = "number,eigenvalue,pencil_eigenvalue,residual\n";
+  for (Eigen::Index k = 0; k < s.size(); ++k) {
+    text += std::to_string(k);
+    for (const double x : {s.eigenvalues[k], s.pencil_eigenvalues[k], s.residuals[k]}) {
+      text += ',';
+      append_number(text, x);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+/// \pre the surface is found, however it looks: no map to it was asked for
+void write_surface_of(const Surface_input& input, const CGP::internal::Dirac_spectrum& s,
+                      int number, Session& session)
+{
+  const CGP::Spin_result result =
+      CGP::surface_of_spin(input.mesh, s.vectors.col(number), "spectrum");
+  session.report().set("result/surface/eigenvalue", s.eigenvalues[number]);
+  session.report().set("result/surface/closure_residual", result.report.closure_residual);
+  session.conclude(judge({result.positions}, {}, "another one"), On_fault::refuse);
+  write_result(input, {result.positions}, session);
+}
+
+void require_consistent(const Spectrum_options& options, const Session& session)
+{
+  const bool has_output = !session.options().output.empty();
+  if (has_output && !options.surface)
+    throw Failure(Exit_code::usage, "-o needs --surface, the number of an eigenfunction");
+  if (options.surface && *options.surface >= options.count)
+    throw Failure(Exit_code::usage,
+                  "there is no eigenfunction " + std::to_string(*options.surface) +
+                      "; try: --surface 0 to " + std::to_string(options.count - 1));
+  if (has_output) require_writable(session.options().output);
+}
+
+void spectrum(const Spectrum_options& options, Session& session)
+{
+  require_consistent(options, session);
+  std::optional<Temporary_file> csv;
+  if (!options.csv.empty()) csv.emplace(options.csv);
+  const Surface_input input = read_suitable_surface(options.input, session);
+  const auto s = find(input, options, session.options());
+  session.end_stage("solve");
+  if (options.surface) write_surface_of(input, s, *options.surface, session);
+  if (csv) {
+    csv->write(csv_of(s));
+    csv->commit();
+  }
+  session.end_stage("write");
+  tell(s, options, session.report());
+  if (!s.is_complete())
+    session.note("between the eigenvalues shown others may be missing, except from " +
+                 text_of(s.shift - s.complete_radius) + " to " +
+                 text_of(s.shift + s.complete_radius) + ": the mesh does not resolve the " +
+                 std::to_string(s.wanted) + " that were asked for");
+}
+
+}  // namespace
+
+Command spectrum_command()
+{
+  return make_command<Spectrum_options>("spectrum", about, add_options, files, spectrum);
+}
+
+}  // namespace conformal

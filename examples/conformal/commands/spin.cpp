@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.h"
+#include "option_groups.h"
+
+#include "conformal/input/boundary_condition.h"
+#include "conformal/input/rho.h"
+#include "conformal/process/Failure.h"
+#include "conformal/transform/deform.h"
+#include "conformal/transform/each_component.h"
+#include "conformal/transform/suitable_surface.h"
+#include "conformal/transform/write_result.h"
+
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <utility>
+
+namespace conformal {
+namespace {
+
+const char* const about =
+    "Deforms a surface conformally so that its mean curvature changes by rho.\n"
+    "rho is in 1/length of the normalised frame (the middle of the bounding box at 0, its "
+    "diagonal\n"
+    "2), positive rho bulges outward, constants have no effect. The output has the vertex\n"
+    "properties quality (quasi-conformal error, 1 is perfect) and rho; normals are left out.\n"
+    "On surfaces with handles (genus > 0) or several boundary loops the part of rho is left out\n"
+    "with which they would not close up, and the rest is reached in as many steps as it takes; "
+    "the\n"
+    "table tells how much. A boundary is free, unless --boundary says what it keeps.\n"
+    "--filter keeps the large features of rho, the small ones, or lifts these out.\n"
+    "--mollify takes faces as thin as they may be, also of area zero, which are refused "
+    "otherwise;\n"
+    "it is tried, and told, where a result does not verify without.\n"
+    "A result that does not verify is not written, and the exit code is 1.\n"
+    "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply\n"
+    "Example: conformal spin bear.obj --paint fur.png --filter unsharp --amplitude 8 -o bear.ply";
+
+void add_options(CLI::App& command, Spin_options& spin, Common_options& common)
+{
+  add_input(command, spin.input);
+  add_transformation(command, common);
+  add_rho(command, spin.rho)->require_option(1);
+  add_filter(command, spin.rho.filter);
+  add_boundary(command, spin.boundary);
+  add_lambda(command, spin.lambda);
+  add_solver(command, spin.solver);
+  add_period_defect(command, spin.max_period_defect);
+  add_mollification(command, spin.mollification, tried_otherwise);
+  add_choice(command, "--problem", spin.problem, {"standard", "generalized"},
+             "standard, or generalized for rho on faces where that can be trusted");
+  command.add_flag("--open-handles", spin.open_handles,
+                   "apply rho in one step, also the part of it that shears handles and holes");
+  add_eigenvector(command, common);
+  add_limits(command, spin.limits, spin.force);
+}
+
+Files files(const Spin_options& spin)
+{
+  return {{"the input", spin.input, Named_file::Role::replaceable},
+          {"--rho-file", spin.rho.file},
+          {"--paint", spin.rho.image}};
+}
+
+void require_possible(const Surface_input& input, const Spin_options& spin)
+{
+  require_boundary_to_keep(input, spin.boundary);
+  if (spin.problem == Eigenproblem::generalized && !CGP::topology(input.mesh).is_closed())
+    throw unsuitable(input.file.path,
+                     "--problem generalized wants a closed surface; try: --problem standard");
+}
+
+std::string easier(const Spin_options& spin)
+{
+  const bool is_mollified = spin.mollification.value_or(1) > 0;
+  return is_mollified ? "a weaker rho" : "a weaker rho, --mollify for thin faces";
+}
+
+/// \param rho in 1/length
+Spin_problem problem_of(CGP::Curvature_potential rho, const Spin_options& spin)
+{
+  if (spin.problem == Eigenproblem::generalized && rho.on == CGP::Curvature_potential::On::vertices)
+    throw Failure(Exit_code::usage, "--problem generalized wants rho on faces; try: --on faces");
+  Spin_problem problem;
+  problem.rho = std::move(rho);
+  problem.boundary = kept_boundary(spin.boundary);
+  problem.closes_loops = !spin.open_handles;
+  problem.mollification = spin.mollification.value_or(0);
+  if (!spin.mollification) problem.second_try = 1e-6;
+  return problem;
+}
+
+void spin(const Spin_options& options, Session& session)
+{
+  require_writable(session.options().output);
+  const Surface_input input =
+      read_suitable_surface(options.input, session, flat_faces(options.mollification));
+  if (!session.options().each_component) require_possible(input, options);
+  Transformed_surface surface = Transformed_surface::unchanged(input.mesh);
+  surface.rho = read_rho(input, options.rho);
+  const double unit = User_frame(input.mesh).unit();
+  each_component(input, session, [&](const Component& component, Session& own) {
+    require_possible(component.input, options);
+    const Spin_problem problem =
+        problem_of(on_component(surface.rho, component, 1 / unit), options);
+    surface.set(component, deform(component.input, problem, options, easier(options), own));
+  });
+  write_result(input, surface, session, options.lambda);
+}
+
+}  // namespace
+
+Command spin_command()
+{
+  return make_command<Spin_options>("spin", about, add_options, files, spin);
+}
+
+}  // namespace conformal

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.h"
+#include "numbered_outputs.h"
+#include "option_groups.h"
+
+#include "conformal/input/Surface_input.h"
+#include "conformal/io/file/snapshot_path.h"
+#include "conformal/io/write_surface.h"
+#include "conformal/process/Failure.h"
+#include "conformal/process/text.h"
+#include "conformal/repair/select_faces.h"
+#include "conformal/report/report_input.h"
+#include "conformal/transform/write_result.h"
+
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace conformal {
+namespace {
+
+const char* const about =
+    "Writes each component of a mesh to a file of its own: OUTPUT with the number of the "
+    "component,\n"
+    "in the order of their first vertices (parts_0000.ply). Vertices and faces keep their order "
+    "and\n"
+    "their properties. The mesh may have any defects.\n"
+    "Example: conformal split scan.ply --min-faces 100 -o parts.ply";
+
+struct Split_options {
+  std::string input;
+  int min_faces = 1;  ///< smaller components are left out
+};
+
+void add_options(CLI::App& command, Split_options& split, Common_options& common)
+{
+  add_input(command, split.input);
+  add_repair(command, common);
+  add_output(command, common, "the name to which numbers are added")->required();
+  command.add_option("--min-faces", split.min_faces, "leave out components with fewer faces")
+      ->check(above_zero)
+      ->capture_default_str();
+}
+
+Files files(const Split_options& split)
+{
+  return {{"the input", split.input}};
+}
+
+/// the faces in the file of each component that is large enough
+std::vector<std::vector<int>> faces_of_components(const Surface_input& input, int min_faces)
+{
+  const std::vector<int> component = CGP::connected_components(input.mesh);
+  std::vector<std::vector<int>> faces;
+  for (int t = 0; t < input.mesh.size_of_faces(); ++t) {
+    const int v = input.mesh.corners(t)[0];
+    const auto c = static_cast<std::size_t>(component[static_cast<std::size_t>(v)]);
+    if (faces.size() <= c) faces.resize(c + 1);
+    const int f = input.face_in_file[static_cast<std::size_t>(t)];
+    if (faces[c].empty() || faces[c].back() != f) faces[c].push_back(f);
+  }
+  const auto is_small = [&](const auto& own) { return static_cast<int>(own.size()) < min_faces; };
+  faces.erase(std::remove_if(faces.begin(), faces.end(), is_small), faces.end());
+  return faces;
+}
+
+void write_parts(const Surface_input& input, const std::vector<std::vector<int>>& faces,
+                 Session& session)
+{
+  Grid grid({"component", "vertices", "faces", "file"});
+  std::vector<std::string> paths;
+  for (std::size_t c = 0; c < faces.size(); ++c) {
+    const Surface_file part = part_of(input.file, faces[c]);
+    paths.push_back(snapshot_path(session.options().output, static_cast<int>(c)));
+    session.note_all(write_surface(paths.back(), part));
+    grid.add({std::to_string(c), std::to_string(part.points.size()),
+              std::to_string(part.polygons.size()), paths.back()});
+  }
+  session.report().set("result/components", static_cast<int>(faces.size()));
+  session.report().set("result/files", Report::Value(paths));
+  session.report().show(grid);
+}
+
+void split(const Split_options& options, Session& session)
+{
+  const std::string& output = session.options().output;
+  require_writable(output);
+  const Surface_input input = read_surface_input(options.input, session.options().repair);
+  session.end_stage("read");
+  session.note_all(input.notes);
+  report_input(input, session.report());
+  const auto faces = faces_of_components(input, options.min_faces);
+  if (faces.empty())
+    throw unsuitable(options.input, "no component has so many faces; try: a smaller --min-faces");
+  require_new_files("component", output, static_cast<int>(faces.size()), {options.input});
+  write_parts(input, faces, session);
+  session.end_stage("write");
+}
+
+}  // namespace
+
+Command split_command()
+{
+  return make_command<Split_options>("split", about, add_options, files, split);
+}
+
+}  // namespace conformal

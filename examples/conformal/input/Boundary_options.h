@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_INPUT_BOUNDARY_OPTIONS_H
+#define CONFORMAL_INPUT_BOUNDARY_OPTIONS_H
+
+#include <string>
+
+namespace conformal {
+
+/// what stays as it is at the boundary of a surface that has one
+enum class Boundary_choice { free, tangents, binormals };
+
+/// The prescribed boundary: exactly one member is not empty
+struct Prescription_options {
+  std::string tangents_from, binormals_from, positions_from;  ///< files with meshes
+  std::string curve;                                          ///< a file with points
+  std::string tangent_rotation, binormal_tilt;                ///< formulas
+};
+
+}  // namespace conformal
+
+#endif

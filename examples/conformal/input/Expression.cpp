@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Expression.h"
+
+#include "conformal/io/file/numbers.h"
+#include "conformal/process/Failure.h"
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace conformal {
+namespace {
+
+double gauss(double d, double s)
+{
+  return std::exp(-d * d / (2 * s * s));
+}
+
+double bump(double d, double r)
+{
+  const double t = d / r;
+  return t * t < 1 ? std::exp(1 - 1 / (1 - t * t)) : 0;
+}
+
+std::string listed(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+}  // namespace
+
+struct Expression::Parser {
+  Parser(const std::string& t, const std::string& o, const std::vector<std::string>& more)
+      : text(t), option(o)
+  {
+    names.insert(names.end(), more.begin(), more.end());
+    values.resize(names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) parser.DefineVar(names[i], &values[i]);
+    parser.DefineConst("pi", std::acos(-1.));
+    parser.DefineConst("e", std::exp(1.));
+    parser.DefineFun("gauss", gauss);
+    parser.DefineFun("bump", bump);
+    try {
+      parser.SetExpr(text);  // finds no other fault than this
+    } catch (const mu::Parser::exception_type&) {
+      throw bad("is too long with its " + std::to_string(text.size()) + " characters");
+    }
+  }
+
+  double value()
+  {
+    try {
+      int results = 0;
+      const double* all = parser.Eval(results);
+      if (results != 1) throw bad("gives " + std::to_string(results) + " values, wanted one");
+      return all[0];
+    } catch (const mu::Parser::exception_type& error) {
+      // muParser counts from 0, and says so in most of its messages, but not in all.
+      const std::string message = error.GetMsg();
+      throw bad(message.substr(0, message.find(" at position")) + ", at place " +
+                std::to_string(error.GetPos() + 1));
+    }
+  }
+
+  Failure bad(const std::string& message) const
+  {
+    return {Exit_code::usage, option + " " + in_quotes(text) + ": " + message +
+                                  "; try: a formula in " + listed(names) + " such as sin(5*y)"};
+  }
+
+  std::string text, option;
+  std::vector<std::string> names = {"x", "y", "z", "nx", "ny", "nz"};
+  std::vector<double> values;
+  mu::Parser parser;
+};
+
+Expression::Expression(const std::string& text, const std::string& option,
+                       const std::vector<std::string>& more)
+    : m_parser(std::make_unique<Parser>(text, option, more))
+{
+  m_parser->value();
+}
+
+Expression::~Expression() = default;
+
+double Expression::operator()(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                              const std::vector<double>& more)
+{
+  std::vector<double>& values = m_parser->values;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    values[static_cast<std::size_t>(i)] = point[i];
+    values[static_cast<std::size_t>(i + 3)] = normal[i];
+  }
+  std::copy(more.begin(), more.end(), values.begin() + 6);
+  return m_parser->value();
+}
+
+}  // namespace conformal

@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Surface_input.h"
+
+#include "conformal/io/read_surface.h"
+#include "conformal/process/text.h"
+#include "conformal/repair/orientation.h"
+#include "conformal/repair/triangulation.h"
+
+#include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+
+#include <numeric>
+
+namespace conformal {
+namespace {
+
+// Renumbers the referenced vertices in order and updates the face indices.
+std::vector<int> leave_out_unreferenced(std::size_t size, CGP::Mesh_view::Corners& corners)
+{
+  std::vector<int> number(size, -1);
+  for (const auto& triangle : corners)
+    for (const int v : triangle) number[static_cast<std::size_t>(v)] = 0;
+  std::vector<int> kept;
+  for (std::size_t v = 0; v < size; ++v)
+    if (number[v] == 0) {
+      number[v] = static_cast<int>(kept.size());
+      kept.push_back(static_cast<int>(v));
+    }
+  for (auto& triangle : corners)
+    for (int& v : triangle) v = number[static_cast<std::size_t>(v)];
+  return kept;
+}
+
+CGP::Points points_of(const Surface_file& file, const std::vector<int>& vertices)
+{
+  CGP::Points points(3, static_cast<Eigen::Index>(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    points.col(static_cast<Eigen::Index>(i)) =
+        Eigen::Vector3d::Map(file.points[static_cast<std::size_t>(vertices[i])].data());
+  return points;
+}
+
+void turn(CGP::Mesh_view::Corners& corners, const std::vector<int>& face_in_file,
+          const std::vector<char>& is_turned)
+{
+  for (std::size_t f = 0; f < corners.size(); ++f)
+    if (is_turned[static_cast<std::size_t>(face_in_file[f])])
+      std::swap(corners[f][1], corners[f][2]);
+}
+
+void repair_orientation(Surface_input& input)
+{
+  const Orientation o =
+      find_orientation(input.mesh, input.face_in_file, input.file.polygons.size());
+  input.is_orientable = o.is_orientable;
+  input.turned_faces =
+      static_cast<int>(std::accumulate(o.is_turned.begin(), o.is_turned.end(), 0L));
+  if (!o.is_orientable || input.turned_faces == 0) return;
+  auto corners = input.mesh.corners();
+  turn(corners, input.face_in_file, o.is_turned);
+  input.mesh = CGP::Mesh_view(input.mesh.positions(), std::move(corners));
+  turn_faces(input.file, o.is_turned);
+  input.notes.push_back(count_of(static_cast<std::size_t>(input.turned_faces), "face") + " of " +
+                        std::to_string(input.file.polygons.size()) +
+                        " turned around, to agree with the others");
+}
+
+bool is_closed_manifold(const CGP::Mesh_view& mesh)
+{
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
+    if (mesh.halfedges_end(k) - mesh.halfedges_begin(k) != 2) return false;
+  return mesh.size_of_faces() > 0;
+}
+
+// with the right sign however large or small the surface is
+double volume_in_frame(CGP::Mesh_view mesh)
+{
+  mesh.set_positions(CGP::internal::Normalized_frame(mesh.positions()).to_frame(mesh.positions()));
+  return CGP::signed_volume(mesh);
+}
+
+void turn_outward(Surface_input& input)
+{
+  if (!input.is_orientable || !is_closed_manifold(input.mesh)) return;
+  if (!(volume_in_frame(input.mesh) < 0)) return;
+  input.is_turned_outward = true;
+  auto corners = input.mesh.corners();
+  for (auto& triangle : corners) std::swap(triangle[1], triangle[2]);
+  input.mesh = CGP::Mesh_view(input.mesh.positions(), std::move(corners));
+  input.notes.emplace_back(
+      "the surface is inside out: computed with outward normals, faces are written as they were");
+}
+
+// The index in the user's file, before its repair.
+int before_repair(std::vector<int> Repair::*in_file, const Surface_input& input, int i)
+{
+  return input.repair ? ((*input.repair).*in_file)[static_cast<std::size_t>(i)] : i;
+}
+
+std::string with_obj_number(const Surface_input& input, const char* what, int i)
+{
+  std::string name = what + (' ' + std::to_string(i));
+  if (input.file.format == File_format::obj)
+    name += " (number " + std::to_string(i + 1) + " in the OBJ file)";
+  return name;
+}
+
+}  // namespace
+
+Surface_input prepare(Surface_file file)
+{
+  Surface_input input;
+  input.file = std::move(file);
+  auto [corners, face_in_file, places, triangulated] = triangulate(input.file);
+  input.face_in_file = std::move(face_in_file);
+  input.triangulated = triangulated;
+  input.vertex_in_file = leave_out_unreferenced(input.file.points.size(), corners);
+  input.mesh = CGP::Mesh_view(points_of(input.file, input.vertex_in_file), std::move(corners));
+  input.unreferenced = static_cast<int>(input.file.points.size() - input.vertex_in_file.size());
+  if (triangulated > 0)
+    input.notes.push_back(count_of(static_cast<std::size_t>(triangulated), "polygon") +
+                          " triangulated for the computation, written as they were");
+  if (input.unreferenced > 0)
+    input.notes.push_back(count_of(static_cast<std::size_t>(input.unreferenced), "vertex") +
+                          " without a face left where they are");
+  repair_orientation(input);
+  turn_outward(input);
+  return input;
+}
+
+Surface_input read_surface_input(const std::string& path, bool is_repaired)
+{
+  const Bad_faces bad_faces = is_repaired ? Bad_faces::kept : Bad_faces::refused;
+  Surface_file file = read_surface(path == "-" ? "/dev/stdin" : path, bad_faces);
+  std::optional<Repair> repaired;
+  std::vector<std::string> notes;
+  if (is_repaired) {
+    repaired = repair(file);
+    notes = repaired->notes();
+  }
+  notes.insert(notes.begin(), file.notes.begin(), file.notes.end());
+  Surface_input input = prepare(std::move(file));
+  input.repair = std::move(repaired);
+  input.notes.insert(input.notes.begin(), notes.begin(), notes.end());
+  return input;
+}
+
+Surface_input as_input(const CGP::Mesh_view& mesh)
+{
+  Surface_file file;
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    const Eigen::Vector3d p = mesh.position(v);
+    file.points.push_back({p.x(), p.y(), p.z()});
+  }
+  Polygons& polygons = file.polygons;
+  for (const auto& corners : mesh.corners()) {
+    polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
+    polygons.first.push_back(polygons.corners.size());
+  }
+  file.vertices.size = file.points.size();
+  file.faces.size = polygons.size();
+  return prepare(std::move(file));
+}
+
+std::string name_of_vertex(const Surface_input& input, int v)
+{
+  const int i = input.vertex_in_file[static_cast<std::size_t>(v)];
+  return with_obj_number(input, "vertex", before_repair(&Repair::vertex_in_file, input, i));
+}
+
+std::string name_of_face(const Surface_input& input, int f)
+{
+  const int i = input.face_in_file[static_cast<std::size_t>(f)];
+  return with_obj_number(input, "face", before_repair(&Repair::face_in_file, input, i));
+}
+
+std::string name_of_edge(const Surface_input& input, int k)
+{
+  const auto& ends = input.mesh.ends(k);
+  return "the edge from " + name_of_vertex(input, ends[0]) + " to " +
+         name_of_vertex(input, ends[1]);
+}
+
+std::vector<double> to_file_vertices(const Surface_input& input, const Eigen::VectorXd& values,
+                                     double elsewhere)
+{
+  std::vector<double> result(input.file.points.size(), elsewhere);
+  for (std::size_t v = 0; v < input.vertex_in_file.size(); ++v)
+    result[static_cast<std::size_t>(input.vertex_in_file[v])] =
+        values[static_cast<Eigen::Index>(v)];
+  return result;
+}
+
+}  // namespace conformal

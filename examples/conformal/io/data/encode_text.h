@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_DATA_ENCODE_TEXT_H
+#define CONFORMAL_IO_DATA_ENCODE_TEXT_H
+
+#include "Surface_file.h"
+
+#include "conformal/io/file/numbers.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace conformal {
+
+/// Appends value i of a property, shortest for its type.
+void append_value(std::string& text, const Property& property, std::size_t i);
+
+/// Appends a blank and a number.
+void append_word(std::string& text, double value);
+
+/// the text with blanks for line ends
+std::string on_one_line(std::string text);
+
+/// A note for each property of an element that is not among the names, if there is one.
+void note_lost_properties(const Element& element, const std::vector<std::string_view>& written,
+                          const char* format, std::vector<std::string>& notes);
+
+}  // namespace conformal
+
+#endif

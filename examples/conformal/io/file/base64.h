@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_FILE_BASE64_H
+#define CONFORMAL_IO_FILE_BASE64_H
+
+#include <string>
+#include <string_view>
+
+namespace conformal {
+
+/// bytes as text of A-Z a-z 0-9 + / and = at the end (RFC 4648), without line breaks
+std::string base64(std::string_view bytes);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_FILE_SNAPSHOT_PATH_H
+#define CONFORMAL_IO_FILE_SNAPSHOT_PATH_H
+
+#include <string>
+
+namespace conformal {
+
+/// `output` with the number of a step before its extension: `bear_0005.ply`
+/// \pre `output` has an extension
+std::string snapshot_path(const std::string& output, int step);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_GLB_GLB_MESH_H
+#define CONFORMAL_IO_GLB_GLB_MESH_H
+
+#include "conformal/io/data/Surface_file.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace conformal {
+
+/// A surface as graphics hardware takes it: one index per corner, so that a vertex on a seam of the
+/// texture has copies; they come after all vertices. Empty vectors stand for what there is not.
+struct Glb_mesh {
+  Point middle{};  // of the bounding box; positions are relative to it
+  std::vector<std::array<float, 3>> positions, normals;
+  std::vector<std::array<float, 2>> texture;            // (u, 1 - v)
+  std::vector<std::array<unsigned char, 4>> colors;     // red, green, blue, alpha
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // polygons as fans
+};
+
+Glb_mesh glb_mesh(const Surface_file& file);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_GLB_READ_GLB_H
+#define CONFORMAL_IO_GLB_READ_GLB_H
+
+#include "conformal/io/data/Surface_file.h"
+
+#include <string>
+#include <string_view>
+
+namespace conformal {
+
+/// Reads the triangles of the scene of a GLB file, each mesh in its place. Corners of exactly equal
+/// coordinates are one vertex, numbered by first appearance. Texture coordinates are those of
+/// corners, colours those of vertices; names of meshes and materials become lines `o` and `usemtl`.
+/// Normals are not read, since the points define them. \throws Read_error
+Surface_file parse_glb(std::string_view bytes, const std::string& path,
+                       Bad_faces bad_faces = Bad_faces::refused);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_GLB_WRITE_GLB_H
+#define CONFORMAL_IO_GLB_WRITE_GLB_H
+
+#include "conformal/io/data/Surface_file.h"
+
+#include <string>
+#include <vector>
+
+namespace conformal {
+
+/// The bytes of a GLB 2.0 file to look at: POSITION (float, about the middle of the bounding box,
+/// which is the translation of the node), NORMAL (of the vertices, or else averaged from the
+/// faces), TEXCOORD_0, COLOR_0, uint32 triangles (polygons as fans).
+///
+/// Vertex v of the file is vertex v of the GLB; copies for seams come after all vertices. Texture
+/// coordinates without colours get a checkerboard. GLB counts v downwards: it is written as 1 - v.
+/// \throws Write_error (for `path`) if the file would be larger than 4 GiB, the format's limit, or
+/// a coordinate does not fit into a float
+std::string encode_glb(const Surface_file& file, const std::string& path,
+                       std::vector<std::string>& notes);
+
+/// Writes a GLB file, and returns data that the format does not support. \throws Write_error
+std::vector<std::string> write_glb(const std::string& path, const Surface_file& file);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_OBJ_READ_OBJ_H
+#define CONFORMAL_IO_OBJ_READ_OBJ_H
+
+#include "conformal/io/data/Surface_file.h"
+
+#include <string>
+#include <string_view>
+
+namespace conformal {
+
+/// Reads the polygons of an OBJ file: `v` with colours, `vt`, `vn`, `f` with absolute or relative
+/// indices, lines continued by a backslash. `g o s usemtl mtllib` and the like are kept with the
+/// face that they precede, comments on lines of their own are kept; points, lines and free-form
+/// curves and surfaces are not read. A word that OBJ does not define is an error, since it may be a
+/// damaged face. O(bytes). \throws Read_error
+Surface_file read_obj(const std::string& path);
+
+/// the same from memory; `path` is for messages
+Surface_file parse_obj(std::string_view bytes, const std::string& path,
+                       Bad_faces bad_faces = Bad_faces::refused);
+
+}  // namespace conformal
+
+#endif

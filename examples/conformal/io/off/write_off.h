@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_OFF_WRITE_OFF_H
+#define CONFORMAL_IO_OFF_WRITE_OFF_H
+
+#include "conformal/io/data/Surface_file.h"
+
+#include <string>
+#include <vector>
+
+namespace conformal {
+
+/// Returns the text of an OFF file, with the prefixes ST, C and N for the vertex properties; all
+/// numbers are the shortest ones that read back the same.
+/// \param notes receives data that the format does not support (texture coordinates with seams,
+/// ...)
+std::string encode_off(const Surface_file& file, std::vector<std::string>& notes);
+
+/// Writes an OFF file, and returns data that the format does not support. \throws Write_error
+std::vector<std::string> write_off(const std::string& path, const Surface_file& file);
+
+}  // namespace conformal
+
+#endif

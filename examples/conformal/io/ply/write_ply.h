@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_PLY_WRITE_PLY_H
+#define CONFORMAL_IO_PLY_WRITE_PLY_H
+
+#include "Ply_header.h"
+
+#include "conformal/io/data/Surface_file.h"
+
+#include <string>
+#include <vector>
+
+namespace conformal {
+
+/// The bytes of a PLY file: x, y, z (always of type double, so that no coordinate is rounded), then
+/// the properties in their order and types, `vertex_indices` first for faces, then other elements.
+///
+/// Data from an OFF or OBJ file get the types that viewers expect: normals and texture coordinates
+/// float, colours of 0..1 uchar. OBJ texture coordinates become `texture_u texture_v` or, if they
+/// have seams, the list `texcoord` of the faces.
+/// \param notes receives data that the format does not support
+std::string encode_ply(const Surface_file& file, Ply_encoding encoding,
+                       std::vector<std::string>& notes);
+
+/// Writes a PLY file, and returns data that the format does not support. \throws Write_error
+std::vector<std::string> write_ply(const std::string& path, const Surface_file& file,
+                                   Ply_encoding encoding = Ply_encoding::little_endian);
+
+}  // namespace conformal
+
+#endif

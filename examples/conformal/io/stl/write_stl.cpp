@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "write_stl.h"
+
+#include "conformal/io/data/encode_text.h"
+#include "conformal/io/data/texture_coordinates.h"
+#include "conformal/io/file/Temporary_file.h"
+#include "conformal/io/file/little_endian.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace conformal {
+namespace {
+
+using Triangle = std::array<Point, 3>;
+
+/// of length 1, or zero where the triangle has no area
+Point normal_of(const Triangle& t)
+{
+  Point normal{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+    normal[k] =
+        (t[1][l] - t[0][l]) * (t[2][m] - t[0][m]) - (t[1][m] - t[0][m]) * (t[2][l] - t[0][l]);
+  }
+  const double length = std::hypot(normal[0], normal[1], normal[2]);
+  for (double& x : normal) x = length > 0 && std::isfinite(length) ? x / length : 0;
+  return normal;
+}
+
+void append_point(std::string& bytes, const Point& point)
+{
+  for (const double x : point) append_little_endian(bytes, static_cast<float>(x));
+}
+
+void append_facet(std::string& bytes, const Triangle& triangle, std::uint16_t attribute)
+{
+  append_point(bytes, normal_of(triangle));
+  for (const Point& point : triangle) append_point(bytes, point);
+  append_little_endian(bytes, attribute);
+}
+
+/// \returns the number of triangles
+std::uint32_t append_faces(std::string& bytes, const Surface_file& file)
+{
+  const Property* attributes = find_property(file.faces, "attribute");
+  const auto point = [&](std::size_t c) {
+    return file.points[static_cast<std::size_t>(file.polygons.corners[c])];
+  };
+  std::uint32_t count = 0;
+  for (std::size_t f = 0; f < file.polygons.size(); ++f) {
+    const std::size_t begin = file.polygons.first[f], end = file.polygons.first[f + 1];
+    const bool has_attribute = attributes != nullptr && !attributes->is_list();
+    const double attribute = has_attribute ? attributes->value(f) : 0;
+    const bool fits = attribute >= 0 && attribute <= 0xffff;
+    for (std::size_t c = begin + 2; c < end; ++c, ++count)
+      append_facet(bytes, {point(begin), point(c - 1), point(c)},
+                   static_cast<std::uint16_t>(fits ? attribute : 0));
+  }
+  return count;
+}
+
+void note_losses(const Surface_file& file, std::vector<std::string>& notes)
+{
+  notes.emplace_back("STL has no vertices: those at the same place in single precision become one");
+  note_lost_properties(file.vertices, {"nx", "ny", "nz"}, "STL", notes);
+  note_lost_properties(file.faces, {"attribute", "nx", "ny", "nz"}, "STL", notes);
+  if (!file.texture.empty()) notes.emplace_back("texture coordinates are not written to STL");
+  if (!file.group_lines.empty()) notes.emplace_back("groups and materials are not written to STL");
+  for (const Element& element : file.other_elements)
+    notes.push_back("the element " + element.name + " is not written to STL");
+}
+
+}  // namespace
+
+std::string encode_stl(const Surface_file& file, std::vector<std::string>& notes)
+{
+  std::string facets;
+  const std::uint32_t count = append_faces(facets, file);
+  std::string bytes = "binary STL";  // not `solid`, with which a text would begin
+  bytes.resize(80, ' ');
+  append_little_endian(bytes, count);
+  note_losses(file, notes);
+  return bytes + facets;
+}
+
+std::vector<std::string> write_stl(const std::string& path, const Surface_file& file)
+{
+  std::vector<std::string> notes;
+  write_file(path, encode_stl(file, notes));
+  return notes;
+}
+
+}  // namespace conformal

@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_STL_WRITE_STL_H
+#define CONFORMAL_IO_STL_WRITE_STL_H
+
+#include "conformal/io/data/Surface_file.h"
+
+#include <string>
+#include <vector>
+
+namespace conformal {
+
+/// The bytes of a binary STL file: triangles with their normals, in single precision; polygons are
+/// fans of triangles. The face property `attribute` becomes the 16 bits after a facet.
+/// \param notes receives data that the format does not support
+std::string encode_stl(const Surface_file& file, std::vector<std::string>& notes);
+
+/// Writes a binary STL file, and returns data that the format does not support. \throws Write_error
+std::vector<std::string> write_stl(const std::string& path, const Surface_file& file);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_PROCESS_INTERRUPTION_H
+#define CONFORMAL_PROCESS_INTERRUPTION_H
+
+#include <string>
+
+namespace conformal {
+
+/// \brief From now on SIGINT and SIGTERM are heard: the first one asks the work to end, which it
+/// does between two iterations, or by force one second later; a second one ends it at once.
+/// Temporary files are removed in any case. A closed pipe becomes a write error.
+void listen_to_signals();
+
+/// the signal that has come, or zero
+int signal_received();
+
+/// \brief While one lives, the first signal waits for the work however long it takes, because there
+/// is something to be written. A second one still ends the program at once.
+class Patience {
+ public:
+  Patience();
+  ~Patience();
+  Patience(const Patience&) = delete;
+  Patience& operator=(const Patience&) = delete;
+};
+
+/// \throws Failure if a signal has come
+void throw_if_interrupted(const std::string& consequence = "nothing was written");
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "select_faces.h"
+
+#include "conformal/io/data/select_rows.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace conformal {
+
+void append(Selected_faces& faces, const Surface_file& file, int face_in_file,
+            const std::vector<std::size_t>& corners)
+{
+  for (const std::size_t c : corners) {
+    faces.polygons.corners.push_back(file.polygons.corners[c]);
+    if (!file.texture.index.empty()) faces.texture.push_back(file.texture.index[c]);
+    if (!file.normals.index.empty()) faces.normals.push_back(file.normals.index[c]);
+  }
+  faces.polygons.first.push_back(faces.polygons.corners.size());
+  faces.face_in_file.push_back(face_in_file);
+}
+
+void select_faces(Surface_file& file, Selected_faces faces)
+{
+  const std::vector<int>& origin = faces.face_in_file;
+  for (Group_line& line : file.group_lines)
+    line.face = static_cast<std::size_t>(
+        std::lower_bound(origin.begin(), origin.end(), static_cast<int>(line.face)) -
+        origin.begin());
+  file.polygons = std::move(faces.polygons);
+  if (!file.texture.index.empty()) file.texture.index = std::move(faces.texture);
+  if (!file.normals.index.empty()) file.normals.index = std::move(faces.normals);
+  file.faces = selected_rows(file.faces, origin);
+}
+
+void select_vertices(Surface_file& file, const std::vector<int>& kept)
+{
+  std::vector<Point> points;
+  for (const int v : kept) points.push_back(file.points[static_cast<std::size_t>(v)]);
+  file.points = std::move(points);
+  file.vertices = selected_rows(file.vertices, kept);
+}
+
+Surface_file part_of(const Surface_file& file, const std::vector<int>& faces)
+{
+  Selected_faces selected;
+  for (const int f : faces) {
+    const auto at = static_cast<std::size_t>(f);
+    std::vector<std::size_t> corners(file.polygons.degree(at));
+    std::iota(corners.begin(), corners.end(), file.polygons.first[at]);
+    append(selected, file, f, corners);
+  }
+  std::vector<int> vertices = selected.polygons.corners;
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (int& v : selected.polygons.corners)
+    v = static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+  Surface_file part = file;
+  part.other_elements.clear();  // they refer to vertices by their numbers in the whole
+  select_faces(part, std::move(selected));
+  select_vertices(part, vertices);
+  return part;
+}
+
+}  // namespace conformal

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_REPORT_VERIFICATION_LIMITS_H
+#define CONFORMAL_REPORT_VERIFICATION_LIMITS_H
+
+namespace conformal {
+
+/// beyond these the result of a transformation does not verify
+struct Verification_limits {
+  double closure = 0.1;          ///< of the relative closure residual
+  double quasi_conformal = 1.5;  ///< of the mean Q
+  double flipped = 0.01;         ///< of the share of flipped faces
+  double direction_error = 10;   ///< of directions at the boundary, the mean in degrees
+  double realised = 0.25;        ///< the least share of rho
+  double collapsed = 0.5;        ///< of the share of the area that shrank below a tenth
+};
+
+}  // namespace conformal
+
+#endif

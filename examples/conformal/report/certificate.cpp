@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "certificate.h"
+
+#include "verification.h"
+
+#include "conformal/process/text.h"
+
+#include <string>
+
+namespace conformal {
+namespace {
+
+/// what only a report has room for
+void report_details(const CGP::Spin_report& spin, Report& report)
+{
+  report.set("result/iterations", spin.iterations);
+  report.set("result/overlap", spin.overlap);
+  report.set("result/substeps", spin.substeps);
+  report.set("result/spectral_shift", spin.spectral_shift);
+  report.set("result/dirac_residual", spin.dirac_residual);
+  report.set("result/branch_gap", spin.branch_gap);
+  report.set("result/factorizations", spin.factorizations);
+  report.set("result/solves", spin.solves);
+  report.set("result/realised_share", spin.realised_share());
+  report.set("result/generalized", spin.is_generalized);
+  report.set("result/steps", spin.steps);
+  report.set("result/reached", spin.reached);
+  report.set("result/missing_share", spin.missing_share);
+  report.set("result/period_defect", spin.period_defect);
+  report.set("steps", Report::Value(std::vector<double>()));
+}
+
+}  // namespace
+
+void tell_certificate(const CGP::Spin_report& spin, int faces, Outcome& outcome)
+{
+  Report& report = outcome.report;
+  report.tell("result/eigenvalue", "eigenvalue gamma (1/length)", spin.eigenvalue);
+  report.tell("result/residual", "residual of the eigenvector", spin.residual, 3);
+  report.tell("result/gap", "gap to the next eigenvalue", spin.gap);
+  const bool has_parts = spin.substeps > 1;
+  report.show("iterations",
+              std::to_string(spin.iterations) +
+                  (has_parts ? " in " + std::to_string(spin.substeps) + " substeps" : ""));
+  report.tell("result/closure_residual", "closure residual", spin.closure_residual, 3);
+  report.tell("result/min_spin_ratio", "min / max of |lambda|", spin.min_spin_ratio, 3);
+  if (spin.steps != 1 || spin.missing_share > 0) {
+    report.show("steps that keep handles closed", std::to_string(spin.steps));
+    report.show("left out of rho, for handles (%)", text_of(100 * spin.missing_share, 3));
+  }
+  tell_mollification(spin.mollification, report);
+  tell_conformality(spin.conformality, measured_faces(spin, faces), report);
+  report_details(spin, report);
+  add_seconds(spin, outcome.seconds);
+}
+
+void add_seconds(const CGP::Spin_report& spin, Stage_seconds& seconds)
+{
+  seconds.add("assembly", spin.seconds.assembly);
+  seconds.add("factorization", spin.seconds.factorization);
+  seconds.add("solve", spin.seconds.eigenvectors);
+  seconds.add("reconstruction", spin.seconds.reconstruction);
+  seconds.add("setup", spin.seconds.setup);
+  seconds.add("certificate", spin.seconds.certificate);
+}
+
+void tell_conformality(const CGP::Conformality& map, int faces, Report& report)
+{
+  const auto& Q = map.quasi_conformal;
+  const auto& cross_ratio = map.length_cross_ratio;
+  report.tell("result/quasi_conformal/mean", "quasi-conformal error, mean", Q.mean);
+  report.tell("result/quasi_conformal/p99", "quasi-conformal error, 99 %", Q.p99);
+  report.tell("result/quasi_conformal/max", "quasi-conformal error, max", Q.max);
+  report.tell("result/length_cross_ratio/rms", "log length cross-ratio change, rms",
+              cross_ratio.rms);
+  report.tell("result/length_cross_ratio/max", "log length cross-ratio change, max",
+              cross_ratio.max);
+  report.set("result/quasi_conformal/mean_over_new_area", map.quasi_conformal_of_new_area);
+  report.set("result/scale/collapsed_share", map.scale.collapsed_share);
+  report.set("result/scale/min", map.scale.min_scale);
+  report.set("result/scale/max", map.scale.max_scale);
+  report.show("scale of lengths",
+              text_of(map.scale.min_scale) + " to " + text_of(map.scale.max_scale));
+  report.set("result/flipped_faces", map.flipped_faces);
+  report.show("flipped faces", std::to_string(map.flipped_faces) + " of " + std::to_string(faces));
+}
+
+void tell_mollification(const CGP::Spin_report::Mollification& made, Report& report)
+{
+  if (made.share == 0) return;
+  report.set("result/mollification/share", made.share);
+  report.tell("result/mollification/thin_faces", "thin faces", made.thin_faces);
+  report.set("result/mollification/longer_edges", made.longer_edges);
+  report.set("result/mollification/added_length", made.added_length);
+  report.show("edges made longer",
+              std::to_string(made.longer_edges) +
+                  (made.longer_edges > 0 ? ", each by " + text_of(made.added_length, 3) : ""));
+  report.tell("result/mollification/flipped_edges", "edges flipped", made.flipped_edges);
+  report.set("result/mollification/measured_faces", made.measured_faces);
+  report.set("result/mollification/measured_area", made.measured_area);
+  report.show("measured", text_of(100 * made.measured_area, 4) + " % of the area, " +
+                              count_of(static_cast<std::size_t>(made.measured_faces), "face"));
+}
+
+}  // namespace conformal

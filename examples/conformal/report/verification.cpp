@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "verification.h"
+
+#include "conformal/process/text.h"
+
+#include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
+
+#include <cmath>
+
+namespace conformal {
+namespace {
+
+/// Describes boundary faults that are not covered by the limits.
+CGP::Spin_report::Limits bounds(const Verification_limits& limits)
+{
+  CGP::Spin_report::Limits bounds;
+  bounds.closure = limits.closure;
+  bounds.direction_error = limits.direction_error * std::acos(-1.) / 180;
+  bounds.realised_share = limits.realised;
+  bounds.map = {limits.quasi_conformal, limits.flipped, limits.collapsed};
+  return bounds;
+}
+
+std::string fault_of_boundary(const CGP::Spin_report& report, const Verification_limits& limits,
+                              const std::string& easier)
+{
+  const std::string what = CGP::to_string(report.boundary_fault);
+  if (report.boundary_fault == CGP::Spin_report::Boundary_fault::not_realizable)
+    return what + "; try: binormals instead of tangents, the tangents of a plane curve, or " +
+           easier;
+  if (report.boundary_fault == CGP::Spin_report::Boundary_fault::degenerate)
+    return what + "; try: " + easier + ", or a finer mesh";
+  if (report.boundary_fault == CGP::Spin_report::Boundary_fault::does_not_close)
+    return what + "; try: " + easier + ", or a finer mesh";
+  return "directions at the boundary are missed by " +
+         text_of(report.direction_error.mean * 180 / std::acos(-1.), 3) +
+         " degrees in the mean, more than " + text_of(limits.direction_error, 3) +
+         "; try: " + easier + ", a finer mesh, or --max-direction-error";
+}
+
+std::string exceeds(const std::string& what, double value, double limit)
+{
+  int digits = 3;  // as many as show a difference
+  while (digits < 17 && text_of(value, digits) == text_of(limit, digits)) ++digits;
+  return what + " is " + text_of(value, digits) + ", more than " + text_of(limit, 3);
+}
+
+std::string fault_of(const Evidence& evidence, const Verification_limits& limits,
+                     const std::string& easier)
+{
+  if (!evidence.fault.empty()) return evidence.fault;
+  if (evidence.spin) return objection(*evidence.spin, evidence.positions, limits, easier);
+  if (!evidence.positions.allFinite()) return "coordinates are not finite; try: " + easier;
+  return evidence.map ? objection(*evidence.map, limits, easier) : "";
+}
+
+}  // namespace
+
+Verdict judge(const Evidence& evidence, const Verification_limits& limits,
+              const std::string& easier)
+{
+  Verdict verdict;
+  verdict.fault = fault_of(evidence, limits, easier);
+  verdict.map = evidence.spin ? evidence.spin->conformality : evidence.map;
+  if (evidence.spin) verdict.closure_residual = evidence.spin->closure_residual;
+  return verdict;
+}
+
+std::string objection(const CGP::Spin_report& report, const CGP::Points& positions,
+                      const Verification_limits& limits, const std::string& easier)
+{
+  using Fault = CGP::Spin_report::Fault;
+  switch (report.fault(bounds(limits))) {
+    case Fault::nothing_left:
+      return "no part of rho could be reached with handles and holes closed; try: a weaker rho, a "
+             "finer mesh, or --open-handles";
+    case Fault::not_finite:
+      return "the eigenvalue is not finite: the mesh is too small or too thin; try: a finer mesh";
+    case Fault::cancelled:
+    case Fault::not_solved:
+      return "the eigenvector did not converge: residual " + text_of(report.residual, 3) +
+             " after " + count_of(static_cast<std::size_t>(report.iterations), "iteration") +
+             "; try: " + easier + ", or a finer mesh";
+    case Fault::boundary:
+    case Fault::directions:
+      return fault_of_boundary(report, limits, easier);
+    case Fault::left_out:
+      return "only " + text_of(100 * report.realised_share(), 3) +
+             " % of rho are realised: the rest would open handles or holes; try: a weaker rho, a "
+             "finer mesh, --min-realised, or --open-handles";
+    case Fault::open:
+      return exceeds("the closure residual", report.closure_residual, limits.closure) +
+             ": the surface does not close up; try: " + easier + ", or --max-closure";
+    case Fault::map:
+    case Fault::none:
+      break;
+  }
+  if (!positions.allFinite()) return "coordinates are not finite; try: " + easier;
+  return objection(report.conformality, limits, easier);
+}
+
+std::string objection(const CGP::Conformality& map, const Verification_limits& limits,
+                      const std::string& easier)
+{
+  using Fault = CGP::Conformality::Fault;
+  switch (map.fault(bounds(limits).map)) {
+    case Fault::not_conformal: {
+      const double mean = map.quasi_conformal.mean, now = map.quasi_conformal_of_new_area;
+      const bool is_old = !(mean <= limits.quasi_conformal);
+      return exceeds(is_old ? "the mean quasi-conformal error"
+                            : "the mean quasi-conformal error over the new area",
+                     is_old ? mean : now, limits.quasi_conformal) +
+             "; try: " + easier + ", a finer mesh, or --max-quasi-conformal";
+    }
+    case Fault::flipped:
+      return exceeds("the share of flipped faces", map.flipped_share, limits.flipped) +
+             "; try: " + easier + ", a finer mesh, or --max-flipped";
+    case Fault::collapsed:
+      return exceeds("the share of the area that has collapsed", map.scale.collapsed_share,
+                     limits.collapsed) +
+             "; try: " + easier + ", or --max-collapsed";
+    case Fault::none:
+      break;
+  }
+  return {};
+}
+
+int measured_faces(const CGP::Spin_report& report, int faces)
+{
+  return report.mollification.share > 0 ? report.mollification.measured_faces : faces;
+}
+
+CGP::Mesh_view measured_part(const CGP::Mesh_view& mesh, bool is_mollified)
+{
+  return is_mollified ? CGP::well_shaped_faces(mesh).mesh : mesh;
+}
+
+}  // namespace conformal

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_TRANSFORM_FLATTEN_OPTIONS_H
+#define CONFORMAL_TRANSFORM_FLATTEN_OPTIONS_H
+
+#include "cut_open.h"
+
+#include "conformal/report/Verification_limits.h"
+
+#include <string>
+
+namespace conformal {
+
+enum class Flatten_method { spectral, dirac };
+
+struct Flatten_options {
+  std::string input;
+  Flatten_method method = Flatten_method::spectral;
+  bool planar = false;       ///< by curvature instead
+  bool planar_mesh = false;  ///< writes the flat mesh
+  Cut_options cut;           ///< of closed surfaces
+  bool all_loops = false;    ///< the spread of all boundary loops is kept
+  double tolerance = 1e-6;   ///< of the spectral map
+  bool force = false;
+  Verification_limits limits;
+};
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_TRANSFORM_FLOW_OPTIONS_H
+#define CONFORMAL_TRANSFORM_FLOW_OPTIONS_H
+
+#include "conformal/input/Boundary_options.h"
+#include "conformal/report/Verification_limits.h"
+
+#include <optional>
+#include <string>
+
+namespace conformal {
+
+enum class Balance_choice { none, initial, canonical };
+
+struct Flow_options {
+  std::string input;
+  int steps = 10;
+  double time_step = 1;  ///< the largest; 2 is the limit of stability
+  double filter_weight = 0;
+  int filter_order = 1;
+  Balance_choice balance = Balance_choice::none;
+  Boundary_choice boundary = Boundary_choice::free;
+  std::optional<double> mollification;      ///< share of the mean edge; none or 0: no triangulation
+  std::optional<double> max_period_defect;  ///< in each step, as for `Spin_options`
+  int every = 0;                            ///< steps from a snapshot to the next; none if zero
+  bool force = false;
+  Verification_limits limits;
+};
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_TRANSFORM_SPIN_OPTIONS_H
+#define CONFORMAL_TRANSFORM_SPIN_OPTIONS_H
+
+#include "conformal/input/Boundary_options.h"
+#include "conformal/input/Rho_options.h"
+#include "conformal/report/Verification_limits.h"
+
+#include <optional>
+#include <string>
+
+namespace conformal {
+
+enum class Eigenproblem { standard, generalized };
+
+struct Spin_options {
+  std::string input;
+  Rho_options rho;
+  Boundary_choice boundary = Boundary_choice::free;
+  std::string lambda;  ///< the name of the vertex properties, none if empty
+  Eigenproblem problem = Eigenproblem::standard;
+  bool force = false;
+  std::optional<double> mollification;  ///< share of the mean edge; 0: never, none: where it helps
+  bool open_handles = false;  ///< rho is applied as it is, though it opens handles and holes
+  std::optional<double> max_period_defect;  ///< of handles and holes; none: by the edge length
+  std::string solver = "native";            // or cholmod, eigen
+  Verification_limits limits;
+};
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_TRANSFORM_CUT_GRAPH_H
+#define CONFORMAL_TRANSFORM_CUT_GRAPH_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <vector>
+
+namespace conformal {
+
+namespace CGP = Conformal_geometry_processing;
+
+/// Which edges of a mesh, by their numbers
+using Edge_set = std::vector<char>;
+
+/// vertices at the tips of a connected mesh: each is as far as possible from those before it
+/// \param ways the edges along which distances are measured
+std::vector<int> find_tips(const CGP::Mesh_view& mesh, int count, const Edge_set& ways);
+
+/// \brief A short graph that contains the tips, and outside which a closed surface is a disk: the
+/// shortest paths from the tips to the first of them and, for each handle, two loops of shortest
+/// paths [Erickson and Whittlesey 2005]. O(|E| log |E|)
+/// \param ways the edges of which it may consist
+/// \pre the mesh is connected, and so are the ways
+Edge_set cut_graph(const CGP::Mesh_view& mesh, const std::vector<int>& tips, const Edge_set& ways);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "deform.h"
+
+#include "solve_twice.h"
+
+#include "conformal/process/Progress.h"
+#include "conformal/process/interruption.h"
+#include "conformal/process/text.h"
+#include "conformal/report/boundary_report.h"
+#include "conformal/report/certificate.h"
+
+#include <cmath>
+
+namespace conformal {
+namespace {
+
+/// Where a good result is of another problem than that which was posed.
+void note_departures(const Spin_solution& solution, Session& session)
+{
+  const CGP::Spin_report& report = solution.report;
+  if (!solution.note.empty()) session.note(solution.note);
+  if (report.reached < 1)
+    session.note("only " + text_of(100 * report.reached, 3) +
+                 " % of the way to rho: beyond, the handles and holes do not stay closed");
+  if (report.missing_share > 0.5)
+    session.note(text_of(100 * report.missing_share, 3) +
+                 " % of rho is left out: with it, the handles and holes would not stay closed");
+}
+
+}  // namespace
+
+Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& solve,
+                      const Session& session, const std::string& words)
+{
+  const std::string prefix = session.part() + words;
+  Progress progress(session.options().quiet);
+  progress.show(prefix + "factorization", 0);
+  const auto go_further = [&](const CGP::Eigensolver_progress& p) {
+    progress.show(prefix + "iteration " + std::to_string(p.iteration) + ", residual " +
+                      text_of(p.estimate, 2),
+                  std::log(p.estimate) / std::log(session.options().tolerance));
+    return signal_received() == 0;
+  };
+  Spin_solution solution = solve(go_further);
+  throw_if_interrupted();
+  return solution;
+}
+
+void tell_solution(const Surface_input& input, const CGP::Boundary_condition& boundary,
+                   const CGP::Spin_report& spin, Outcome& outcome)
+{
+  tell_certificate(spin, input.mesh.size_of_faces(), outcome);
+  tell_boundary(input.mesh, boundary, spin, outcome.report);
+}
+
+void conclude(const Surface_input& input, const Spin_solution& solution,
+              const Spin_options& options, const std::string& easier, Session& session,
+              const std::string& what)
+{
+  const Evidence evidence{solution.positions, solution.report};
+  const Verdict verdict = judge(evidence, options.limits, easier);
+  session.conclude(verdict, on_fault(options.force), what);
+  if (verdict.is_verified()) note_departures(solution, session);
+}
+
+Spin_solution deform(const Surface_input& input, const Spin_problem& problem,
+                     const Spin_options& options, const std::string& easier, Session& session)
+{
+  Spin_solution solution = solve_twice(input.mesh, problem, options, session);
+  session.begin_stage();
+  tell_solution(input, problem.boundary, solution.report, session.outcome());
+  conclude(input, solution, options, easier, session, session.input());
+  return solution;
+}
+
+}  // namespace conformal

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_TRANSFORM_DEFORM_H
+#define CONFORMAL_TRANSFORM_DEFORM_H
+
+#include "solve_spin.h"
+
+#include "conformal/input/Surface_input.h"
+#include "conformal/report/Session.h"
+
+#include <functional>
+#include <string>
+
+namespace conformal {
+
+using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
+
+/// \brief Solves under a line of progress, unless a signal comes.
+/// \param words said before those of progress
+/// \throws Failure if one has come, and what `solve` throws
+Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& solve,
+                      const Session& session, const std::string& words = "");
+
+/// Tells the certificate, and what came of the boundary.
+void tell_solution(const Surface_input& input, const CGP::Boundary_condition& boundary,
+                   const CGP::Spin_report& spin, Outcome& outcome);
+
+/// \brief Concludes on a solution, and notes where it is one of another problem.
+/// \param easier advice for an easier problem
+/// \param what the cause, for the message
+/// \throws Failure if it does not verify, unless the options force it
+void conclude(const Surface_input& input, const Spin_solution& solution,
+              const Spin_options& options, const std::string& easier, Session& session,
+              const std::string& what);
+
+/// \brief Common part of `conformal spin` and `conformal boundary`: solves the problem of a surface
+/// in one component, tells the certificate, and concludes. \throws Failure
+Spin_solution deform(const Surface_input& input, const Spin_problem& problem,
+                     const Spin_options& options, const std::string& easier, Session& session);
+
+}  // namespace conformal
+
+#endif

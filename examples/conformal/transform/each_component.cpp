@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "each_component.h"
+
+#include "Component_failures.h"
+
+#include "conformal/process/text.h"
+
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <string>
+#include <vector>
+
+namespace conformal {
+namespace {
+
+void add_row(const Component_outcome& component, std::size_t number, Grid& grid)
+{
+  const auto& verdict = component.outcome.verdict;
+  const bool has_map = verdict && verdict->map;
+  const auto& t = component.topology;
+  grid.add({std::to_string(number), std::to_string(component.first_vertex),
+            std::to_string(t.vertices), std::to_string(t.faces), std::to_string(t.boundary_loops),
+            std::to_string(t.genus), has_map ? text_of(verdict->map->quasi_conformal.mean, 5) : "-",
+            has_map ? std::to_string(verdict->map->flipped_faces) : "-",
+            verdict && verdict->closure_residual ? text_of(*verdict->closure_residual, 5) : "-",
+            verdict && verdict->is_verified() ? "yes" : "no"});
+}
+
+/// Works on one component, and adds what came of it to the outcome of the whole.
+void attempt(const std::string& name, const Component& component, const Component_work& work,
+             Component_failures& failures, Session& session)
+{
+  Session own(session.options(), name + ": ");
+  own.set_input(session.input());
+  Outcome& outcome = own.outcome();
+  outcome.error = failures.attempt(name, [&] { work(component, own); });
+  for (const std::string& note : outcome.notes) session.note(own.part() + note);
+  session.outcome().seconds.add(outcome.seconds);
+  session.outcome().components.push_back({component.input.vertex_in_file.front(),
+                                          CGP::topology(component.input.mesh), std::move(outcome)});
+}
+
+void tell_components(Session& session)
+{
+  Grid grid({"component", "from vertex", "vertices", "faces", "loops", "genus", "mean Q", "flipped",
+             "closure", "verified"});
+  const std::vector<Component_outcome>& all = session.outcome().components;
+  int verified = 0;
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    add_row(all[c], c, grid);
+    const std::optional<Verdict>& verdict = all[c].outcome.verdict;
+    verified += verdict && verdict->is_verified();
+  }
+  session.report().set("result/components", static_cast<int>(all.size()));
+  session.report().set("result/verified_components", verified);
+  session.report().show(grid);
+}
+
+/// the first verdict on a component that does not verify, and yet is forced; or a good one
+Verdict worst_verdict(const std::vector<Component_outcome>& components)
+{
+  for (const Component_outcome& component : components)
+    if (const auto& verdict = component.outcome.verdict; verdict && !verdict->is_verified())
+      return *verdict;
+  return {};
+}
+
+void conclude(const Component_failures& failures, Session& session)
+{
+  const bool keeps_going = session.options().keep_going && !failures.are_all();
+  if (failures.size() == 0)
+    session.outcome().verdict = worst_verdict(session.outcome().components);
+  else if (keeps_going)
+    session.conclude({failures.text()}, On_fault::fail_in_the_end);
+  else
+    throw failures.failure();
+}
+
+}  // namespace
+
+void each_component(const Surface_input& input, Session& session, const Component_work& work)
+{
+  session.end_stage("prepare");
+  if (!session.options().each_component) return work(whole_surface(input), session);
+  std::vector<CGP::internal::Mesh_component> parts = CGP::mesh_components(input.mesh);
+  Component_failures failures(session.input(), parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string name = "component " + std::to_string(i) + " (from " +
+                             name_of_vertex(input, parts[i].vertices.front()) + ")";
+    const Surface_input own = input_of(parts[i], input);
+    attempt(name, {own, parts[i].vertices, parts[i].faces}, work, failures, session);
+  }
+  tell_components(session);
+  conclude(failures, session);
+  session.begin_stage();
+}
+
+}  // namespace conformal

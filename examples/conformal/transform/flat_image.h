@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_TRANSFORM_FLAT_IMAGE_H
+#define CONFORMAL_TRANSFORM_FLAT_IMAGE_H
+
+#include "Flatten_options.h"
+
+#include "conformal/input/Surface_input.h"
+#include "conformal/report/Session.h"
+
+namespace conformal {
+
+/// \brief Maps a surface with boundary, in one component, to the plane, tells the quality, and
+/// concludes on it.
+/// \returns positions, 3 x |V|, in units of the mesh; z is 0, or nearly
+/// \throws Failure if the options do not fit it or the result does not verify, and exceptions of
+/// the library
+CGP::Points flat_image(const Surface_input& input, const Flatten_options& options,
+                       Session& session);
+
+}  // namespace conformal
+
+#endif

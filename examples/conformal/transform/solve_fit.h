@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_TRANSFORM_SOLVE_FIT_H
+#define CONFORMAL_TRANSFORM_SOLVE_FIT_H
+
+#include "solve_spin.h"
+
+#include <functional>
+
+namespace conformal {
+
+/// a conformal deformation near to a given one
+struct Fit_problem {
+  CGP::Points target;
+  Eigen::VectorXd scales;              ///< factors for the scales of the target; none if empty
+  Eigen::Vector3d direction{1, 0, 0};  ///< of the boundary frame, which becomes the target's
+  double blend = 0;                    ///< 0 is conformal, 1 nearest to the target
+  double mollification = 0;            ///< if not 0, on the intrinsic Delaunay triangulation
+};
+
+/// what came of it
+struct Fit_solution {
+  Spin_solution spin;
+  CGP::Curvature_potential rho;  ///< of the target, in 1/length of the mesh, on faces
+  int sign_conflicts = 0;        ///< edges across which the rotations of the target jump
+};
+
+/// Calls the library's `Nearest_spin_transformation`. This is the one place that compiles it.
+Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
+                       const Common_options& common,
+                       const std::function<bool(const CGP::Eigensolver_progress&)>& go_further);
+
+}  // namespace conformal
+
+#endif

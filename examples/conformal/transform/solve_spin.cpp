@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solve_spin.h"
+
+#include "conformal/process/Failure.h"
+
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/templates.h>
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
+#include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
+#endif
+#include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+
+#include <optional>
+
+namespace conformal {
+namespace {
+
+using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
+
+template <class SolverTraits>
+Spin_solution solve_by(const CGP::Mesh_view& mesh, const Spin_problem& problem,
+                       std::optional<double> max_period_defect, const CGP::Dirac_options& options,
+                       const Go_further& go_further)
+{
+  CGP::Spin_transformation_options own{problem.boundary};
+  own.max_period_defect = max_period_defect;
+  if (!problem.closes_loops) own.exactness.reset();
+  if (problem.mollification > 0) own.mollification = problem.mollification;
+  CGP::Spin_result result = CGP::Spin_transformation<SolverTraits>(mesh, own, "spin")
+                                .transform(problem.rho, options, std::cref(go_further));
+  return {std::move(result.positions), std::move(result.lambda), result.report};
+}
+
+}  // namespace
+
+Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
+                         const Spin_options& options, const Common_options& common,
+                         const Go_further& go_further)
+{
+  CGP::Dirac_options dirac;
+  dirac.problem = options.problem == Eigenproblem::generalized
+                      ? CGP::Dirac_options::Eigenproblem::generalized
+                      : CGP::Dirac_options::Eigenproblem::standard;
+  dirac.tolerance = common.tolerance;
+  dirac.random_seed = common.seed;
+  dirac.kernel_tolerance = problem.kernel_tolerance;
+  const std::optional<double> defect = options.max_period_defect;
+  if (options.solver == "eigen")
+    return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, problem, defect, dirac, go_further);
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
+  if (options.solver == "cholmod")
+    return solve_by<CGP::Cholmod_hermitian_solver_traits>(mesh, problem, defect, dirac, go_further);
+#else
+  if (options.solver == "cholmod")
+    throw Failure(Exit_code::usage, "this program was built without CHOLMOD; try: --solver native");
+#endif
+  return solve_by<CGP::Default_solver_traits>(mesh, problem, defect, dirac, go_further);
+}
+
+}  // namespace conformal

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "solve_twice.h"
+
+#include "deform.h"
+
+#include "conformal/report/verification.h"
+
+#include <Conformal_geometry_processing/exceptions.h>
+
+#include <exception>
+#include <utility>
+
+namespace conformal {
+namespace {
+
+/// a solution, or the error in place of it, and why it would be refused
+struct Attempt {
+  Spin_solution solution;
+  std::exception_ptr error;
+  std::string fault;
+};
+
+Attempt attempt(const CGP::Mesh_view& mesh, const Spin_problem& problem,
+                const Spin_options& options, const Session& session, const std::string& words = "")
+{
+  const auto solve = [&](const Go_further& go_further) {
+    return solve_spin(mesh, problem, options, session.options(), go_further);
+  };
+  Attempt result;
+  try {
+    result.solution = watched(solve, session, words);
+    result.fault = objection(result.solution.report, result.solution.positions, options.limits, "");
+  } catch (const CGP::Error& error) {  // the matrices of thin faces may not be definite
+    const auto* of_solver = dynamic_cast<const CGP::Solver_error*>(&error);
+    if (of_solver != nullptr && CGP::is_out_of_memory(*of_solver)) throw;
+    result.error = std::current_exception();
+    result.fault = error.message();
+  }
+  return result;
+}
+
+Spin_solution solution_of(Attempt&& attempt)
+{
+  if (attempt.error) std::rethrow_exception(attempt.error);
+  return std::move(attempt.solution);
+}
+
+std::string without_advice(const std::string& fault)
+{
+  return fault.substr(0, fault.find("; try"));
+}
+
+}  // namespace
+
+Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
+                          const Spin_options& options, const Session& session)
+{
+  Attempt first = attempt(mesh, problem, options, session);
+  if (first.fault.empty() || problem.second_try == 0) return solution_of(std::move(first));
+  Spin_problem again = problem;
+  again.mollification = problem.second_try;
+  Attempt second = attempt(mesh, again, options, session, "as with --mollify, ");
+  if (!second.fault.empty()) return solution_of(std::move(first));
+  second.solution.note = "solved as with --mollify: without, " + without_advice(first.fault);
+  return solution_of(std::move(second));
+}
+
+}  // namespace conformal

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_TRANSFORM_SOLVE_TWICE_H
+#define CONFORMAL_TRANSFORM_SOLVE_TWICE_H
+
+#include "solve_spin.h"
+
+#include "conformal/report/Session.h"
+
+namespace conformal {
+
+/// \brief Runs `solve_spin()` with a progress line. If the result does not verify, the alternative
+/// problem is solved, and used and noted if it verifies; otherwise the first result is returned.
+/// \throws Failure on a signal, and exceptions of the library in the first attempt
+Spin_solution solve_twice(const CGP::Mesh_view& mesh, const Spin_problem& problem,
+                          const Spin_options& options, const Session& session);
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,99 @@
+// Tests examples/conformal/transform/cut_open.cpp examples/conformal/transform/cut_graph.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "conformal/transform/cut_graph.h"
+
+#include "program/bounded_support.h"
+#include "support/polyhedra.h"
+#include "support/spheres.h"
+#include "support/tori.h"
+
+#include "conformal/io/data/texture_coordinates.h"
+
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace program_test;
+using cgp_test::Mesh_view;
+
+class Flatten_closed : public Bounded_program {
+ protected:
+  conformal::Surface_file file(const std::string& name) const
+  {
+    return conformal::read_surface(path(name));
+  }
+
+  /// whether the file is a surface with one boundary loop and no handles
+  bool is_disk(const std::string& name) const
+  {
+    run("info " + name + " --json info.json");
+    const auto input = json("info.json")["input"];
+    return input["boundary_loops"] == 1 && input["genus"] == 0;
+  }
+};
+
+conformal::Edge_set all_edges(const Mesh_view& mesh)
+{
+  return conformal::Edge_set(static_cast<std::size_t>(mesh.size_of_edges()), 1);
+}
+
+TEST(Cut_graph, is_a_path_on_a_sphere_and_has_a_handle_more_edges_than_a_tree_on_a_torus)
+{
+  const Mesh_view sphere = cgp_test::icosphere(2), torus = cgp_test::torus(3, 1, 16, 8);
+  const auto ends = conformal::find_tips(sphere, 2, all_edges(sphere));
+  const auto path = conformal::cut_graph(sphere, ends, all_edges(sphere));
+  EXPECT_NEAR((sphere.position(ends[0]) - sphere.position(ends[1])).norm(), 2, .1);
+  std::vector<int> degree(static_cast<std::size_t>(sphere.size_of_vertices()), 0);
+  for (int k = 0; k < sphere.size_of_edges(); ++k)
+    if (path[static_cast<std::size_t>(k)])
+      for (const int v : sphere.ends(k)) ++degree[static_cast<std::size_t>(v)];
+  EXPECT_EQ(std::count(degree.begin(), degree.end(), 1), 2);
+  EXPECT_LE(*std::max_element(degree.begin(), degree.end()), 2);
+  const auto loops = conformal::cut_graph(torus, {0}, all_edges(torus));
+  double length = 0;
+  for (int k = 0; k < torus.size_of_edges(); ++k)
+    if (loops[static_cast<std::size_t>(k)])
+      length += torus.vector(*torus.halfedges_begin(k)).norm();
+  EXPECT_LT(length, 2 * cgp_test::pi * (1 + 4) * 1.1);
+}
+
+TEST_F(Flatten_closed, is_refused_unless_it_is_cut)
+{
+  write("a.off", off(cgp_test::icosphere(2)));
+  EXPECT_TRUE(fails(run("flatten a.off -o b.ply"), 4, "--cut"));
+}
+
+TEST_F(Flatten_closed, keeps_the_mesh_and_gives_corners_texture_coordinates)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(3)));
+  ASSERT_EQ(run("flatten a.off --cut=3 -o b.ply --json b.json").code, 0);
+  EXPECT_TRUE(json("b.json")["verified"]);
+  const auto before = file("a.off"), after = file("b.ply");
+  EXPECT_EQ(before.points, after.points);
+  EXPECT_EQ(before.polygons.corners, after.polygons.corners);
+  const auto texture = conformal::texture_coordinates(after);
+  ASSERT_EQ(texture.index.size(), after.polygons.corners.size());
+  EXPECT_FALSE(conformal::vertex_values(after, texture));  // there is a seam
+  ASSERT_EQ(run("flatten a.off --cut --planar-mesh -o c.ply").code, 0);
+  EXPECT_GT(file("c.ply").points.size(), before.points.size());
+  EXPECT_TRUE(is_disk("c.ply"));
+}
+
+TEST_F(Flatten_closed, takes_handles_polygons_and_cones)
+{
+  write("torus.off", off(cgp_test::torus(3, 1, 24, 12)));
+  ASSERT_EQ(run("flatten torus.off --cut --planar-mesh -o t.ply").code, 0);
+  EXPECT_TRUE(is_disk("t.ply"));
+  write("cube.off",
+        "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+        "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  ASSERT_EQ(run("flatten cube.off --cones 0,2,5,7 --planar-mesh --force -o c.off").code, 0);
+  EXPECT_EQ(file("c.off").polygons.size(), 6u);
+  EXPECT_GT(file("c.off").points.size(), 8u);
+  EXPECT_TRUE(fails(run("flatten cube.off --cones 3 -o d.off"), 4, "--cones"));
+}
+
+}  // namespace
