@@ -6,11 +6,21 @@ namespace conformal {
 
 std::vector<Command> commands()
 {
-  // clang-format off: a row for each
+  // clang-format off
   return {
-      info_command(),   spin_command(),    flow_command(),  boundary_command(), fit_command(),
-      blend_command(),  flatten_command(), curve_command(), harmonic_command(), spectrum_command(),
-      sphere_command(), compare_command(), split_command(),
+      info_command(),
+      spin_command(),
+      flow_command(),
+      boundary_command(),
+      fit_command(),
+      blend_command(),
+      flatten_command(),
+      curve_command(),
+      harmonic_command(),
+      spectrum_command(),
+      sphere_command(),
+      compare_command(),
+      split_command(),
   };
   // clang-format on
 }
