@@ -172,7 +172,8 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::refine(Branch_point& p, doub
     const double slope = has_moved ? (change - last_change) / (sigma - last_sigma) : -1;
     last_sigma = sigma;
     last_change = change;
-    sigma -= change / (std::min)(slope, slowest);
+    const double step = change / (std::min)(slope, slowest), longest = p.least_gap / 4;
+    sigma -= std::clamp(step, -longest, longest);
   }
 }
 
