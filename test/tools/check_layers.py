@@ -4,6 +4,8 @@
 """A file includes its own folder or lower layers, never a folder beside it: the headers of the
 library, and the files of the program."""
 
+import graphlib
+
 import sources
 
 LEVEL = {
@@ -64,11 +66,29 @@ def of_file(root, file, prefix, place_of):
                    f"of layer {other_level} ({other_folder})")
 
 
+def program_cycles():
+    """The cycles of includes; a module is what is declared and defined in files of one name."""
+    includes = {}
+    for file in sources.program():
+        module = includes.setdefault(file.with_suffix(""), set())
+        for _, name in sources.includes(sources.PROGRAM / file):
+            first, _, rest = name.partition("/")
+            other = sources.pathlib.PurePath(rest) if first == PROGRAM else file.parent / name
+            if (sources.PROGRAM / other).exists():
+                module.add(other.with_suffix(""))
+    try:
+        graphlib.TopologicalSorter(
+            {module: others - {module} for module, others in includes.items()}).prepare()
+    except graphlib.CycleError as error:
+        yield "a cycle of includes: " + ", ".join(map(str, error.args[1]))
+
+
 def complaints():
     for header in sources.headers():
         yield from of_file(sources.INCLUDE, header, sources.LIBRARY, place)
     for file in sources.program():
         yield from of_file(sources.PROGRAM, file, PROGRAM, program_place)
+    yield from program_cycles()
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@
 #include "conformal/transform/each_component.h"
 #include "conformal/transform/solve_fit.h"
 #include "conformal/transform/suitable_surface.h"
+#include "conformal/transform/watched.h"
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/measure/Conformality.h>

@@ -4,13 +4,9 @@
 
 #include "solve_twice.h"
 
-#include "conformal/process/Progress.h"
-#include "conformal/process/interruption.h"
 #include "conformal/process/text.h"
 #include "conformal/report/boundary_report.h"
 #include "conformal/report/certificate.h"
-
-#include <cmath>
 
 namespace conformal {
 namespace {
@@ -29,23 +25,6 @@ void note_departures(const Spin_solution& solution, Session& session)
 }
 
 }  // namespace
-
-Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& solve,
-                      const Session& session, const std::string& words)
-{
-  const std::string prefix = session.part() + words;
-  Progress progress(session.options().quiet);
-  progress.show(prefix + "factorization", 0);
-  const auto go_further = [&](const CGP::Eigensolver_progress& p) {
-    progress.show(prefix + "iteration " + std::to_string(p.iteration) + ", residual " +
-                      text_of(p.estimate, 2),
-                  std::log(p.estimate) / std::log(session.options().tolerance));
-    return signal_received() == 0;
-  };
-  Spin_solution solution = solve(go_further);
-  throw_if_interrupted();
-  return solution;
-}
 
 void tell_solution(const Surface_input& input, const CGP::Boundary_condition& boundary,
                    const CGP::Spin_report& spin, Outcome& outcome)

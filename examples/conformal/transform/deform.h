@@ -8,18 +8,9 @@
 #include "conformal/input/Surface_input.h"
 #include "conformal/report/Session.h"
 
-#include <functional>
 #include <string>
 
 namespace conformal {
-
-using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
-
-/// \brief Solves under a line of progress, unless a signal comes.
-/// \param words said before those of progress
-/// \throws Failure if one has come, and what `solve` throws
-Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& solve,
-                      const Session& session, const std::string& words = "");
 
 /// Tells the certificate, and what came of the boundary.
 void tell_solution(const Surface_input& input, const CGP::Boundary_condition& boundary,

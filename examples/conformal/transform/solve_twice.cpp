@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solve_twice.h"
 
-#include "deform.h"
+#include "watched.h"
 
 #include "conformal/report/verification.h"
 

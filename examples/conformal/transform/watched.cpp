@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "watched.h"
+
+#include "conformal/process/Progress.h"
+#include "conformal/process/interruption.h"
+#include "conformal/process/text.h"
+
+#include <cmath>
+
+namespace conformal {
+
+Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& solve,
+                      const Session& session, const std::string& words)
+{
+  const std::string prefix = session.part() + words;
+  Progress progress(session.options().quiet);
+  progress.show(prefix + "factorization", 0);
+  const auto go_further = [&](const CGP::Eigensolver_progress& p) {
+    progress.show(prefix + "iteration " + std::to_string(p.iteration) + ", residual " +
+                      text_of(p.estimate, 2),
+                  std::log(p.estimate) / std::log(session.options().tolerance));
+    return signal_received() == 0;
+  };
+  Spin_solution solution = solve(go_further);
+  throw_if_interrupted();
+  return solution;
+}
+
+}  // namespace conformal

@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_TRANSFORM_WATCHED_H
+#define CONFORMAL_TRANSFORM_WATCHED_H
+
+#include "solve_spin.h"
+
+#include "conformal/report/Session.h"
+
+#include <functional>
+#include <string>
+
+namespace conformal {
+
+using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
+
+/// \brief Solves under a line of progress, unless a signal comes.
+/// \param words said before those of progress
+/// \throws Failure if one has come, and what `solve` throws
+Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& solve,
+                      const Session& session, const std::string& words = "");
+
+}  // namespace conformal
+
+#endif
