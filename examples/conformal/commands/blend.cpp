@@ -196,7 +196,7 @@ std::vector<Frame> verified_frames(const Surface_input& start, const Trio& meshe
   tell_solution(start, last.problem.boundary, last.solution.report, session.outcome());
   tell_frames(frames, meshes.b, session.report());
   for (const Frame& frame : frames)
-    conclude(start, frame.solution, options.spin, "a --t closer to 0", session,
+    conclude(frame.solution, options.spin, "a --t closer to 0", session,
              "t = " + text_of(frame.t, 4));
   return frames;
 }

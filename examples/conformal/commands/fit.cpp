@@ -146,7 +146,7 @@ Fit_solution fit_surface(const Surface_input& input, const CGP::Boundary_conditi
   session.begin_stage();
   tell_target(input.mesh, CGP::Mesh_view(problem.target, input.mesh.corners()), solution, session);
   tell_solution(input, boundary, solution.spin.report, session.outcome());
-  conclude(input, solution.spin, options.spin, "a target that is bent and sheared less", session,
+  conclude(solution.spin, options.spin, "a target that is bent and sheared less", session,
            session.input());
   return solution;
 }

@@ -91,7 +91,7 @@ std::string stopped_after(const CGP::Flow_report& report, const Flow_options& op
 }
 
 Evidence evidence_of(const Flow_solution& solution, const CGP::Spin_report& steps,
-                     const Surface_input& input, const Flow_options& options)
+                     const Flow_options& options)
 {
   const CGP::Flow_report& report = solution.report;
   Evidence evidence{solution.positions};
@@ -105,10 +105,10 @@ Evidence evidence_of(const Flow_solution& solution, const CGP::Spin_report& step
 }
 
 void conclude(const Flow_solution& solution, const CGP::Spin_report& steps,
-              const Surface_input& input, const Flow_options& options, Session& session)
+              const Flow_options& options, Session& session)
 {
   const Verdict verdict =
-      judge(evidence_of(solution, steps, input, options), options.limits, easier_than_flow);
+      judge(evidence_of(solution, steps, options), options.limits, easier_than_flow);
   session.conclude(verdict, on_fault(options.force));
   if (verdict.is_verified() && !solution.report && signal_received() == 0)
     session.note(stopped_after(solution.report, options));
@@ -141,7 +141,7 @@ Flow_solution flowed(const Surface_input& input, const Flow_options& options, Se
   if (solution.report.steps.empty()) throw_if_interrupted();
   session.end_stage("flow");
   tell(solution, watch.evidence(), input, options, session);
-  conclude(solution, watch.evidence(), input, options, session);
+  conclude(solution, watch.evidence(), options, session);
   return solution;
 }
 

@@ -33,9 +33,8 @@ void tell_solution(const Surface_input& input, const CGP::Boundary_condition& bo
   tell_boundary(input.mesh, boundary, spin, outcome.report);
 }
 
-void conclude(const Surface_input& input, const Spin_solution& solution,
-              const Spin_options& options, const std::string& easier, Session& session,
-              const std::string& what)
+void conclude(const Spin_solution& solution, const Spin_options& options, const std::string& easier,
+              Session& session, const std::string& what)
 {
   const Evidence evidence{solution.positions, solution.report};
   const Verdict verdict = judge(evidence, options.limits, easier);
@@ -49,7 +48,7 @@ Spin_solution deform(const Surface_input& input, const Spin_problem& problem,
   Spin_solution solution = solve_twice(input.mesh, problem, options, session);
   session.begin_stage();
   tell_solution(input, problem.boundary, solution.report, session.outcome());
-  conclude(input, solution, options, easier, session, session.input());
+  conclude(solution, options, easier, session, session.input());
   return solution;
 }
 

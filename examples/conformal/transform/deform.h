@@ -20,9 +20,8 @@ void tell_solution(const Surface_input& input, const CGP::Boundary_condition& bo
 /// \param easier advice for an easier problem
 /// \param what the cause, for the message
 /// \throws Failure if it does not verify, unless the options force it
-void conclude(const Surface_input& input, const Spin_solution& solution,
-              const Spin_options& options, const std::string& easier, Session& session,
-              const std::string& what);
+void conclude(const Spin_solution& solution, const Spin_options& options, const std::string& easier,
+              Session& session, const std::string& what);
 
 /// \brief Common part of `conformal spin` and `conformal boundary`: solves the problem of a surface
 /// in one component, tells the certificate, and concludes. \throws Failure
