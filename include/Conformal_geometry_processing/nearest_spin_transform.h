@@ -97,6 +97,11 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamType{`double`, positive}
 ///     \cgalParamDefault{a quarter of the discretisation error, which falls with the edge length}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{limits}
+///     \cgalParamDescription{what counts as success, see `Spin_report::fault()`}
+///     \cgalParamType{`Spin_report::Limits`}
+///     \cgalParamDefault{`Spin_report::Limits()`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{mollification}
 ///     \cgalParamDescription{admits faces of the mesh and of the target of any thinness, also of
 ///                           area zero, see `spin_transform()`}
@@ -129,7 +134,8 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
           internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::tolerance_t,
           internal_np::maximum_number_of_substeps_t, internal_np::vertex_scale_map_t,
           internal_np::blend_t, internal_np::boundary_direction_t, internal_np::exactness_t,
-          internal_np::maximum_period_defect_t, internal_np::mollification_t>,
+          internal_np::maximum_period_defect_t, internal_np::limits_t,
+          internal_np::mollification_t>,
       "nearest_spin_transform(): unknown named parameter, see the manual for those it accepts");
   using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
                                                  Default_solver_traits>;
@@ -157,9 +163,11 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
   Nearest_spin_result result =
       nearest.transform(internal::dirac_options(np), internal::asking(visitor));
+  internal::read_limits(np, result.report);
   const double t = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, internal_np::blend), 0.);
   if (t != 0 && result.report) result = nearest.blend(result, t);
+  internal::read_limits(np, result.report);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   Nearest_spin_report report;
   static_cast<Spin_report&>(report) = result.report;

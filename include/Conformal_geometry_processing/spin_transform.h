@@ -36,7 +36,7 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
           CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
           internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
           internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::exactness_t,
-          internal_np::maximum_period_defect_t, internal_np::tolerance_t,
+          internal_np::maximum_period_defect_t, internal_np::limits_t, internal_np::tolerance_t,
           internal_np::maximum_number_of_substeps_t, internal_np::boundary_direction_t,
           internal_np::boundary_direction_map_t, internal_np::vertex_target_point_map_t,
           internal_np::kernel_tolerance_t, internal_np::branch_t, internal_np::mollification_t,
@@ -132,6 +132,11 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamType{`double`, positive}
 ///     \cgalParamDefault{a quarter of the discretisation error, which falls with the edge length}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{limits}
+///     \cgalParamDescription{what counts as success, see `Spin_report::fault()`}
+///     \cgalParamType{`Spin_report::Limits`}
+///     \cgalParamDefault{`Spin_report::Limits()`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_direction}
 ///     \cgalParamDescription{the direction of the boundary frame that is prescribed}
 ///     \cgalParamType{`Boundary_direction`, not the normal}
@@ -210,8 +215,8 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \returns the report, which converts to `true` if the equation was solved. Otherwise (no
-/// convergence, or cancelled) nothing has been written.
+/// \returns the report, which converts to `true` if the surface is what was requested. Otherwise
+/// nothing has been written, and `Spin_report::fault()` tells why.
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
 /// finite coordinates and, without `mollification`, positive areas; if rho is not finite; if the
 /// boundary data do not fit the boundary; or if `mollification` is not between 0 and 1. The message
@@ -227,10 +232,11 @@ Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
   const Curvature_potential potential = internal::read_curvature_potential(graph, rho);
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
-  const Spin_result result =
+  Spin_result result =
       internal::Spin_transformation_for<NamedParameters>(
           graph.view(), internal::spin_transformation_options(graph, np, function), function)
           .transform(potential, internal::dirac_options(np), internal::asking(visitor));
+  internal::read_limits(np, result.report);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

@@ -73,6 +73,7 @@ internal::Component_reports<Spin_report> spin_transform_components(
         Spin_result result;
         result.report.cancelled = is_cancelled;  // applies to all remaining components
         if (!is_cancelled) result = transformed(component);
+        internal::read_limits(np, result.report);
         is_cancelled = result.report.cancelled;
         return result;
       },

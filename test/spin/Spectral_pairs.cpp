@@ -40,9 +40,9 @@ TEST(Spectral_pairs, tell_the_greatest_squared_error_of_the_first)
 TEST(Spectral_pairs, are_complete_as_far_as_their_errors_leave_of_the_reach)
 {
   EXPECT_NEAR(internal::needed_reach(four_pairs(9), 3), 1.08, 1e-15);
-  EXPECT_TRUE(internal::is_complete(four_pairs(1.09), 3));
-  EXPECT_FALSE(internal::is_complete(four_pairs(1.07), 3));
-  EXPECT_FALSE(internal::is_complete(four_pairs(9), 5));
+  EXPECT_TRUE(internal::is_window_complete(four_pairs(1.09), 3));
+  EXPECT_FALSE(internal::is_window_complete(four_pairs(1.07), 3));
+  EXPECT_FALSE(internal::is_window_complete(four_pairs(9), 5));
   EXPECT_NEAR(internal::complete_radius(four_pairs(2.08), 4), std::sqrt(2.), 1e-12);
   EXPECT_NEAR(internal::complete_radius(four_pairs(.5), 4), std::sqrt(.42), 1e-12);
   EXPECT_EQ(internal::complete_radius(four_pairs(.02), 4), 0);

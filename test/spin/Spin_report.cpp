@@ -56,7 +56,7 @@ CGP::Spin_report success()
 
 void expect_fault(const CGP::Spin_report& report, Fault fault)
 {
-  EXPECT_EQ(report.fault(CGP::Spin_report::Limits()), fault) << to_string(fault);
+  EXPECT_EQ(report.fault(), fault) << to_string(fault);
   EXPECT_EQ(static_cast<bool>(report), fault == Fault::none);
 }
 

@@ -71,7 +71,9 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
                       const Verification_limits& limits, const std::string& easier)
 {
   using Fault = CGP::Spin_report::Fault;
-  switch (report.fault(bounds(limits))) {
+  CGP::Spin_report judged = report;
+  judged.limits = bounds(limits);
+  switch (judged.fault()) {
     case Fault::nothing_left:
       return "no part of rho could be reached with handles and holes closed; try: a weaker rho, a "
              "finer mesh, or --open-handles";

@@ -42,6 +42,7 @@
   X(eigenproblem)                                       \
   X(exactness)                                          \
   X(maximum_period_defect)                              \
+  X(limits)                                             \
   X(eigenvalue_solver)                                  \
   X(sparse_solver)                                      \
   X(one_form_generators)                                \

@@ -100,8 +100,8 @@ void internal::Dirac_spectral_problem<SolverTraits>::search(
     square = iterate(size, square, options, go_further);
     s.restarts += square.restarts;
     internal::Spectral_pairs found = pairs(square);
-    is_last =
-        !square.converged || size == most || found.is_limited_by_mesh || is_complete(found, wanted);
+    is_last = !square.converged || size == most || found.is_limited_by_mesh ||
+              is_window_complete(found, wanted);
     size = next_subspace_size(size, most, found, wanted);
     if (complete_radius(found, wanted) >= complete_radius(best, wanted)) best = std::move(found);
   }

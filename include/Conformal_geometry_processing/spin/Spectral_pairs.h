@@ -48,7 +48,7 @@ double complete_radius(const Spectral_pairs& pairs, Eigen::Index count);
 
 /// \ingroup PkgSpin
 /// whether the first `count` pairs exist, within `complete_radius()`
-bool is_complete(const Spectral_pairs& pairs, Eigen::Index count);
+bool is_window_complete(const Spectral_pairs& pairs, Eigen::Index count);
 
 /// \ingroup PkgSpin
 /// \brief the pairs that the mesh resolves, in the order of |quotient|.

@@ -31,13 +31,14 @@ CGP_INLINE double internal::complete_radius(const internal::Spectral_pairs& pair
                                             Eigen::Index count)
 {
   Eigen::Index sure = 0;
-  while (sure < (std::min)(count, pairs.size()) && is_complete(pairs, sure + 1)) ++sure;
+  while (sure < (std::min)(count, pairs.size()) && is_window_complete(pairs, sure + 1)) ++sure;
   if (sure == 0) return 0;
   const double radius = std::sqrt(pairs.reach - 2 * squared_error(pairs, sure));
   return sure < pairs.size() ? (std::min)(radius, std::abs(pairs.quotients[sure])) : radius;
 }
 
-CGP_INLINE bool internal::is_complete(const internal::Spectral_pairs& pairs, Eigen::Index count)
+CGP_INLINE bool internal::is_window_complete(const internal::Spectral_pairs& pairs,
+                                             Eigen::Index count)
 {
   return count <= pairs.size() && needed_reach(pairs, count) <= pairs.reach;
 }

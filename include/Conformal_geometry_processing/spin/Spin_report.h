@@ -90,9 +90,11 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
   ///
   /// It is solved, conformal, closed, not flipped, not collapsed, and has the boundary and the
   /// better part of the rho that were requested.
-  Fault fault(const Limits& limits) const;
+  Fault fault() const;
 
-  /// whether there is no `fault()` beyond the limits by default
+  Limits limits;  ///< what `fault()` and the conversion to `bool` judge by
+
+  /// whether there is no `fault()`
   explicit operator bool() const;
 };
 

@@ -56,11 +56,11 @@ CGP_INLINE const char* to_string(Spin_report::Fault fault)
 
 CGP_INLINE Spin_report::operator bool() const
 {
-  return fault(Limits()) == Fault::none;
+  return fault() == Fault::none;
 }
 
 // Comparisons are such that NaN is beyond every limit.
-CGP_INLINE Spin_report::Fault Spin_report::fault(const Limits& limits) const
+CGP_INLINE Spin_report::Fault Spin_report::fault() const
 {
   if (cancelled) return Fault::cancelled;
   if (steps == 0) return Fault::nothing_left;

@@ -34,7 +34,7 @@ CGP_INLINE std::ostream& operator<<(std::ostream& out, const Spin_report& r)
       << c.length_cross_ratio.max << " at most (0 is conformal)\n"
       << "lengths                scaled by " << c.scale.min_scale << " to " << c.scale.max_scale
       << "\nflipped faces          " << c.flipped_faces << "\nfault                  "
-      << to_string(r.fault(Spin_report::Limits())) << '\n';
+      << to_string(r.fault()) << '\n';
   return out;
 }
 
