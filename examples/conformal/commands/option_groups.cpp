@@ -181,18 +181,28 @@ void add_eigenvector(CLI::App& command, Common_options& common)
       ->capture_default_str();
 }
 
-void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
+void add_map_limits(CLI::App& command, Verification_limits& limits, bool& force)
 {
-  command.add_option("--max-closure", limits.closure, "largest closure residual")
-      ->check(above_zero)
-      ->capture_default_str();
   command
       .add_option("--max-quasi-conformal", limits.quasi_conformal,
-                  "largest mean quasi-conformal error")
+                  "largest mean quasi-conformal error, over the old and over the new area")
       ->check(above_zero)
       ->capture_default_str();
   command.add_option("--max-flipped", limits.flipped, "largest share of flipped faces")
       ->check(finite)
+      ->capture_default_str();
+  command
+      .add_option("--max-collapsed", limits.collapsed,
+                  "largest share of the area whose lengths may shrink below a tenth of the mean")
+      ->check(finite)
+      ->capture_default_str();
+  command.add_flag("--force", force, "write also what does not verify");
+}
+
+void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
+{
+  command.add_option("--max-closure", limits.closure, "largest closure residual")
+      ->check(above_zero)
       ->capture_default_str();
   command
       .add_option("--max-direction-error", limits.direction_error,
@@ -205,12 +215,7 @@ void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
                   "not allow all")
       ->check(finite)
       ->capture_default_str();
-  command
-      .add_option("--max-collapsed", limits.collapsed,
-                  "largest share of the area whose lengths may shrink below a tenth of the mean")
-      ->check(finite)
-      ->capture_default_str();
-  command.add_flag("--force", force, "write also what does not verify");
+  add_map_limits(command, limits, force);
 }
 
 }  // namespace conformal

@@ -66,6 +66,10 @@ void add_mollification(CLI::App& command, std::optional<double>& mollification,
 void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect);
 void add_boundary(CLI::App& command, Boundary_choice& boundary);
 void add_eigenvector(CLI::App& command, Common_options& common);
+/// what a map is judged by
+void add_map_limits(CLI::App& command, Verification_limits& limits, bool& force);
+
+/// what a spin transformation is judged by
 void add_limits(CLI::App& command, Verification_limits& limits, bool& force);
 
 }  // namespace conformal

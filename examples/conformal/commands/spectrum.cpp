@@ -38,12 +38,15 @@ struct Spectrum_options {
   double shift = 0;
   double resolution = 0.005;  ///< eigenvalues nearer than this share of the largest are told as one
   std::optional<int> surface;  ///< the eigenfunction whose surface is written
+  bool force = false;
+  Verification_limits limits;
 };
 
 void add_options(CLI::App& command, Spectrum_options& options, Common_options& common)
 {
   add_repair(command, common);
   add_output(command, common, "the surface of an eigenfunction");
+  add_map_limits(command, options.limits, options.force);
   add_input(command, options.input);
   command.add_option("--count", options.count, "how many eigenvalues")
       ->check(above_zero)
@@ -132,15 +135,16 @@ std::string csv_of(const CGP::internal::Dirac_spectrum& s)
   return text;
 }
 
-/// \pre the surface is found, however it looks: no map to it was asked for
 void write_surface_of(const Surface_input& input, const CGP::internal::Dirac_spectrum& s,
-                      int number, Session& session)
+                      const Spectrum_options& options, Session& session)
 {
+  const int number = *options.surface;
   const CGP::Spin_result result =
       CGP::surface_of_spin(input.mesh, s.vectors.col(number), "spectrum");
   session.report().set("result/surface/eigenvalue", s.eigenvalues[number]);
   session.report().set("result/surface/closure_residual", result.report.closure_residual);
-  session.conclude(judge({result.positions}, {}, "another one"), On_fault::refuse);
+  const Evidence evidence{result.positions, {}, result.report.conformality};
+  session.conclude(judge(evidence, options.limits, "another one"), on_fault(options.force));
   write_result(input, {result.positions}, session);
 }
 
@@ -164,7 +168,6 @@ void spectrum(const Spectrum_options& options, Session& session)
   const Surface_input input = read_suitable_surface(options.input, session);
   const auto s = find(input, options, session.options());
   session.end_stage("solve");
-  if (options.surface) write_surface_of(input, s, *options.surface, session);
   if (csv) {
     csv->write(csv_of(s));
     csv->commit();
@@ -176,6 +179,7 @@ void spectrum(const Spectrum_options& options, Session& session)
                  text_of(s.shift - s.complete_radius) + " to " +
                  text_of(s.shift + s.complete_radius) + ": the mesh does not resolve the " +
                  std::to_string(s.wanted) + " that were asked for");
+  if (options.surface) write_surface_of(input, s, options, session);
 }
 
 }  // namespace

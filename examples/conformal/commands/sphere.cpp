@@ -29,6 +29,8 @@ const char* const about =
 /// what `conformal sphere` takes
 struct Sphere_options {
   int kappa = -2, s = 0, level = 5;
+  bool force = false;
+  Verification_limits limits;
 };
 
 void add_options(CLI::App& command, Sphere_options& options, Common_options& common)
@@ -41,6 +43,7 @@ void add_options(CLI::App& command, Sphere_options& options, Common_options& com
   command.add_option("--level", options.level, "how fine: 20 * 4^level triangles, at most level 9")
       ->check(CLI::Range(0, 9))
       ->capture_default_str();
+  add_map_limits(command, options.limits, options.force);
   add_output(command, common)->required();
 }
 
@@ -81,7 +84,8 @@ void sphere(const Sphere_options& options, Session& session)
   throw_if_interrupted();
   session.end_stage("solve");
   tell(result, input.mesh, session.report());
-  session.conclude(judge({result.positions}, {}, "another --level"), On_fault::refuse);
+  const Evidence evidence{result.positions, {}, result.report.conformality};
+  session.conclude(judge(evidence, options.limits, "another --level"), on_fault(options.force));
   write_result(input, {result.positions}, session);
 }
 
