@@ -31,8 +31,6 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
            easier;
   if (report.boundary_fault == CGP::Spin_report::Boundary_fault::degenerate)
     return what + "; try: " + easier + ", or a finer mesh";
-  if (report.boundary_fault == CGP::Spin_report::Boundary_fault::does_not_close)
-    return what + "; try: " + easier + ", or a finer mesh";
   return "directions at the boundary are missed by " +
          text_of(report.direction_error.mean * 180 / std::acos(-1.), 3) +
          " degrees in the mean, more than " + text_of(limits.direction_error, 3) +

@@ -66,7 +66,8 @@ CGP_INLINE Spin_report::Fault Spin_report::fault() const
   if (steps == 0) return Fault::nothing_left;
   if (!std::isfinite(eigenvalue)) return Fault::not_finite;
   if (!converged || !(residual <= limits.residual)) return Fault::not_solved;
-  if (boundary_fault != Boundary_fault::none) return Fault::boundary;
+  const bool is_open = boundary_fault == Boundary_fault::does_not_close;  // judged by its limit
+  if (boundary_fault != Boundary_fault::none && !is_open) return Fault::boundary;
   if (!(direction_error.mean <= limits.direction_error)) return Fault::directions;
   if (!(realised_share() >= limits.realised_share)) return Fault::left_out;
   if (!(closure_residual <= limits.closure)) return Fault::open;
