@@ -38,8 +38,6 @@ class Dirac_gram {
  private:
   enum Image : Eigen::Index { dirac, potential, average };
 
-  void add(const Block<Quaternion<double>>& images);
-
   /// c^H <image a, image b> c
   Quaternion<double> form(Image a, Image b, const Quaternion_vector<double>& c) const;
 

@@ -143,10 +143,12 @@ Branch_point Dirac_branch<SolverTraits, EigensolverTraits>::predict(Branch_point
   Branch_point p;
   for (const double least_overlap : {0.98, 0.9, 0.85}) {
     if (least_overlap < 0.98) extend(2);
+    Stopwatch watch;
     const Dirac_gram gram(m_system.surface(), m_rho, m_span);
     first.c = gram_matrix(m_span, block_operator(m_system.areas())(Vectors(m_s.lambda))).col(0);
     components(first.c) /= components(first.c).norm();
     p = follow_branch(gram, first, end, least_overlap);
+    m_s.seconds.eigenvectors += watch.lap();
     if (p.t == end) return p;
   }
   if (p.t == first.t) p.t = (std::min)(end, first.t + step);
