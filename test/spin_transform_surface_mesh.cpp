@@ -78,7 +78,13 @@ TEST(Spin_transform_of_a_Surface_mesh, keeps_handles_closed_unless_told_otherwis
   const auto report = CGP::spin_transform(closed, rho);
   EXPECT_TRUE(report);
   EXPECT_GT(report.missing_share, 0.01);
-  const auto plain = CGP::spin_transform(open, rho, CGP::parameters::exactness(std::nullopt));
+  CGP::Spin_report::Limits limits;
+  EXPECT_FALSE(CGP::spin_transform(open, rho, CGP::parameters::exactness(std::nullopt)));
+  EXPECT_LT(greatest_distance(view_of(open).positions(), before.positions()), 1e-15);
+  limits.closure = 1;
+  const auto plain =
+      CGP::spin_transform(open, rho, CGP::parameters::exactness(std::nullopt).limits(limits));
+  EXPECT_TRUE(plain);
   EXPECT_EQ(plain.missing_share, 0);
   const Points expected = CGP::Spin_transformation<>(before).step(values).positions;
   EXPECT_LT(greatest_distance(view_of(open).positions(), expected), 1e-12);

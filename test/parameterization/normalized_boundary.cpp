@@ -22,13 +22,12 @@ TEST(Normalized_loops, begin_with_the_longest_one_wherever_it_is)
 {
   const Mesh_view outer_first = annulus(.4, 1, 12, 2), outer_last = annulus(1, .4, 12, 2);
   for (const Mesh_view& mesh : {outer_first, with_reversed_faces(outer_last)}) {
-    const auto all =
-        CGP::normalized_loops(mesh, CGP::Parameterization_options::Boundary::all_loops);
+    const auto all = CGP::normalized_loops(mesh, CGP::internal::Normalized_boundary::all_loops);
     ASSERT_EQ(all.size(), 2u);
     for (const int v : all[0]) EXPECT_NEAR(mesh.position(v).norm(), 1, 1e-15);
     for (const int v : all[1]) EXPECT_NEAR(mesh.position(v).norm(), .4, 1e-15);
     const auto longest =
-        CGP::normalized_loops(mesh, CGP::Parameterization_options::Boundary::longest_loop);
+        CGP::normalized_loops(mesh, CGP::internal::Normalized_boundary::longest_loop);
     ASSERT_EQ(longest.size(), 1u);
     EXPECT_EQ(longest[0], all[0]);
   }
@@ -38,7 +37,7 @@ TEST(Lengths_along, end_with_the_circumference)
 {
   const Mesh_view mesh = grid(3, 2, 3, 2);
   const auto loop =
-      CGP::normalized_loops(mesh, CGP::Parameterization_options::Boundary::longest_loop)[0];
+      CGP::normalized_loops(mesh, CGP::internal::Normalized_boundary::longest_loop)[0];
   const Eigen::VectorXd length = CGP::lengths_along(mesh, loop);
   ASSERT_EQ(length.size(), 11);
   for (Eigen::Index k = 0; k < 11; ++k) EXPECT_NEAR(length[k], static_cast<double>(k), 1e-14);
@@ -47,8 +46,7 @@ TEST(Lengths_along, end_with_the_circumference)
 TEST(Circle_maps, go_round_evenly_in_length_and_are_zero_inside)
 {
   const Mesh_view mesh = disk(4);
-  const auto loops =
-      CGP::normalized_loops(mesh, CGP::Parameterization_options::Boundary::longest_loop);
+  const auto loops = CGP::normalized_loops(mesh, CGP::internal::Normalized_boundary::longest_loop);
   const Eigen::MatrixXcd z = CGP::circle_maps(mesh, loops, 3);
   for (std::size_t i = 0; i < loops[0].size(); ++i)
     for (int k = 0; k < 3; ++k) {

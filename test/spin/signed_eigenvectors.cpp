@@ -50,7 +50,7 @@ class Signed_eigenvectors : public testing::Test {
     CGP::internal::Krylov_result r;
     r.values = squares(values).head(count).cwiseInverse();
     r.vectors = v.leftCols(count);
-    r.residuals = Eigen::VectorXd::LinSpaced(count, 1e-9, count * 1e-9);
+    r.residuals = Eigen::VectorXd::LinSpaced(count, 1e-9, 1e-9 * static_cast<double>(count));
     for (Eigen::Index j = 0; j < count; ++j)
       CGP::scale_column(r.vectors, j, std::sqrt(r.values[j]));
     return r;
