@@ -119,7 +119,7 @@ TEST_F(Spin_transform, passes_its_parameters_on)
   expect_untouched();
   Surface rough = mesh;
   const CGP::Spin_report report =
-      CGP::spin_transform(rough, rho, params::tolerance(1e-2).random_seed(3));
+      CGP::spin_transform(rough, rho, params::tolerance(1e-4).random_seed(3));
   EXPECT_TRUE(report);
   EXPECT_LT(report.iterations, expected.report.iterations);
   EXPECT_THROW((void)CGP::spin_transform(

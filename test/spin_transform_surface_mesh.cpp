@@ -82,6 +82,7 @@ TEST(Spin_transform_of_a_Surface_mesh, keeps_handles_closed_unless_told_otherwis
   EXPECT_FALSE(CGP::spin_transform(open, rho, CGP::parameters::exactness(std::nullopt)));
   EXPECT_LT(greatest_distance(view_of(open).positions(), before.positions()), 1e-15);
   limits.closure = 1;
+  limits.map = {10, 1, 1};
   const auto plain =
       CGP::spin_transform(open, rho, CGP::parameters::exactness(std::nullopt).limits(limits));
   EXPECT_TRUE(plain);

@@ -28,18 +28,19 @@ TEST(Period_limit, is_shared_among_the_steps_if_it_is_given)
 TEST(Period_limit, falls_with_the_discretisation_error_otherwise)
 {
   const Period_limit limit{{}, 1e-8};
-  for (const double distortion : {.04, .02, .01, 1e-5}) {
+  for (const double distortion : {.06, .04, .02}) {
     EXPECT_LE(limit(distorted_by(distortion), 1), .25 * distortion * (1 + 1e-9));
     EXPECT_NEAR(limit(distorted_by(distortion), 1) / limit(distorted_by(distortion / 2), 1), 2,
                 1e-9);
   }
 }
 
-TEST(Period_limit, is_neither_below_the_error_of_the_spins_nor_above_two_per_cent)
+TEST(Period_limit, is_neither_below_two_per_mille_nor_above_two_per_cent)
 {
   const Period_limit limit{{}, 1e-8};
-  EXPECT_EQ(limit(distorted_by(0), 1), 1e-8);
-  EXPECT_GT((Period_limit{{}, 0}(distorted_by(0), 1)), 0);  // rounding
+  EXPECT_EQ(limit(distorted_by(0), 1), .002);
+  EXPECT_EQ(limit(distorted_by(0), .5), .001);
+  EXPECT_EQ((Period_limit{{}, .003}(distorted_by(0), 1)), .003);
   EXPECT_EQ(limit(distorted_by(3), 1), .02);
   EXPECT_EQ(limit(distorted_by(3), .5), .01);
 }

@@ -96,7 +96,7 @@ TEST(Spin_transformation_flow, gives_the_same_surfaces_with_lagged_factors)
       plain.move();
       lagged.move();
     }
-    EXPECT_LE(lagged.eigensolver().factorizations(), 2);
+    EXPECT_LE(lagged.eigensolver().factorizations(), 4);  // of five steps
   }
 }
 

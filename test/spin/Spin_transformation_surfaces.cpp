@@ -94,7 +94,7 @@ TEST(Spin_transformation, is_reusable_on_an_annulus)
          {Boundary_condition::free(), Boundary_condition::binormals()}) {
       Transformation transformation(mesh, options_with(mollification, condition));
       const CGP::Spin_result first = transformation.transform(rho);
-      EXPECT_TRUE(first.report);
+      EXPECT_TRUE(first.report.converged);
       expect_same_bits(transformation.transform(rho), first);
       expect_same_bits(Transformation(mesh, options_with(mollification, condition)).transform(rho),
                        first);
@@ -178,7 +178,8 @@ TEST(Spin_transformation, has_no_direction_errors_where_coordinates_overflow)
               .integrate(spins)
               .report;
       const bool fits = scale < 1e307;
-      EXPECT_EQ(static_cast<bool>(report), fits);
+      // Measures of the map overflow for both.
+      EXPECT_EQ(report.converged, fits);
       EXPECT_EQ(std::isnan(report.direction_error.mean), !fits);
     }
 }

@@ -15,7 +15,9 @@ namespace internal {
 /// A defect shears the surface by about as much. By default it may be a quarter of the distortion
 /// that the step has anyway, mean Q - 1: that is the discretisation error, O(h) and in proportion
 /// to rho, so that the defect neither stops the convergence under refinement nor costs steps that
-/// no one would notice. Never more than 2 % of the edges, because on bad meshes Q is large.
+/// no one would notice. Never more than 2 % of the edges, because on bad meshes Q is large, nor
+/// less than .2 %, which shears by less than one sees: maps in the plane have hardly any
+/// distortion.
 struct Period_limit {
   std::optional<double> maximum;  ///< over all steps together, relative to the edges; see above
   double tolerance = 0;           ///< of the spins: smaller defects are errors of the solver

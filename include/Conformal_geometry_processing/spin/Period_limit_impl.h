@@ -13,9 +13,10 @@ namespace Conformal_geometry_processing {
 CGP_INLINE double internal::Period_limit::operator()(const Spin_report& report, double share) const
 {
   if (maximum) return *maximum * share;
-  const double share_of_distortion = 0.25, rounding = 1e-10, greatest = 0.02;
+  const double share_of_distortion = 0.25, rounding = 1e-10, least = 0.002, greatest = 0.02;
   const double distortion = report.conformality.quasi_conformal.mean - 1;
-  const double closed = (std::max)({share_of_distortion * distortion, tolerance, rounding});
+  const double closed =
+      (std::max)({share_of_distortion * distortion, tolerance, rounding, least * share});
   return (std::min)(closed, greatest * share);
 }
 
