@@ -201,7 +201,7 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///   \cgalParamNBegin{maximum_number_of_substeps}
 ///     \cgalParamDescription{maximum number of substeps in which a strong rho is applied}
 ///     \cgalParamType{`unsigned int`}
-///     \cgalParamDefault{64}
+///     \cgalParamDefault{10}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{seed of the second start vector of the eigenvalue solver}

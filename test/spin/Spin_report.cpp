@@ -68,7 +68,7 @@ TEST(Spin_report, is_a_success_without_fault_only)
   expect_fault(report, Fault::none);
   report.closure_residual = 0.2;
   expect_fault(report, Fault::open);
-  report.missing_share = 0.8;
+  report.missing_share = 0.95;
   expect_fault(report, Fault::left_out);
   report.direction_error.mean = 0.5;
   expect_fault(report, Fault::directions);

@@ -14,7 +14,7 @@
 
 namespace conformal {
 
-/// what becomes of a result that does not verify
+/// whether a result that does not verify is refused or written
 enum class On_fault {
   refuse,           ///< it is not written
   force,            ///< it is written, with a note, and the run has not failed

@@ -26,7 +26,7 @@ struct Dirac_options {
   double tolerance = 1e-8;  ///< upper bound of `Dirac_solution::residual`
   int max_iterations = 200;
   int max_substeps = 10;     ///< stages in which the branch is followed, each with a factorization
-  unsigned random_seed = 0;  ///< of the second start vector
+  unsigned random_seed = 0;  ///< of start vectors, with directions or the generalized problem
   /// with prescribed directions at a boundary: singular values of D - rho up to this bound, in
   /// 1/length, count as zero, and the solution is the combination of their vectors nearest to the
   /// guide

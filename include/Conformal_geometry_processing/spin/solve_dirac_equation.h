@@ -25,8 +25,9 @@ namespace Conformal_geometry_processing {
 /// discretisation error alone determines which of its vectors is smallest; that vector often has
 /// zeros.
 ///
-/// Costs one factorization, or one for each substep of the branch, and three to eight solves for
-/// each.
+/// On closed surfaces, gamma is the quotient of lambda, and lambda the smallest eigenvector of the
+/// energy X of rho + gamma; rho and rho + c have the same lambda. Costs one factorization for weak
+/// rho, one more for each stage in which the branch is followed, and about ten solves for each.
 ///
 /// \param rho finite values, in 1/length
 /// \param go_further called between iterations with an `Eigensolver_progress`; cancels by returning
