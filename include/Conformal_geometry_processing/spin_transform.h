@@ -194,7 +194,7 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDefault{1e-8}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{maximum number of iterations of the eigenvalue solver, all substeps together}
+///     \cgalParamDescription{maximum number of iterations of the eigenvalue solver in all}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{200}
 ///   \cgalParamNEnd
