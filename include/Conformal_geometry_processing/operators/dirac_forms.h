@@ -13,6 +13,10 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
+/// row c of M (D - R) on a sheet, divided by its share
+/// \param r the values of rho at the corners
+Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3d& r, int c);
+
 /// \ingroup PkgOperators
 /// \brief the two forms whose quotient is the *signed* eigenvalue of D - rho, on k vectors V: |V| x
 /// k. Both are k x k and Hermitian.

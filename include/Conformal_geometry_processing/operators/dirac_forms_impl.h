@@ -16,7 +16,6 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-/// row c of M (D - R) on a sheet, divided by its share
 CGP_INLINE Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3d& r, int c)
 {
   const Eigen::Vector3d e = sheet.vectors.col(c) / -2;

@@ -105,6 +105,9 @@ class Dirac_system {
   /// \pre `set_potential()` has been called
   Vectors solve(const Vectors& b) const;
 
+  /// the same as accurately as a preconditioner
+  Vectors precondition(const Vectors& b) const;
+
   /// \brief factors X for rho = 0, for `response()`.
   ///
   /// With a free boundary, X is shifted by `nearness_weight()`: infinitely many spins solve the

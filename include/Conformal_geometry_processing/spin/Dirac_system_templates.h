@@ -119,6 +119,15 @@ auto internal::Dirac_system<SolverTraits>::solve(const Vectors& b) const -> Vect
 }
 
 template <class SolverTraits>
+auto internal::Dirac_system<SolverTraits>::precondition(const Vectors& b) const -> Vectors
+{
+  if (m_directions) return solve(b);
+  Vectors x;
+  check("solution", apply_inverse(m_solver, b, x));
+  return x;
+}
+
+template <class SolverTraits>
 void internal::Dirac_system<SolverTraits>::prepare_response()
 {
   internal::Dirac_evidence::Seconds seconds;
@@ -139,11 +148,7 @@ template <class SolverTraits>
 auto internal::Dirac_system<SolverTraits>::noise(Eigen::Index columns, unsigned seed) const
     -> Vectors
 {
-  const Vectors b = block_operator(m_areas)(random_quaternions(m_areas.size(), columns, seed));
-  if (m_directions) return solve(b);
-  Vectors x;  // as accurate as a preconditioner
-  check("solution", apply_inverse(m_solver, b, x));
-  return x;
+  return precondition(block_operator(m_areas)(random_quaternions(m_areas.size(), columns, seed)));
 }
 
 template <class SolverTraits>

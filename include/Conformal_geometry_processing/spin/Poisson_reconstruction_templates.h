@@ -39,6 +39,12 @@ Points Poisson_reconstruction<SolverTraits>::positions(const Eigen::MatrixX3d& e
 }
 
 template <class SolverTraits>
+Eigen::MatrixX3d Poisson_reconstruction<SolverTraits>::edge_gradient(const Points& y) const
+{
+  return m_weights.asDiagonal() * differential(m_surface, m_solver.solve(y.transpose()));
+}
+
+template <class SolverTraits>
 double Poisson_reconstruction<SolverTraits>::residual(const Points& f,
                                                       const Eigen::MatrixX3d& edges) const
 {

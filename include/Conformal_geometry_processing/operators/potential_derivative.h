@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_POTENTIAL_DERIVATIVE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_POTENTIAL_DERIVATIVE_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgOperators
+/// \brief minus the derivative of X lambda for changes d of rho: (E^H M A + A^H M E) lambda with
+/// A = D - R and E the matrix that multiplies by d and averages on faces; |V| x k. O(k sheets).
+/// \param rho at which X is differentiated, in 1/length
+/// \param changes |V| or |F| x k, where rho is
+Block<Quaternion<double>> energy_change(const Surface_ref& surface, const Curvature_potential& rho,
+                                        const Quaternion_vector<double>& lambda,
+                                        const Eigen::MatrixXd& changes);
+
+/// \ingroup PkgOperators
+/// \brief the transpose of `energy_change()`: the gradients of -Re <z, X lambda> with respect to
+/// rho for k columns z; |V| or |F| x k.
+Eigen::MatrixXd energy_gradient(const Surface_ref& surface, const Curvature_potential& rho,
+                                const Quaternion_vector<double>& lambda,
+                                const Block<Quaternion<double>>& z);
+
+/// \ingroup PkgOperators
+/// \brief the gradient of -<lambda, H lambda> with respect to rho, H from `apply_dirac_form()`: the
+/// integral of |B lambda|^2 for each value of rho; |V| or |F|.
+Eigen::VectorXd form_gradient(const Surface_ref& surface, Curvature_potential::On on,
+                              const Quaternion_vector<double>& lambda);
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/operators/potential_derivative_impl.h>
+#endif
+
+#endif

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_POTENTIAL_DERIVATIVE_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_POTENTIAL_DERIVATIVE_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/operators/potential_derivative.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// the index of the value of rho at a corner
+CGP_INLINE int potential_index(const Sheet& sheet, Curvature_potential::On on, std::size_t c)
+{
+  return on == Curvature_potential::On::vertices ? sheet.corners[c] : sheet.face;
+}
+
+/// the rows of M (D - R) on a sheet, divided by its share
+CGP_INLINE std::array<Quaternion<double>, 3> dirac_rows(const Sheet& sheet,
+                                                        const Curvature_potential& rho)
+{
+  const Eigen::Vector3d r = rho.at_corners(sheet);
+  return {dirac_row(sheet, r, 0), dirac_row(sheet, r, 1), dirac_row(sheet, r, 2)};
+}
+
+CGP_INLINE Block<Quaternion<double>> energy_change(const Surface_ref& surface,
+                                                   const Curvature_potential& rho,
+                                                   const Quaternion_vector<double>& lambda,
+                                                   const Eigen::MatrixXd& changes)
+{
+  Block<Quaternion<double>> result =
+      Block<Quaternion<double>>::Constant(lambda.size(), changes.cols(), {});
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const std::array<Quaternion<double>, 3> row = dirac_rows(sheet, rho);
+    Quaternion<double> image;
+    for (std::size_t c = 0; c < 3; ++c) image += row[c] * lambda[sheet.corners[c]];
+    for (Eigen::Index k = 0; k < changes.cols(); ++k) {
+      std::array<double, 3> d;
+      Quaternion<double> change;  // E lambda
+      for (std::size_t c = 0; c < 3; ++c) {
+        d[c] = changes(potential_index(sheet, rho.on, c), k) / 3;
+        change += d[c] * lambda[sheet.corners[c]];
+      }
+      for (std::size_t c = 0; c < 3; ++c)
+        result(sheet.corners[c], k) += sheet.share * (d[c] * image + conjugate(row[c]) * change);
+    }
+  }
+  return result;
+}
+
+CGP_INLINE Eigen::MatrixXd energy_gradient(const Surface_ref& surface,
+                                           const Curvature_potential& rho,
+                                           const Quaternion_vector<double>& lambda,
+                                           const Block<Quaternion<double>>& z)
+{
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rho.values.size(), z.cols());
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const std::array<Quaternion<double>, 3> row = dirac_rows(sheet, rho);
+    Quaternion<double> image;
+    for (std::size_t c = 0; c < 3; ++c) image += row[c] * lambda[sheet.corners[c]];
+    for (Eigen::Index k = 0; k < z.cols(); ++k) {
+      Quaternion<double> other;  // M A z
+      for (std::size_t c = 0; c < 3; ++c) other += row[c] * z(sheet.corners[c], k);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Quaternion<double> product =
+            conjugate(z(sheet.corners[c], k)) * image + conjugate(lambda[sheet.corners[c]]) * other;
+        result(potential_index(sheet, rho.on, c), k) += sheet.share / 3 * product.w;
+      }
+    }
+  }
+  return result;
+}
+
+CGP_INLINE Eigen::VectorXd form_gradient(const Surface_ref& surface, Curvature_potential::On on,
+                                         const Quaternion_vector<double>& lambda)
+{
+  const bool is_on_vertices = on == Curvature_potential::On::vertices;
+  Eigen::VectorXd result =
+      Eigen::VectorXd::Zero(is_on_vertices ? surface.size_of_vertices() : surface.size_of_faces());
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    Quaternion<double> average;
+    for (const int v : sheet.corners) average += lambda[v] / 3.;
+    for (std::size_t c = 0; c < 3; ++c)
+      result[potential_index(sheet, on, c)] +=
+          sheet.share * sheet.area / 3 * (conjugate(average) * lambda[sheet.corners[c]]).w;
+  }
+  return result;
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_DERIVATIVE_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_DERIVATIVE_TEMPLATES_H
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
+#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/operators/potential_derivative.h>
+#include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
+#include <Conformal_geometry_processing/spin/Spin_derivative.h>
+#include <Conformal_geometry_processing/spin/nearness_weight.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+template <class SolverTraits>
+Spin_derivative<SolverTraits>::Spin_derivative(const Dirac_system<SolverTraits>& system,
+                                               Curvature_potential potential,
+                                               Quaternion_vector<double> lambda, double tolerance)
+    : m_system(system),
+      m_potential(std::move(potential)),
+      m_lambda(std::move(lambda)),
+      m_length(std::sqrt(system.squared_norm(m_lambda))),
+      m_tolerance(tolerance)
+{
+  components(m_lambda) /= m_length;
+  if (!is_eigenvector()) {
+    m_diagonal = nearness_weight(system.surface()) * system.areas();
+    return;
+  }
+  const double mu = inner_product(m_lambda, system.matrix() * m_lambda).w;
+  m_diagonal = -mu * system.areas();
+  if (!system.is_closed()) return;
+  const Vectors form = apply_dirac_form(system.surface(), m_potential, m_lambda);
+  m_gamma_gradient = form_gradient(system.surface(), m_potential.on, m_lambda) -
+                     2 * apply_transpose_at_fixed_gamma(form).col(0);
+}
+
+template <class SolverTraits>
+auto Spin_derivative<SolverTraits>::apply(const Eigen::MatrixXd& changes) const -> Vectors
+{
+  Vectors result;
+  if (m_gamma_gradient.size() == 0) {
+    result = apply_at_fixed_gamma(changes);
+  } else {
+    const Eigen::RowVectorXd gamma =
+        -(m_gamma_gradient.transpose() * changes) / m_gamma_gradient.sum();
+    result = apply_at_fixed_gamma(changes.rowwise() + gamma);
+  }
+  for (Quaternion<double>& q : result.reshaped()) q *= m_length;
+  return result;
+}
+
+template <class SolverTraits>
+Eigen::MatrixXd Spin_derivative<SolverTraits>::apply_transpose(const Vectors& q) const
+{
+  Eigen::MatrixXd result = m_length * apply_transpose_at_fixed_gamma(q);
+  if (m_gamma_gradient.size() == 0) return result;
+  const Eigen::RowVectorXd of_gamma = result.colwise().sum() / m_gamma_gradient.sum();
+  return result - m_gamma_gradient * of_gamma;
+}
+
+template <class SolverTraits>
+auto Spin_derivative<SolverTraits>::apply_at_fixed_gamma(const Eigen::MatrixXd& changes) const
+    -> Vectors
+{
+  return solve(energy_change(m_system.surface(), m_potential, m_lambda, changes));
+}
+
+template <class SolverTraits>
+Eigen::MatrixXd Spin_derivative<SolverTraits>::apply_transpose_at_fixed_gamma(
+    const Vectors& q) const
+{
+  return energy_gradient(m_system.surface(), m_potential, m_lambda, solve(q));
+}
+
+template <class SolverTraits>
+auto Spin_derivative<SolverTraits>::solve(Vectors b) const -> Vectors
+{
+  b = m_system.projected(std::move(b));
+  remove_gauge(b, true);
+  const auto matrix = [this](const Vectors& x, Vectors& y) { apply_matrix(x, y); };
+  const auto precondition = [this](const Vectors& r, Vectors& z) {
+    z = m_system.precondition(r);
+    remove_gauge(z, false);
+  };
+  Conjugate_gradients_options options;
+  options.tolerance = m_tolerance;
+  Vectors x;
+  const auto result = conjugate_gradients(matrix, precondition, b, x, options);
+  const double worst_error = 1e-3;  // of rounding, with slivers
+  if (!result.converged && !(result.estimates.maxCoeff() <= worst_error))
+    throw Solver_error("Spin_derivative", "the iterations do not converge");
+  return x;
+}
+
+template <class SolverTraits>
+void Spin_derivative<SolverTraits>::apply_matrix(const Vectors& x, Vectors& y) const
+{
+  block_operator(m_system.matrix())(x, y);
+  for (Eigen::Index k = 0; k < x.cols(); ++k)
+    for (Eigen::Index i = 0; i < x.rows(); ++i) y(i, k) += m_diagonal[i] * x(i, k);
+  y = m_system.projected(std::move(y));
+}
+
+template <class SolverTraits>
+void Spin_derivative<SolverTraits>::remove_gauge(Vectors& v, bool is_form) const
+{
+  if (!is_eigenvector()) return;
+  const Eigen::VectorXd& areas = m_system.areas();
+  for (Eigen::Index k = 0; k < v.cols(); ++k) {
+    const Quaternion<double> share =
+        reduced_to(m_system.coefficients(), is_form ? inner_product(m_lambda, v.col(k))
+                                                    : inner_product(m_lambda, areas, v.col(k)));
+    for (Eigen::Index i = 0; i < v.rows(); ++i)
+      v(i, k) -= (is_form ? areas[i] : 1.) * (m_lambda[i] * share);
+  }
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class internal::Spin_derivative<Default_solver_traits>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif
