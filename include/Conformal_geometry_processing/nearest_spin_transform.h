@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/core/scale_parameters.h>
 #include <Conformal_geometry_processing/core/write_spin_result.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_visitor.h>
@@ -154,10 +155,7 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
       graph.view(), internal::read_points(mesh, target_points, np, function), function, options);
   if constexpr (internal::has_parameter<NamedParameters, internal_np::vertex_scale_map_t>) {
     const auto scales = CGAL::parameters::get_parameter(np, internal_np::vertex_scale_map);
-    Eigen::VectorXd factor(graph.view().size_of_vertices());
-    for (int v = 0; v < factor.size(); ++v)
-      factor[v] = CGAL::to_double(get(scales, graph.vertex(v)));
-    nearest.scale_lengths(factor);
+    nearest.scale_lengths(internal::read_vertex_numbers(graph, scales));
   }
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);

@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/read_curvature_potential.h>
+#include <Conformal_geometry_processing/core/scale_parameters.h>
 #include <Conformal_geometry_processing/core/write_spin_result.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_visitor.h>
@@ -40,11 +41,14 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
           internal_np::maximum_number_of_substeps_t, internal_np::boundary_direction_t,
           internal_np::boundary_direction_map_t, internal_np::vertex_target_point_map_t,
           internal_np::kernel_tolerance_t, internal_np::branch_t, internal_np::mollification_t,
-          CGAL::internal_np::vertex_is_constrained_t, CGAL::internal_np::vertex_normal_map_t>,
+          internal_np::scale_bound_t, internal_np::vertex_scale_map_t,
+          internal_np::vertex_scale_weight_map_t, CGAL::internal_np::vertex_is_constrained_t,
+          CGAL::internal_np::vertex_normal_map_t>,
       "spin_transform(): unknown named parameter, see the manual for those it accepts");
   Spin_transformation_options options;
   options.boundary = boundary_condition(graph, np, function);
   read_exactness_and_mollification(np, options);
+  options.scales = scale_control(graph, np);
   return options;
 }
 
@@ -131,6 +135,28 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///                           and holes, all steps together}
 ///     \cgalParamType{`double`, positive}
 ///     \cgalParamDefault{a quarter of the discretisation error, which falls with the edge length}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{scale_bound}
+///     \cgalParamDescription{b > 1: lengths are multiplied by factors in [1/b, b] on 98 % of the
+///                           area, at unchanged total area; where rho would do more, the nearest
+///                           rho that does not is applied. `Spin_report::scales` tells what was
+///                           kept. A factor of 1.5 to 3 keeps limbs recognisable}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{none: rho is applied as it is}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_scale_map}
+///     \cgalParamDescription{with `scale_bound`: wanted factors of lengths, to which the bound is
+///                           relative; only their ratios matter}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
+///                    positive number as value}
+///     \cgalParamDefault{1}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_scale_weight_map}
+///     \cgalParamDescription{with `scale_bound`: how much the size of the surface matters there;
+///                           where it is 0, lengths may change freely}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
+///                    number >= 0 as value}
+///     \cgalParamDefault{1}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{limits}
 ///     \cgalParamDescription{what counts as success, see `Spin_report::fault()`}

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "option_groups.h"
 
+#include <cmath>
 #include <cstdlib>
 
 namespace conformal {
@@ -162,6 +163,30 @@ void add_boundary(CLI::App& command, Boundary_choice& boundary)
   add_choice(command, "--boundary", boundary, {"free", "tangents", "binormals"},
              "what its boundary keeps: nothing (it moves as little as it can), its tangents, or "
              "its binormals, which point out of the surface");
+}
+
+void add_scale_bound(CLI::App& command, std::optional<double>& max_scale)
+{
+  max_scale = 2;
+  const auto read = [&max_scale](const std::string& text) {
+    if (text == "none")
+      max_scale.reset();
+    else
+      max_scale = std::strtod(text.c_str(), nullptr);
+  };
+  const auto is_bound = [](const std::string& text) {
+    char* end = nullptr;
+    const double bound = std::strtod(text.c_str(), &end);
+    const bool is_good = text == "none" || (*end == 0 && bound > 1 && std::isfinite(bound));
+    return is_good ? std::string() : "a number above 1, or none, is needed: " + text;
+  };
+  command
+      .add_option_function<std::string>(
+          "--max-scale", read,
+          "largest factor by which lengths may grow or shrink, on 98 % of the area, or none: rho "
+          "is applied as it is, whatever collapses")
+      ->check(CLI::Validator(is_bound, "FLOAT > 1 or none"))
+      ->default_str("2");
 }
 
 void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect)

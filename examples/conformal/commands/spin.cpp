@@ -28,6 +28,8 @@ const char* const about =
     "with which they would not close up, and the rest is reached in as many steps as it takes; "
     "the\n"
     "table tells how much. A boundary is free, unless --boundary says what it keeps.\n"
+    "Lengths change by a factor of 2 at most (--max-scale), on 98 % of the area: what would\n"
+    "collapse limbs is taken out of rho, and the table tells how much was kept.\n"
     "--filter keeps the large features of rho, the small ones, or lifts these out.\n"
     "--mollify takes faces as thin as they may be, also of area zero, which are refused "
     "otherwise;\n"
@@ -45,6 +47,7 @@ void add_options(CLI::App& command, Spin_options& spin, Common_options& common)
   add_boundary(command, spin.boundary);
   add_lambda(command, spin.lambda);
   add_solver(command, spin.solver);
+  add_scale_bound(command, spin.max_scale);
   add_period_defect(command, spin.max_period_defect);
   add_mollification(command, spin.mollification, tried_otherwise);
   add_choice(command, "--problem", spin.problem, {"standard", "generalized"},
@@ -73,7 +76,8 @@ void require_possible(const Surface_input& input, const Spin_options& spin)
 std::string easier(const Spin_options& spin)
 {
   const bool is_mollified = spin.mollification.value_or(1) > 0;
-  return is_mollified ? "a weaker rho" : "a weaker rho, --mollify for thin faces";
+  const std::string bound = spin.max_scale ? "" : "--max-scale 2, ";
+  return bound + (is_mollified ? "a weaker rho" : "a weaker rho, --mollify for thin faces");
 }
 
 /// \param rho in 1/length
@@ -83,6 +87,7 @@ Spin_problem problem_of(CGP::Curvature_potential rho, const Spin_options& spin)
     throw Failure(Exit_code::usage, "--problem generalized wants rho on faces; try: --on faces");
   Spin_problem problem;
   problem.rho = std::move(rho);
+  problem.max_scale = spin.max_scale;
   problem.boundary = kept_boundary(spin.boundary);
   problem.closes_loops = !spin.open_handles;
   problem.mollification = spin.mollification.value_or(0);

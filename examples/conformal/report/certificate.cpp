@@ -33,6 +33,22 @@ void report_details(const CGP::Spin_report& spin, Report& report)
 
 }  // namespace
 
+void tell_scales(const CGP::Spin_report::Scales& scales, Report& report)
+{
+  if (scales.bound == 0) return;
+  report.set("result/scale_control/bound", scales.bound);
+  report.set("result/scale_control/weight", scales.weight);
+  report.tell("result/scale_control/low", "lengths scaled by at least (1 % of the area)",
+              scales.low, 3);
+  report.tell("result/scale_control/high", "lengths scaled by at most (99 %)", scales.high, 3);
+  report.set("result/scale_control/kept_norm", scales.kept_norm);
+  report.set("result/scale_control/kept_correlation", scales.kept_correlation);
+  if (scales.weight > 0) {
+    report.show("kept of rho (%)", text_of(100 * scales.kept_norm, 3));
+    report.show("correlation of what is kept with rho", text_of(scales.kept_correlation, 3));
+  }
+}
+
 void tell_certificate(const CGP::Spin_report& spin, int faces, Outcome& outcome)
 {
   Report& report = outcome.report;
@@ -49,6 +65,7 @@ void tell_certificate(const CGP::Spin_report& spin, int faces, Outcome& outcome)
     report.show("steps that keep handles closed", std::to_string(spin.steps));
     report.show("left out of rho, for handles (%)", text_of(100 * spin.missing_share, 3));
   }
+  tell_scales(spin.scales, report);
   tell_mollification(spin.mollification, report);
   tell_conformality(spin.conformality, measured_faces(spin, faces), report);
   report_details(spin, report);

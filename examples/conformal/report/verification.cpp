@@ -92,6 +92,10 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
     case Fault::open:
       return exceeds("the closure residual", report.closure_residual, limits.closure) +
              ": the surface does not close up; try: " + easier + ", or --max-closure";
+    case Fault::scales:
+      return "lengths change by factors of " + text_of(report.scales.low, 3) + " to " +
+             text_of(report.scales.high, 3) + ", beyond the bound of " +
+             text_of(report.scales.bound, 3) + "; try: " + easier + ", or a larger --max-scale";
     case Fault::map:
     case Fault::none:
       break;

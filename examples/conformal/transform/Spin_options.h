@@ -24,6 +24,7 @@ struct Spin_options {
   std::optional<double> mollification;  ///< share of the mean edge; 0: never, none: where it helps
   bool open_handles = false;  ///< rho is applied as it is, though it opens handles and holes
   std::optional<double> max_period_defect;  ///< of handles and holes; none: by the edge length
+  std::optional<double> max_scale;          ///< bound on factors of lengths; none: rho as it is
   std::string solver = "native";            // or cholmod, eigen
   Verification_limits limits;
 };

@@ -36,7 +36,8 @@ struct Spin_problem {
   double kernel_tolerance = 0;
   double mollification = 0;  ///< if not 0, on the intrinsic Delaunay triangulation
   double second_try = 0;     ///< the mollification where a result without does not verify; 0: none
-  bool closes_loops = true;  ///< in as many steps as it takes; leaves out what opens them
+  std::optional<double> max_scale;  ///< bound on factors of lengths
+  bool closes_loops = true;         ///< in as many steps as it takes; leaves out what opens them
 };
 
 /// Calls the library's `Spin_transformation` with the solver that the options name. This is the one

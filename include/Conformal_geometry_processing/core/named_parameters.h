@@ -33,6 +33,8 @@
   X(mollification)                                      \
   X(branch)                                             \
   X(vertex_scale_map)                                   \
+  X(vertex_scale_weight_map)                            \
+  X(scale_bound)                                        \
   X(blend)                                              \
   X(time_step)                                          \
   X(is_closed)                                          \

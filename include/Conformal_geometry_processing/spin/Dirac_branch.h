@@ -47,7 +47,16 @@ class Dirac_branch {
 
   void solve();
 
+  /// \brief finds the eigenpair near an approximate one instead, without following the branch from
+  /// 1: one factorization, as a rule.
+  /// \param near spins, eigenvalue and gaps; converged only if the result overlaps with its spins
+  /// by `same_vector`
+  void correct(const Dirac_solution& near);
+
  private:
+  /// least overlap of two approximations of one eigenvector
+  static constexpr double same_vector = 0.85;
+
   /// t rho + sigma
   Curvature_potential potential(double t, double sigma) const;
 

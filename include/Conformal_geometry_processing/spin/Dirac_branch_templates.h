@@ -42,7 +42,6 @@ Dirac_branch<SolverTraits, EigensolverTraits>::Dirac_branch(System& system,
 template <class SolverTraits, class EigensolverTraits>
 void Dirac_branch<SolverTraits, EigensolverTraits>::solve()
 {
-  const double same_vector = 0.85;
   Branch_point at, next;
   double end = 1;
   place_pole(1, dirac_quotient(m_system.surface(), m_rho, m_one));
@@ -70,6 +69,21 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::solve()
   m_s.substeps = (std::min)(m_s.substeps, m_options.max_substeps);
   conclude(next);
   m_s.converged = false;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Dirac_branch<SolverTraits, EigensolverTraits>::correct(const Dirac_solution& near)
+{
+  Branch_point p;
+  p.t = 1;
+  p.gamma = near.eigenvalue;
+  if (near.gap > 0) p.gap = near.gap;
+  if (near.branch_gap > 0) p.least_gap = near.branch_gap;
+  m_s.lambda = near.lambda;
+  place_pole(1, p.gamma);
+  refine(p, m_options.tolerance);
+  conclude(p);
+  if (m_system.overlap(m_s.lambda, near.lambda) < same_vector) m_s.converged = false;
 }
 
 template <class SolverTraits, class EigensolverTraits>

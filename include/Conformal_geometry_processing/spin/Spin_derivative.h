@@ -44,12 +44,19 @@ class Spin_derivative {
   Spin_derivative(const Dirac_system<SolverTraits>& system, Curvature_potential potential,
                   Quaternion_vector<double> lambda, double tolerance = 1e-6);
 
+  /// scaled to norm 1
   const Quaternion_vector<double>& lambda() const { return m_lambda; }
+
+  /// with the factor so far, one right-hand side each
+  int number_of_solves() const { return m_solves; }
 
   /// \brief dlambda, |V| x k, for k changes of rho.
   /// \param changes |V| or |F| x k, in 1/length
   /// \throw Solver_error if the iterations do not converge
   Vectors apply(const Eigen::MatrixXd& changes) const;
+
+  /// dgamma for k changes of rho, 0 without a gamma
+  Eigen::RowVectorXd gamma_change(const Eigen::MatrixXd& changes) const;
 
   /// \brief the gradients, |V| or |F| x k, of Re <q, lambda> for k columns q, |V| x k.
   ///
@@ -78,6 +85,7 @@ class Spin_derivative {
   double m_tolerance;
   Eigen::VectorXd m_diagonal;        // -mu M_V, or W
   Eigen::VectorXd m_gamma_gradient;  // of -<lambda, H lambda>; empty without gamma
+  mutable int m_solves = 0;          // for the report only
 };
 
 }  // namespace internal

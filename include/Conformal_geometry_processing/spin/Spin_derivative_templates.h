@@ -46,16 +46,16 @@ Spin_derivative<SolverTraits>::Spin_derivative(const Dirac_system<SolverTraits>&
 template <class SolverTraits>
 auto Spin_derivative<SolverTraits>::apply(const Eigen::MatrixXd& changes) const -> Vectors
 {
-  Vectors result;
-  if (m_gamma_gradient.size() == 0) {
-    result = apply_at_fixed_gamma(changes);
-  } else {
-    const Eigen::RowVectorXd gamma =
-        -(m_gamma_gradient.transpose() * changes) / m_gamma_gradient.sum();
-    result = apply_at_fixed_gamma(changes.rowwise() + gamma);
-  }
+  Vectors result = apply_at_fixed_gamma(changes.rowwise() + gamma_change(changes));
   for (Quaternion<double>& q : result.reshaped()) q *= m_length;
   return result;
+}
+
+template <class SolverTraits>
+Eigen::RowVectorXd Spin_derivative<SolverTraits>::gamma_change(const Eigen::MatrixXd& changes) const
+{
+  if (m_gamma_gradient.size() == 0) return Eigen::RowVectorXd::Zero(changes.cols());
+  return -(m_gamma_gradient.transpose() * changes) / m_gamma_gradient.sum();
 }
 
 template <class SolverTraits>
@@ -95,6 +95,7 @@ auto Spin_derivative<SolverTraits>::solve(Vectors b) const -> Vectors
   options.tolerance = m_tolerance;
   Vectors x;
   const auto result = conjugate_gradients(matrix, precondition, b, x, options);
+  m_solves += static_cast<int>(b.cols()) * (result.iterations + 1);
   const double worst_error = 1e-3;  // of rounding, with slivers
   if (!result.converged && !(result.estimates.maxCoeff() <= worst_error))
     throw Solver_error("Spin_derivative", "the iterations do not converge");

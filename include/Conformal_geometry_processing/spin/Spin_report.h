@@ -46,6 +46,19 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     double measured_area = 0;  ///< their share of the area; at least 95 %
   } mollification;
 
+  /// what control of scale did; lengths are relative to the wanted factors
+  struct Scales {
+    double bound = 0;             ///< requested; 0: none
+    double low = 1, high = 1;     ///< factors of lengths, of 1 % to 99 % of the area
+    double min = 1, max = 1;      ///< and of all of it
+    double weight = 0;            ///< w of `internal::Scale_search`; 0: rho was within the bound
+    double kept_norm = 1;         ///< norm of the realised rho relative to that of rho
+    double kept_correlation = 1;  ///< between the two, both without their means
+
+    /// the largest log factor relative to the log of the bound, at most 1 within it; 0 without one
+    double excess() const;
+  } scales;
+
   /// how far the new edges are from conjugate(lambda) df lambda, relative; over several steps from
   /// the first surface to the last
   double closure_residual = 0;
@@ -82,6 +95,7 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     nothing_left,  ///< no part of rho keeps the handles closed
     left_out,      ///< too much of rho is left out
     open,          ///< the new edges do not close up
+    scales,        ///< lengths change by more than the bound
     map            ///< see `Conformality::fault()`
   };
 

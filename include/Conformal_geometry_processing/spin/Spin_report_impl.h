@@ -46,6 +46,8 @@ CGP_INLINE const char* to_string(Spin_report::Fault fault)
       return "too much of rho is left out";
     case Fault::open:
       return "the edges of the new surface do not close up";
+    case Fault::scales:
+      return "lengths change by more than the bound";
     case Fault::map:
       return "the map is not conformal, flips or collapses";
     case Fault::none:
@@ -57,6 +59,11 @@ CGP_INLINE const char* to_string(Spin_report::Fault fault)
 CGP_INLINE Spin_report::operator bool() const
 {
   return fault() == Fault::none;
+}
+
+CGP_INLINE double Spin_report::Scales::excess() const
+{
+  return bound > 0 ? (std::max)(std::log(high), -std::log(low)) / std::log(bound) : 0;
 }
 
 // Comparisons are such that NaN is beyond every limit.
@@ -71,6 +78,8 @@ CGP_INLINE Spin_report::Fault Spin_report::fault() const
   if (!(direction_error.mean <= limits.direction_error)) return Fault::directions;
   if (!(realised_share() >= limits.realised_share)) return Fault::left_out;
   if (!(closure_residual <= limits.closure)) return Fault::open;
+  const double rounding = 1e-9;
+  if (!(scales.excess() <= 1 + rounding)) return Fault::scales;
   if (conformality.fault(limits.map) != Conformality::Fault::none) return Fault::map;
   return Fault::none;
 }

@@ -44,6 +44,10 @@ namespace Conformal_geometry_processing {
 /// certificate then refer to the `well_shaped_faces()`, which exclude the thinnest faces, at most 5
 /// % of the area.
 ///
+/// With a bound on the change of lengths (`Spin_transformation_options::scales`), a rho beyond it
+/// is replaced by the nearest one within, see `internal::Scale_search`; a rho within it is applied
+/// as it is. The report contains what was kept (`Spin_report::scales`).
+///
 /// Computes in a frame of unit size around the centre, so that scale and position have no effect.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
@@ -151,6 +155,18 @@ class Spin_transformation {
 
   /// whether there are loops around handles or holes, which have to close
   bool has_loops() const;
+
+  /// `transform()` without control of scale
+  Spin_result transform_exactly(const Curvature_potential& rho, const Dirac_options& options,
+                                const internal::Go_further& go_further);
+
+  /// \brief the transformation by the rho' nearest to rho that keeps to the bound on lengths.
+  /// \pre no positions are prescribed
+  Spin_result bound_scales(const Curvature_potential& rho, const Dirac_options& options,
+                           const internal::Go_further& go_further);
+
+  /// a solution in the frame, with its part of the report in the unit of the mesh
+  Spin_result in_units(internal::Dirac_solution s) const;
 
   /// lambda, with its part of the report
   Spin_result solve(const Curvature_potential& rho, Dirac_options options,

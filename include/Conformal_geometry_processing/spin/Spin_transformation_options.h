@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/forms/exactness_functions.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
+#include <Conformal_geometry_processing/spin/Scale_control.h>
 
 #include <optional>
 
@@ -26,6 +27,8 @@ struct Spin_transformation_options {
   /// `internal::Period_limit`
   std::optional<double> max_period_defect = std::nullopt;
   double min_step = 1. / 256;  ///< the smallest share of rho for a step but the last
+  /// with a bound on the change of lengths, rho is replaced by the nearest one that keeps to it
+  internal::Scale_control scales = {};
 };
 
 }  // namespace Conformal_geometry_processing

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/spin/Exact_steps_templates.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints_templates.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
+#include <Conformal_geometry_processing/spin/Scale_search_templates.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/boundary_fault.h>
 #include <Conformal_geometry_processing/spin/certify.h>
@@ -31,6 +32,9 @@ Spin_transformation<SolverTraits, EigensolverTraits>::Spin_transformation(
     : m_function(function), m_options(options)
 {
   internal::Framed_surface::require(mesh, options.mollification, function);
+  options.scales.require(mesh.size_of_vertices(), function);
+  if (options.scales.bound && options.boundary.kind == Boundary_condition::Kind::positions)
+    throw Precondition_error(function, "a scale bound and prescribed positions: these fix scales");
   const int chi = mesh.size_of_vertices() - mesh.size_of_edges() + mesh.size_of_faces();
   const bool has_loops = chi < 1;  // a sphere has 2, a disk 1
   m_generators = has_loops ? closed_generators(mesh) : Eigen::MatrixXd(mesh.size_of_edges(), 0);
@@ -111,6 +115,21 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const internal::Go_further& go_further) &
 {
   require_potential(rho);
+  Spin_result result = transform_exactly(rho, options, go_further);
+  if (!m_options.scales.bound || result.report.cancelled) return result;
+  if (result.lambda.size() > 0)
+    result.report.scales =
+        internal::measured_scales(result.lambda, system().areas(), m_options.scales);
+  const bool is_within = result.report.converged && result.report.steps > 0 &&
+                         result.report.reached == 1 && result.report.scales.excess() <= 1;
+  return is_within ? result : bound_scales(rho, options, go_further);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform_exactly(
+    const Curvature_potential& rho, const Dirac_options& options,
+    const internal::Go_further& go_further)
+{
   if (!m_options.exactness || !has_loops()) return step(rho, options, go_further);
   const Points home = positions();
   const auto go_home = [&] {
@@ -127,10 +146,30 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
 }
 
 template <class SolverTraits, class EigensolverTraits>
+Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
+    const Curvature_potential& rho, const Dirac_options& options,
+    const internal::Go_further& go_further)
+{
+  const bool closes = m_options.exactness && has_loops();
+  const auto* const constraints = closes ? &exactness(rho.on) : nullptr;
+  internal::Scale_search<SolverTraits, EigensolverTraits> search(
+      system(), {rho.on, rho.values * domain().unit()}, m_options.scales, constraints);
+  Spin_result result = in_units(search.run(options, go_further));
+  if (result.report.cancelled) return result;
+  if (closes)
+    result.report.period_defect =
+        constraints->period_defect(transformed_edges(system().surface(), result.lambda));
+  reconstruct(result);
+  result.report.scales = search.scales();
+  return result;
+}
+
+template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const Curvature_potential& rho, const Dirac_options& options,
     const internal::Go_further& go_further) &&
 {
+  if (m_options.scales.bound) return transform(rho, options, go_further);  // needs both factors
   require_potential(rho);
   if (m_options.exactness && has_loops())
     return internal::Exact_steps(*this, rho, m_options).run(options, go_further);
@@ -196,10 +235,17 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::solve(
 {
   const double unit = domain().unit();
   options.kernel_tolerance *= unit;
-  internal::Dirac_solution s = solve_dirac_equation<EigensolverTraits>(
-      system(), {rho.on, rho.values * unit}, options, go_further);
+  return in_units(solve_dirac_equation<EigensolverTraits>(system(), {rho.on, rho.values * unit},
+                                                          options, go_further));
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::in_units(
+    internal::Dirac_solution s) const
+{
   Spin_result result;
-  static_cast<internal::Dirac_evidence&>(result.report) = in_units(s, unit);
+  static_cast<internal::Dirac_evidence&>(result.report) =
+      Conformal_geometry_processing::in_units(s, domain().unit());
   static_cast<internal::Dirac_evidence::Seconds&>(result.report.seconds) = s.seconds;
   result.report.seconds.setup = m_stage->seconds;
   result.report.mollification = domain().mollification();

@@ -19,6 +19,9 @@ template class internal::Directions_search<Default_solver_traits>;
 template internal::Dirac_solution solve_dirac_equation<Lobpcg_eigensolver_traits>(
     internal::Dirac_system<Default_solver_traits>&, const Curvature_potential&,
     const Dirac_options&, const internal::Go_further&);
+template internal::Dirac_solution internal::correct_dirac_solution<Lobpcg_eigensolver_traits>(
+    internal::Dirac_system<Default_solver_traits>&, const Curvature_potential&,
+    const internal::Dirac_solution&, const Dirac_options&, const internal::Go_further&);
 
 }  // namespace Conformal_geometry_processing
 

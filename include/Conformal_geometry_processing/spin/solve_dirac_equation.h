@@ -43,6 +43,22 @@ internal::Dirac_solution solve_dirac_equation(
     const Dirac_options& options = {},
     const internal::Go_further& go_further = internal::Always_go_further());
 
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief solves the equation for a rho near one whose solution is known.
+///
+/// On closed surfaces corrects an approximate solution, which costs one factorization as a rule; it
+/// has converged only if the corrected spins are near it. Otherwise calls `solve_dirac_equation()`.
+/// \param near spins and eigenvalue predicted for rho, gaps of the known solution
+template <class EigensolverTraits = Lobpcg_eigensolver_traits, class SolverTraits>
+Dirac_solution correct_dirac_solution(Dirac_system<SolverTraits>& system,
+                                      const Curvature_potential& rho, const Dirac_solution& near,
+                                      const Dirac_options& options = {},
+                                      const Go_further& go_further = Always_go_further());
+
+}  // namespace internal
+
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY

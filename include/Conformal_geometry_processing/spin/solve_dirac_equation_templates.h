@@ -92,6 +92,20 @@ internal::Dirac_solution solve_dirac_equation(internal::Dirac_system<SolverTrait
   return s;
 }
 
+template <class EigensolverTraits, class SolverTraits>
+internal::Dirac_solution internal::correct_dirac_solution(Dirac_system<SolverTraits>& system,
+                                                          const Curvature_potential& rho,
+                                                          const Dirac_solution& near,
+                                                          const Dirac_options& options,
+                                                          const Go_further& go_further)
+{
+  if (!system.is_closed())
+    return solve_dirac_equation<EigensolverTraits>(system, rho, options, go_further);
+  Dirac_solution s;
+  Dirac_branch<SolverTraits, EigensolverTraits>(system, rho, options, s, go_further).correct(near);
+  return s;
+}
+
 }  // namespace Conformal_geometry_processing
 
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
@@ -100,6 +114,10 @@ namespace Conformal_geometry_processing {
 extern template internal::Dirac_solution solve_dirac_equation<Lobpcg_eigensolver_traits>(
     internal::Dirac_system<Default_solver_traits>&, const Curvature_potential&,
     const Dirac_options&, const internal::Go_further&);
+extern template internal::Dirac_solution
+internal::correct_dirac_solution<Lobpcg_eigensolver_traits>(
+    internal::Dirac_system<Default_solver_traits>&, const Curvature_potential&,
+    const Dirac_solution&, const Dirac_options&, const internal::Go_further&);
 
 }  // namespace Conformal_geometry_processing
 #endif

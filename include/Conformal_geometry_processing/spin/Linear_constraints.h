@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_LINEAR_CONSTRAINTS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_LINEAR_CONSTRAINTS_H
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief the constraints C^T d = c of a step d, with the inner product of masses M.
+///
+/// Damped least squares: a constraint that steps meet a hundred times less than others would take
+/// large ones, and is nearly left out, such as the period that does not change on an isothermic
+/// surface.
+class Linear_constraints {
+ public:
+  /// \param gradients C, one column for each constraint \param masses M, positive
+  Linear_constraints(Eigen::MatrixXd gradients, Eigen::VectorXd masses);
+
+  /// the shortest d with C^T d = c, M^-1 C (C^T M^-1 C)^-1 c
+  Eigen::VectorXd least_solution(const Eigen::VectorXd& c) const;
+
+  /// d without its part in the span of M^-1 C, orthogonally with respect to M
+  Eigen::VectorXd project_out(Eigen::VectorXd d) const;
+
+ private:
+  Eigen::MatrixXd m_gradients;
+  Eigen::VectorXd m_masses;
+  Eigen::LDLT<Eigen::MatrixXd> m_gram;    // C^T M^-1 C
+  Eigen::LDLT<Eigen::MatrixXd> m_damped;  // the same with the damping
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Linear_constraints_impl.h>
+#endif
+
+#endif

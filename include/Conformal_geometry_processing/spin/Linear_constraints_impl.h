@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_LINEAR_CONSTRAINTS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_LINEAR_CONSTRAINTS_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/spin/Linear_constraints.h>
+
+#include <Eigen/Core>
+
+#include <utility>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+CGP_INLINE Linear_constraints::Linear_constraints(Eigen::MatrixXd gradients, Eigen::VectorXd masses)
+    : m_gradients(std::move(gradients)), m_masses(std::move(masses))
+{
+  if (m_gradients.cols() == 0) return;
+  const double damping = 0.01, rounding = 1e-12;
+  Eigen::MatrixXd gram =
+      m_gradients.transpose() * m_masses.cwiseInverse().asDiagonal() * m_gradients;
+  const double largest = gram.diagonal().maxCoeff();
+  gram.diagonal().array() += rounding * largest;
+  m_gram.compute(gram);
+  gram.diagonal().array() += damping * damping * largest;
+  m_damped.compute(gram);
+}
+
+CGP_INLINE Eigen::VectorXd Linear_constraints::least_solution(const Eigen::VectorXd& c) const
+{
+  if (m_gradients.cols() == 0) return Eigen::VectorXd::Zero(m_masses.size());
+  return (m_gradients * m_damped.solve(c)).cwiseQuotient(m_masses);
+}
+
+CGP_INLINE Eigen::VectorXd Linear_constraints::project_out(Eigen::VectorXd d) const
+{
+  if (m_gradients.cols() == 0) return d;
+  const Eigen::VectorXd part = m_gradients * m_gram.solve(m_gradients.transpose() * d);
+  return d - part.cwiseQuotient(m_masses);
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_PERIOD_RESIDUAL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_PERIOD_RESIDUAL_H
+
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
+#include <Conformal_geometry_processing/spin/Exactness_constraints.h>
+#include <Conformal_geometry_processing/spin/Spin_residual.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief the harmonic part of the transformed edges, three numbers for each loop around handles
+/// and holes: its norm is `Exactness_constraints::period_defect()`, zero if the surface closes.
+class Period_residual : public Spin_residual {
+ public:
+  /// \param exactness of the surface; both must outlive the object
+  Period_residual(const Surface_ref& surface, const Exactness_constraints& exactness);
+
+  void set_spins(const Spins& lambda) override;
+  Eigen::VectorXd values() const override { return m_values; }
+  Eigen::VectorXd change(const Spins& dlambda) const override;
+  Spins gradient(const Eigen::VectorXd& y) const override;
+
+ private:
+  Eigen::VectorXd periods(const Eigen::MatrixX3d& edges) const;
+
+  Surface_ref m_surface;
+  const Exactness_constraints& m_exactness;
+  Spins m_lambda;
+  double m_length = 1;  // of the edges
+  Eigen::VectorXd m_values;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Period_residual_impl.h>
+#endif
+
+#endif

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_H
+
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/Spin_derivative.h>
+#include <Conformal_geometry_processing/spin/Spin_residual.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief searches the change rho' of curvature nearest to a given rho whose transformation does
+/// what residuals ask for: minimises
+///
+///     integral (rho' - rho)^2 + sum of r_k(lambda)^2    with c_k(lambda) = 0
+///
+/// by the method of Gauss and Newton with exact derivatives (`Spin_derivative`), from rho' = 0.
+///
+/// A step minimises the sum with r linearised, S its derivative, by conjugate gradients for
+/// M + S^T S preconditioned by M, among the changes that satisfy the linearised constraints. It is
+/// shortened until it reduces the sum, if need be with a second step from there: limbs make lambda
+/// so sensitive to rho that the first step leaves the curved valley of small residuals, to which
+/// the second returns. Each evaluation corrects the spins predicted by the derivative, mostly at
+/// the cost of one factorization; a step takes 20 to 100 solves with this factor.
+/// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
+template <class SolverTraits = Default_solver_traits,
+          class EigensolverTraits = Lobpcg_eigensolver_traits>
+class Potential_search {
+ public:
+  /// a rho' with its spins, residuals and constraints
+  struct Candidate {
+    Curvature_potential rho;  // in 1/length of the system
+    Dirac_solution solution;
+    Eigen::VectorXd residuals, constraints;
+    double sum = 0;
+  };
+
+  /// \param system of the surface; its matrix and factor are overwritten
+  /// \param rho in 1/length of the system
+  /// \param residuals, constraints must outlive the object
+  Potential_search(Dirac_system<SolverTraits>& system, Curvature_potential rho,
+                   std::vector<Spin_residual*> residuals,
+                   std::vector<Spin_residual*> constraints = {});
+
+  /// \brief continues from the present rho' until a step would make the sum smaller by less than
+  /// 1 %, and the norm of the constraints is at most `tolerance`.
+  ///
+  /// The residuals may have changed since the last call.
+  /// \returns whether that was reached; otherwise the present rho' is the best one found
+  /// \throw Solver_error if a factorization or an iteration fails
+  bool minimize(const Dirac_options& options, const Go_further& go_further, double tolerance);
+
+  /// the present rho'
+  const Candidate& present() const { return m_now; }
+
+  /// goes to another rho', or back to one
+  void set_present(Candidate candidate) { m_now = std::move(candidate); }
+
+  /// \brief what all evaluations have cost, and whether they were cancelled
+  const Dirac_evidence& costs() const { return m_costs; }
+
+ private:
+  using Spins = Quaternion_vector<double>;
+  using Derivative = Spin_derivative<SolverTraits>;
+
+  /// a change of rho', of its solution, and by how much it reduces the sum to first order
+  struct Step {
+    Eigen::VectorXd change;
+    Spins lambda;
+    double gamma = 0, gain = 0;
+  };
+
+  /// \param near predicted solution
+  Candidate evaluate(Eigen::VectorXd rho, const Dirac_solution& near, const Dirac_options& options,
+                     const Go_further& go_further);
+
+  /// from the present rho', which was evaluated last
+  Step best_step();
+
+  /// the solution after t times the step, to first order
+  Dirac_solution predicted(const Step& step, double t) const;
+
+  /// \brief the present rho' plus t times the step; with spins that depart from the predicted ones,
+  /// it counts as not converged.
+  Candidate moved(const Step& step, double t, const Dirac_options& options,
+                  const Go_further& go_further);
+
+  /// makes the step, or a part of it
+  /// \returns whether there is one that reduces the merit
+  bool take(const Step& step, const Dirac_options& options, const Go_further& go_further);
+
+  /// the gradient of <y, r> with respect to rho
+  Eigen::VectorXd gradient(const Derivative& S, const Eigen::VectorXd& y) const;
+
+  /// S^T S d
+  Eigen::VectorXd curvature(const Derivative& S, const Eigen::VectorXd& d) const;
+
+  /// the gradients of the constraints with respect to rho, one column each
+  Eigen::MatrixXd constraint_gradients(const Derivative& S) const;
+
+  double merit(const Candidate& c) const { return c.sum + m_penalty * c.constraints.norm(); }
+
+  Dirac_system<SolverTraits>& m_system;
+  Curvature_potential m_rho;
+  std::vector<Spin_residual*> m_residuals, m_constraints;
+  Eigen::VectorXd m_areas;  // that belong to the values of rho
+  Candidate m_now;
+  double m_penalty = 0, m_last_length = 1;
+  Dirac_evidence m_costs;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Potential_search_templates.h>
+#endif
+
+#endif

@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_TEMPLATES_H
+
+#include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
+#include <Conformal_geometry_processing/spin/Linear_constraints.h>
+#include <Conformal_geometry_processing/spin/Potential_search.h>
+#include <Conformal_geometry_processing/spin/Spin_derivative_templates.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+template <class SolverTraits, class EigensolverTraits>
+Potential_search<SolverTraits, EigensolverTraits>::Potential_search(
+    Dirac_system<SolverTraits>& system, Curvature_potential rho,
+    std::vector<Spin_residual*> residuals, std::vector<Spin_residual*> constraints)
+    : m_system(system),
+      m_rho(std::move(rho)),
+      m_residuals(std::move(residuals)),
+      m_constraints(std::move(constraints)),
+      m_areas(curvature_areas(system.surface(), m_rho.on))
+{
+  m_now.rho = {m_rho.on, Eigen::VectorXd::Zero(m_rho.values.size())};
+  m_now.solution.lambda = Spins::Constant(system.areas().size(), {1, 0, 0, 0});
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_options& options,
+                                                                 const Go_further& go_further,
+                                                                 double tolerance)
+{
+  const int max_steps = 40;
+  const double least_gain = 1e-2;
+  // Spins that take more are too far from the predicted ones, or near a crossing of branches.
+  Dirac_options limited = options;
+  limited.max_iterations = (std::min)(options.max_iterations, 40);
+  m_last_length = 1;
+  m_now = evaluate(m_now.rho.values, m_now.solution, limited, go_further);
+  for (int i = 0; i < max_steps && !m_costs.cancelled; ++i) {
+    const Step step = best_step();
+    if (step.gain <= least_gain * m_now.sum && m_now.constraints.norm() <= tolerance) return true;
+    if (!take(step, limited, go_further)) return false;
+  }
+  return false;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Potential_search<SolverTraits, EigensolverTraits>::take(const Step& step,
+                                                             const Dirac_options& options,
+                                                             const Go_further& go_further)
+{
+  const double shortest = 1. / 64;
+  const Candidate before = m_now;
+  for (double t = (std::min)(1., 2 * m_last_length); t >= shortest; t /= 2) {
+    if (m_costs.cancelled) break;
+    m_now = before;
+    m_now = moved(step, t, options, go_further);
+    if (!m_now.solution.converged) {
+      t /= 2;  // far too long
+      continue;
+    }
+    if (!(merit(m_now) < merit(before))) m_now = moved(best_step(), 1, options, go_further);
+    if (!m_now.solution.converged || !(merit(m_now) < merit(before))) continue;
+    m_last_length = t;
+    return true;
+  }
+  m_now = before;
+  return false;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+auto Potential_search<SolverTraits, EigensolverTraits>::moved(const Step& step, double t,
+                                                              const Dirac_options& options,
+                                                              const Go_further& go_further)
+    -> Candidate
+{
+  const double least_overlap = 0.98;
+  const Dirac_solution near = predicted(step, t);
+  Candidate next = evaluate(m_now.rho.values + t * step.change, near, options, go_further);
+  if (m_system.overlap(next.solution.lambda, near.lambda) < least_overlap)
+    next.solution.converged = false;
+  return next;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Dirac_solution Potential_search<SolverTraits, EigensolverTraits>::predicted(const Step& step,
+                                                                            double t) const
+{
+  Dirac_solution near = m_now.solution;
+  components(near.lambda) += t * components(step.lambda);
+  near.eigenvalue += t * step.gamma;
+  return near;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+auto Potential_search<SolverTraits, EigensolverTraits>::evaluate(Eigen::VectorXd rho,
+                                                                 const Dirac_solution& near,
+                                                                 const Dirac_options& options,
+                                                                 const Go_further& go_further)
+    -> Candidate
+{
+  const auto values = [](const std::vector<Spin_residual*>& list, const Spins& lambda) {
+    Eigen::VectorXd all;
+    for (Spin_residual* r : list) {
+      r->set_spins(lambda);
+      const Eigen::VectorXd some = r->values();
+      all.conservativeResize(all.size() + some.size());
+      all.tail(some.size()) = some;
+    }
+    return all;
+  };
+  Candidate c;
+  c.rho = {m_rho.on, std::move(rho)};
+  c.solution =
+      correct_dirac_solution<EigensolverTraits>(m_system, c.rho, near, options, go_further);
+  m_costs.cancelled = c.solution.cancelled;
+  m_costs.iterations += c.solution.iterations;
+  m_costs.factorizations += c.solution.factorizations;
+  m_costs.solves += c.solution.solves;
+  c.residuals = values(m_residuals, c.solution.lambda);
+  c.constraints = values(m_constraints, c.solution.lambda);
+  c.sum = m_areas.dot((c.rho.values - m_rho.values).cwiseAbs2()) + c.residuals.squaredNorm();
+  return c;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+auto Potential_search<SolverTraits, EigensolverTraits>::best_step() -> Step
+{
+  const double derivative_tolerance = 1e-3, step_tolerance = 5e-2;
+  const double gamma = m_system.is_closed() ? m_now.solution.eigenvalue : 0;
+  const Derivative S(m_system, {m_rho.on, m_now.rho.values.array() + gamma}, m_now.solution.lambda,
+                     derivative_tolerance);
+  const Linear_constraints constraints(constraint_gradients(S), m_areas);
+  const Eigen::VectorXd g =
+      m_areas.cwiseProduct(m_now.rho.values - m_rho.values) + gradient(S, m_now.residuals);
+  const auto hessian = [&](const Block<double>& d, Block<double>& y) {
+    y = m_areas.cwiseProduct(d.col(0)) + curvature(S, d.col(0));
+  };
+  const auto precondition = [&](const Block<double>& r, Block<double>& z) {
+    z = constraints.project_out(r.col(0).cwiseQuotient(m_areas));
+  };
+  const Eigen::VectorXd first = constraints.least_solution(-m_now.constraints);
+  Eigen::VectorXd b = -g;
+  if (first.squaredNorm() > 0) b -= m_areas.cwiseProduct(first) + curvature(S, first);
+  Conjugate_gradients_options options;
+  options.tolerance = step_tolerance;
+  Block<double> d;
+  conjugate_gradients(hessian, precondition, Block<double>(b), d, options);
+  Step step;
+  step.change = first + d.col(0);
+  step.lambda = S.apply(step.change).col(0);
+  step.gamma = S.gamma_change(step.change)[0];
+  step.gain = -g.dot(step.change);
+  // The sum may rise to satisfy the constraints, but not by more than their price.
+  const double violation = m_now.constraints.norm();
+  if (violation > 0) m_penalty = (std::max)(m_penalty, -4 * step.gain / violation);
+  m_costs.solves += S.number_of_solves();
+  return step;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::gradient(
+    const Derivative& S, const Eigen::VectorXd& y) const
+{
+  Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(S.lambda().size(), 1, {});
+  Eigen::Index first = 0;
+  for (const Spin_residual* r : m_residuals) {
+    const Eigen::Index n = r->values().size();
+    q.col(0) += r->gradient(y.segment(first, n));
+    first += n;
+  }
+  return S.apply_transpose(q);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::curvature(
+    const Derivative& S, const Eigen::VectorXd& d) const
+{
+  const Spins dlambda = S.apply(d).col(0);
+  Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(dlambda.size(), 1, {});
+  for (const Spin_residual* r : m_residuals) q.col(0) += r->gradient(r->change(dlambda));
+  return S.apply_transpose(q);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Eigen::MatrixXd Potential_search<SolverTraits, EigensolverTraits>::constraint_gradients(
+    const Derivative& S) const
+{
+  Block<Quaternion<double>> q(S.lambda().size(), m_now.constraints.size());
+  Eigen::Index column = 0;
+  for (const Spin_residual* r : m_constraints) {
+    const Eigen::Index n = r->values().size();
+    for (Eigen::Index k = 0; k < n; ++k) q.col(column++) = r->gradient(Eigen::VectorXd::Unit(n, k));
+  }
+  return S.apply_transpose(q);
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class internal::Potential_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif

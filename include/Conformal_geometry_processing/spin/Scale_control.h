@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_CONTROL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_CONTROL_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief how much a transformation may change lengths.
+struct Scale_control {
+  /// > 1: lengths are multiplied by factors in [1 / bound, bound], relative to `factors`, on 98 %
+  /// of the weighted area; the total area is kept. None: rho is applied as it is
+  std::optional<double> bound = std::nullopt;
+  Eigen::VectorXd factors = {};  ///< wanted, |V|, positive; empty: 1 everywhere
+  Eigen::VectorXd weights = {};  ///< |V|, of the areas; 0: lengths may change freely. Empty: 1
+
+  /// \throw Precondition_error naming the first vertex with an unsuitable value
+  void require(Eigen::Index vertices, const std::string& function) const;
+};
+
+/// \ingroup PkgSpin
+/// the bound, and the factors by which spins multiply lengths
+/// \param areas |V|, of the vertices
+Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
+                                    const Eigen::VectorXd& areas, const Scale_control& control);
+
+/// \ingroup PkgSpin
+/// what a search has kept of rho: both are taken without their means, which have no effect
+/// \param areas that belong to the values
+void measure_kept(const Curvature_potential& rho, const Curvature_potential& found,
+                  const Eigen::VectorXd& areas, Spin_report::Scales& scales);
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Scale_control_impl.h>
+#endif
+
+#endif

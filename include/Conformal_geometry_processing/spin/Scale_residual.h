@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_RESIDUAL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_RESIDUAL_H
+
+#include <Conformal_geometry_processing/spin/Spin_residual.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief the root of w times the masses times the deviation of `log_scales()` from wanted ones;
+/// the mean of the deviation is free, because the total area is kept.
+class Scale_residual : public Spin_residual {
+ public:
+  /// \param masses |V|, the area of each vertex times its weight, not negative
+  /// \param wanted |V|, logs of factors of lengths
+  Scale_residual(Eigen::VectorXd masses, Eigen::VectorXd wanted);
+
+  /// \param w in 1/area
+  void set_weight(double w) { m_weight = w; }
+
+  void set_spins(const Spins& lambda) override;
+  Eigen::VectorXd values() const override;
+  Eigen::VectorXd change(const Spins& dlambda) const override;
+  Spins gradient(const Eigen::VectorXd& y) const override;
+
+ private:
+  Eigen::VectorXd weighted(Eigen::VectorXd u) const;
+
+  Eigen::VectorXd m_masses, m_wanted;
+  double m_weight = 1;
+  Spins m_lambda;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Scale_residual_impl.h>
+#endif
+
+#endif

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_RESIDUAL_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_RESIDUAL_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/spin/Scale_residual.h>
+#include <Conformal_geometry_processing/spin/log_scales.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+CGP_INLINE Scale_residual::Scale_residual(Eigen::VectorXd masses, Eigen::VectorXd wanted)
+    : m_masses(std::move(masses)), m_wanted(std::move(wanted))
+{}
+
+CGP_INLINE void Scale_residual::set_spins(const Spins& lambda)
+{
+  m_lambda = lambda;
+}
+
+CGP_INLINE Eigen::VectorXd Scale_residual::values() const
+{
+  return weighted(log_scales(m_lambda) - m_wanted);
+}
+
+CGP_INLINE Eigen::VectorXd Scale_residual::change(const Spins& dlambda) const
+{
+  return weighted(log_scale_change(m_lambda, dlambda));
+}
+
+CGP_INLINE auto Scale_residual::gradient(const Eigen::VectorXd& y) const -> Spins
+{
+  Eigen::VectorXd z = (m_weight * m_masses).cwiseSqrt().cwiseProduct(y);
+  z -= m_masses * (z.sum() / m_masses.sum());
+  return log_scale_gradient(m_lambda, z);
+}
+
+CGP_INLINE Eigen::VectorXd Scale_residual::weighted(Eigen::VectorXd u) const
+{
+  u.array() -= m_masses.dot(u) / m_masses.sum();
+  return (m_weight * m_masses).cwiseSqrt().cwiseProduct(u);
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif

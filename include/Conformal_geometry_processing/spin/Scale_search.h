@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_SEARCH_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_SEARCH_H
+
+#include <Conformal_geometry_processing/spin/Period_residual.h>
+#include <Conformal_geometry_processing/spin/Potential_search.h>
+#include <Conformal_geometry_processing/spin/Scale_control.h>
+#include <Conformal_geometry_processing/spin/Scale_residual.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief finds the rho' nearest to rho whose transformation changes lengths by no more than a
+/// bound, relative to wanted factors: minimises
+///
+///     integral (rho' - rho)^2 + w integral weight u^2,    u the log of the factor
+///
+/// for the smallest w with which 98 % of the area are within the bound. What is wide against the
+/// limbs *is* scale, and is reduced; what is narrow survives.
+/// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
+template <class SolverTraits, class EigensolverTraits>
+class Scale_search {
+ public:
+  using Search = Potential_search<SolverTraits, EigensolverTraits>;
+
+  /// \param system of the surface, \param rho in 1/length of it
+  /// \param control with a bound; must outlive the object
+  /// \param exactness to keep handles and holes closed, or null
+  Scale_search(Dirac_system<SolverTraits>& system, Curvature_potential rho,
+               const Scale_control& control, const Exactness_constraints* exactness);
+
+  /// \brief searches w, from `first_weight` in both directions.
+  /// \returns the solution for rho', with the costs of the whole search; that nearest to the bound
+  /// if none is within it
+  Dirac_solution run(const Dirac_options& options, const Go_further& go_further);
+
+  /// the factors of lengths of that solution, and what it has kept of rho
+  Spin_report::Scales scales() const;
+
+ private:
+  /// minimises for w and takes the result if it is better
+  /// \returns whether the minimum was reached
+  bool try_weight(double w, const Dirac_options& options, const Go_further& go_further);
+
+  Scale_residual m_scales;
+  std::optional<Period_residual> m_periods;
+  Search m_search;
+  const Scale_control& m_control;
+  const Curvature_potential m_rho;
+  const Surface_ref m_surface;
+  Eigen::VectorXd m_areas;
+  double m_unit;        // the square of the radius of the sphere of the same area
+  double m_weight = 0;  // best w, times m_unit
+  double m_excess = 0;  // of the present rho'
+  typename Search::Candidate m_best;
+  double m_best_excess;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Scale_search_templates.h>
+#endif
+
+#endif

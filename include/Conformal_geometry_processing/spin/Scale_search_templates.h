@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_SEARCH_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_SEARCH_TEMPLATES_H
+
+#include <Conformal_geometry_processing/spin/Potential_search_templates.h>
+#include <Conformal_geometry_processing/spin/Scale_search.h>
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+inline Eigen::VectorXd scale_masses(const Eigen::VectorXd& areas, const Scale_control& control)
+{
+  return control.weights.size() == 0 ? areas : areas.cwiseProduct(control.weights).eval();
+}
+
+inline Eigen::VectorXd wanted_log_scales(const Eigen::VectorXd& areas, const Scale_control& control)
+{
+  if (control.factors.size() == 0) return Eigen::VectorXd::Zero(areas.size());
+  return control.factors.array().log();
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Scale_search<SolverTraits, EigensolverTraits>::Scale_search(Dirac_system<SolverTraits>& system,
+                                                            Curvature_potential rho,
+                                                            const Scale_control& control,
+                                                            const Exactness_constraints* exactness)
+    : m_scales(scale_masses(system.areas(), control), wanted_log_scales(system.areas(), control)),
+      m_periods(exactness ? std::optional<Period_residual>({system.surface(), *exactness})
+                          : std::nullopt),
+      m_search(
+          system, std::move(rho), {&m_scales},
+          exactness ? std::vector<Spin_residual*>{&*m_periods} : std::vector<Spin_residual*>{}),
+      m_control(control),
+      m_areas(system.areas()),
+      m_unit(1 / system.unit()),
+      m_best_excess(std::numeric_limits<double>::infinity())
+{}
+
+// The range shrinks slowly with w, like a small power of it.
+template <class SolverTraits, class EigensolverTraits>
+auto Scale_search<SolverTraits, EigensolverTraits>::run(const Dirac_options& options,
+                                                        const Go_further& go_further) ->
+    typename Search::Candidate
+{
+  const double first_weight = 10, factor = 4, near_bound = 0.8;
+  bool is_minimal = try_weight(first_weight, options, go_further);
+  const bool is_within = m_excess <= 1;
+  const int max_changes = is_within ? 2 : 5;
+  double w = first_weight;
+  for (int i = 0; i < max_changes && !costs().cancelled; ++i) {
+    const bool is_enough = is_within ? m_excess > near_bound || !is_minimal : m_excess <= 1;
+    if (is_enough) break;
+    w = is_within ? w / factor : w * factor;
+    is_minimal = try_weight(w, options, go_further);
+  }
+  return std::move(m_best);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Scale_search<SolverTraits, EigensolverTraits>::try_weight(double w,
+                                                               const Dirac_options& options,
+                                                               const Go_further& go_further)
+{
+  const double period_tolerance = 1e-5;
+  m_scales.set_weight(w / m_unit);
+  const bool is_minimal = m_search.minimize(options, go_further, period_tolerance);
+  const typename Search::Candidate& found = m_search.present();
+  m_excess = measured_scales(found.solution.lambda, m_areas, m_control).excess();
+  const bool is_better =
+      m_excess <= 1 ? m_best_excess > 1 || w < m_weight : m_excess < m_best_excess;
+  if (!is_better) return is_minimal;
+  m_best = found;
+  m_best_excess = m_excess;
+  m_weight = w;
+  return is_minimal;
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class internal::Scale_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_RESIDUAL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_RESIDUAL_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief numbers r(lambda) that a `Potential_search` makes small, or zero: what is wanted of the
+/// transformed surface, in terms of its spins.
+///
+/// They must not depend on the gauge, a right factor of lambda.
+class Spin_residual {
+ public:
+  using Spins = Quaternion_vector<double>;
+
+  virtual ~Spin_residual() = default;
+
+  /// adopts the spins at which the other functions are evaluated
+  virtual void set_spins(const Spins& lambda) = 0;
+
+  virtual Eigen::VectorXd values() const = 0;
+
+  /// dr for a change of lambda
+  virtual Eigen::VectorXd change(const Spins& dlambda) const = 0;
+
+  /// the transpose: the gradient q of <y, r>, whose change is Re <q, dlambda>
+  virtual Spins gradient(const Eigen::VectorXd& y) const = 0;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#endif
