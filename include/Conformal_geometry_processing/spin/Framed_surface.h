@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
+#include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <Eigen/Core>
@@ -53,6 +54,9 @@ class Framed_surface {
   /// the part of the mesh on which area, centroid and certificate are measured, in the frame: the
   /// whole mesh, or with mollification the `well_shaped_faces()`
   const Mesh_view& measured() const { return m_measured ? m_measured->mesh : m_mesh; }
+
+  /// the condition with its positions in the frame; directions do not change
+  Boundary_condition in_frame(Boundary_condition condition) const;
 
   /// `Prescribed_directions::errors()` of the surface with other positions, in the frame
   template <class Directions>

@@ -12,6 +12,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -62,6 +63,13 @@ CGP_INLINE Surface_ref Framed_surface::surface() const
 {
   if (m_view) return *m_view;
   return m_mesh;
+}
+
+CGP_INLINE Boundary_condition Framed_surface::in_frame(Boundary_condition condition) const
+{
+  if (condition.kind == Boundary_condition::Kind::positions)
+    condition.targets = m_frame.to_frame(std::move(condition.targets));
+  return condition;
 }
 
 CGP_INLINE Spin_report::Mollification Framed_surface::mollification() const

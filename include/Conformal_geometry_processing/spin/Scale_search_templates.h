@@ -35,9 +35,11 @@ Scale_search<SolverTraits, EigensolverTraits>::Scale_search(Dirac_system<SolverT
       m_periods(exactness ? std::optional<Period_residual>({system.surface(), *exactness})
                           : std::nullopt),
       m_search(
-          system, std::move(rho), {&m_scales},
+          system, rho, {&m_scales},
           exactness ? std::vector<Spin_residual*>{&*m_periods} : std::vector<Spin_residual*>{}),
       m_control(control),
+      m_rho(std::move(rho)),
+      m_surface(system.surface()),
       m_areas(system.areas()),
       m_unit(1 / system.unit()),
       m_best_excess(std::numeric_limits<double>::infinity())
@@ -45,22 +47,35 @@ Scale_search<SolverTraits, EigensolverTraits>::Scale_search(Dirac_system<SolverT
 
 // The range shrinks slowly with w, like a small power of it.
 template <class SolverTraits, class EigensolverTraits>
-auto Scale_search<SolverTraits, EigensolverTraits>::run(const Dirac_options& options,
-                                                        const Go_further& go_further) ->
-    typename Search::Candidate
+Dirac_solution Scale_search<SolverTraits, EigensolverTraits>::run(const Dirac_options& options,
+                                                                  const Go_further& go_further)
 {
   const double first_weight = 10, factor = 4, near_bound = 0.8;
   bool is_minimal = try_weight(first_weight, options, go_further);
   const bool is_within = m_excess <= 1;
   const int max_changes = is_within ? 2 : 5;
   double w = first_weight;
-  for (int i = 0; i < max_changes && !costs().cancelled; ++i) {
+  for (int i = 0; i < max_changes && !m_search.costs().cancelled; ++i) {
     const bool is_enough = is_within ? m_excess > near_bound || !is_minimal : m_excess <= 1;
     if (is_enough) break;
     w = is_within ? w / factor : w * factor;
     is_minimal = try_weight(w, options, go_further);
   }
-  return std::move(m_best);
+  Dirac_solution s = m_best.solution;
+  s.cancelled = m_search.costs().cancelled;
+  s.iterations = m_search.costs().iterations;
+  s.factorizations = m_search.costs().factorizations;
+  s.solves = m_search.costs().solves;
+  return s;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Spin_report::Scales Scale_search<SolverTraits, EigensolverTraits>::scales() const
+{
+  Spin_report::Scales scales = measured_scales(m_best.solution.lambda, m_areas, m_control);
+  scales.weight = m_weight;
+  measure_kept(m_rho, m_best.rho, curvature_areas(m_surface, m_rho.on), scales);
+  return scales;
 }
 
 template <class SolverTraits, class EigensolverTraits>

@@ -148,9 +148,6 @@ class Spin_transformation {
     double seconds;
   };
 
-  /// converts positions to the frame; directions do not change
-  static Boundary_condition in_frame(Boundary_condition condition,
-                                     const internal::Normalized_frame& frame);
   void require_size(Eigen::Index size, const std::string& what) const;
 
   /// whether there are loops around handles or holes, which have to close

@@ -45,7 +45,7 @@ template <class SolverTraits, class EigensolverTraits>
 Spin_transformation<SolverTraits, EigensolverTraits>::Stage::Stage(const Mesh_view& mesh,
                                                                    const Spin_transformation& of)
     : domain(mesh, of.m_options.mollification, of.m_generators),
-      system(domain.surface(), in_frame(of.m_options.boundary, domain.frame()), of.m_function),
+      system(domain.surface(), domain.in_frame(of.m_options.boundary), of.m_function),
       seconds(watch.lap())
 {}
 
@@ -116,12 +116,10 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
 {
   require_potential(rho);
   Spin_result result = transform_exactly(rho, options, go_further);
-  if (!m_options.scales.bound || result.report.cancelled) return result;
-  if (result.lambda.size() > 0)
-    result.report.scales =
-        internal::measured_scales(result.lambda, system().areas(), m_options.scales);
-  const bool is_within = result.report.converged && result.report.steps > 0 &&
-                         result.report.reached == 1 && result.report.scales.excess() <= 1;
+  Spin_report& r = result.report;
+  if (!m_options.scales.bound || r.cancelled) return result;
+  r.scales = internal::measured_scales(result.lambda, system().areas(), m_options.scales);
+  const bool is_within = r.converged && r.reached == 1 && r.scales.excess() <= 1;
   return is_within ? result : bound_scales(rho, options, go_further);
 }
 
@@ -201,15 +199,6 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::integrate(
   result.report.mollification = domain().mollification();
   reconstruct(result);
   return result;
-}
-
-template <class SolverTraits, class EigensolverTraits>
-Boundary_condition Spin_transformation<SolverTraits, EigensolverTraits>::in_frame(
-    Boundary_condition condition, const internal::Normalized_frame& frame)
-{
-  if (condition.kind == Boundary_condition::Kind::positions)
-    condition.targets = frame.to_frame(std::move(condition.targets));
-  return condition;
 }
 
 template <class SolverTraits, class EigensolverTraits>
