@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Potential_search.h
+// Tests spin/Spin_residual.h spin/Scale_residual.h spin/Period_residual.h spin/Linear_constraints.h
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Linear_constraints.h>
+#include <Conformal_geometry_processing/spin/Period_residual.h>
+#include <Conformal_geometry_processing/spin/Potential_search.h>
+#include <Conformal_geometry_processing/spin/Scale_residual.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/log_scales.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+#include "support/meshes.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+using CGP::Curvature_potential;
+using Search = CGP::internal::Potential_search<>;
+using CGP::internal::Scale_residual;
+
+const CGP::internal::Always_go_further always;
+
+Curvature_potential waves(const Mesh_view& mesh, double amplitude)
+{
+  Eigen::VectorXd rho(mesh.size_of_vertices());
+  for (int v = 0; v < rho.size(); ++v)
+    rho[v] =
+        amplitude * std::sin(4 * mesh.position(v).y() + 1) * std::cos(3 * mesh.position(v).x());
+  return Curvature_potential::on_vertices(std::move(rho));
+}
+
+double norm(const Eigen::VectorXd& v, const Eigen::VectorXd& areas)
+{
+  return std::sqrt(areas.dot(v.cwiseAbs2()));
+}
+
+}  // namespace
+
+TEST(Potential_search, without_residuals_finds_rho_itself)
+{
+  const Mesh_view mesh = perturbed(icosphere(3), .02);
+  CGP::internal::Dirac_system<> system(mesh);
+  const Curvature_potential rho = waves(mesh, 1);
+  Search search(system, rho, {});
+  EXPECT_TRUE(search.minimize({}, always, 0));
+  EXPECT_LT((search.present().rho.values - rho.values).norm(), 1e-12 * rho.values.norm());
+  EXPECT_LE(search.present().solution.residual, 1e-8);
+}
+
+// The scales of a transformation are wanted, and no rho is given: the search finds the rho, up to
+// a constant, and up to what the residual does not see at its weight.
+TEST(Potential_search, recovers_rho_from_scales)
+{
+  const Mesh_view mesh = perturbed(icosphere(3), .02);
+  CGP::internal::Dirac_system<> system(mesh);
+  const Curvature_potential rho = waves(mesh, .6);
+  const auto wanted = CGP::solve_dirac_equation(system, rho);
+  const Eigen::VectorXd u = CGP::internal::log_scales(wanted.lambda), areas = system.areas();
+  Scale_residual scales(areas, u);
+  scales.set_weight(1e4);
+  Search search(system, {rho.on, Eigen::VectorXd::Zero(areas.size())}, {&scales});
+  EXPECT_TRUE(search.minimize({}, always, 0));
+  Eigen::VectorXd error = CGP::internal::log_scales(search.present().solution.lambda) - u;
+  error.array() -= areas.dot(error) / areas.sum();
+  EXPECT_LT(norm(error, areas), .02 * norm(u, areas));
+}
+
+// Stationary: the gradient of the sum, by differences of transformations.
+TEST(Potential_search, ends_where_the_sum_is_smallest)
+{
+  const Mesh_view mesh = perturbed(
+      mapped(icosphere(2),
+             [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), 2 * p.y(), p.z()); }),
+      .02);
+  CGP::internal::Dirac_system<> system(mesh);
+  const Curvature_potential rho = waves(mesh, 1);
+  const Eigen::VectorXd areas = system.areas();
+  Scale_residual scales(areas, Eigen::VectorXd::Zero(areas.size()));
+  scales.set_weight(3);
+  Search search(system, rho, {&scales});
+  ASSERT_TRUE(search.minimize({}, always, 0));
+  const Eigen::VectorXd found = search.present().rho.values;
+  const auto sum = [&](const Eigen::VectorXd& r) {
+    scales.set_spins(CGP::solve_dirac_equation(system, {rho.on, r}).lambda);
+    return areas.dot((r - rho.values).cwiseAbs2()) + scales.values().squaredNorm();
+  };
+  const double least = sum(found);
+  for (const int seed : {1, 2, 3}) {
+    const Eigen::VectorXd d = random_numbers(static_cast<int>(found.size()), seed);
+    for (const double step : {-.1, .1}) EXPECT_GT(sum(found + step * d), least);
+  }
+  for (const double share : {.8, 1.2}) EXPECT_GT(sum(share * found), least);
+}
+
+TEST(Potential_search, keeps_a_torus_closed)
+{
+  const Mesh_view mesh = btorus(16);
+  CGP::Spin_transformation<> transformation(mesh);
+  const Curvature_potential rho = waves(mesh, 1);
+  const auto& exactness = transformation.exactness(rho.on);
+  auto& system = transformation.system();
+  CGP::internal::Period_residual periods(system.surface(), exactness);
+  Scale_residual scales(system.areas(), Eigen::VectorXd::Zero(system.areas().size()));
+  Search search(system, {rho.on, rho.values * transformation.domain().unit()}, {&scales},
+                {&periods});
+  EXPECT_TRUE(search.minimize({}, always, 1e-8));
+  const auto& lambda = search.present().solution.lambda;
+  EXPECT_LT(exactness.period_defect(CGP::transformed_edges(system.surface(), lambda)), 1e-8);
+  EXPECT_NEAR(search.present().constraints.norm(),
+              exactness.period_defect(CGP::transformed_edges(system.surface(), lambda)), 1e-12);
+}
+
+TEST(Potential_search, residuals_have_their_transposes)
+{
+  const Mesh_view mesh = btorus(12);
+  CGP::Spin_transformation<> transformation(mesh);
+  const auto& exactness = transformation.exactness(Curvature_potential::On::vertices);
+  const Eigen::VectorXd& areas = transformation.system().areas();
+  const int n = mesh.size_of_vertices();
+  CGP::internal::Period_residual periods(transformation.system().surface(), exactness);
+  Scale_residual scales(areas, random_numbers(n, 1));
+  const Quaternion_vector<double> lambda = random_quaternions(n, 2), d = random_quaternions(n, 3);
+  for (CGP::internal::Spin_residual* r :
+       std::initializer_list<CGP::internal::Spin_residual*>{&periods, &scales}) {
+    r->set_spins(lambda);
+    const Eigen::VectorXd y = random_numbers(static_cast<int>(r->values().size()), 4);
+    const Eigen::VectorXd change = r->change(d);
+    EXPECT_NEAR(y.dot(change), inner_product(r->gradient(y), d).w,
+                1e-12 * y.norm() * change.norm());
+  }
+}
+
+TEST(Linear_constraints, are_met_by_the_shortest_step)
+{
+  Eigen::MatrixXd C(30, 4);
+  for (int k = 0; k < 4; ++k) C.col(k) = random_numbers(30, k + 1);
+  const Eigen::VectorXd masses = random_numbers(30, 9).cwiseAbs().array() + .1;
+  const CGP::internal::Linear_constraints constraints(C, masses);
+  const Eigen::VectorXd c = random_numbers(4, 10), v = random_numbers(30, 11);
+  const Eigen::VectorXd d = constraints.least_solution(c), rest = constraints.project_out(v);
+  EXPECT_LT((C.transpose() * d - c).norm(), 1e-2 * c.norm());  // damped
+  EXPECT_LT((C.transpose() * rest).norm(), 1e-9 * v.norm());
+  EXPECT_NEAR(d.dot(masses.cwiseProduct(rest)), 0, 1e-9 * d.norm() * v.norm());
+}
