@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -161,6 +162,34 @@ TEST(Dirac_spectrum_at_shifts, does_not_depend_on_how_near_the_shift_is_to_an_ei
     ASSERT_TRUE(s.is_complete()) << shift;
     EXPECT_LT((s.eigenvalues - expected).cwiseAbs().maxCoeff(), 2 * shift + 1e-9) << shift;
   }
+}
+
+/// \brief the greatest difference between eigenvalues next to a shift, and those of a list next to
+/// zero that has them too
+double difference_from(const Eigen::VectorXd& list, const Dirac_spectrum& s, double radius)
+{
+  const auto within = [&](const Eigen::VectorXd& values) {
+    std::vector<double> v;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(v),
+                 [&](double g) { return std::abs(g - s.shift) < radius; });
+    std::sort(v.begin(), v.end());
+    return v;
+  };
+  const std::vector<double> a = within(list), b = within(s.eigenvalues);
+  EXPECT_EQ(a.size(), b.size());
+  double difference = 0;
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+    difference = std::max(difference, std::abs(a[k] - b[k]));
+  return difference;
+}
+
+// At the shift -2, X mixes -2.11 and -1.72, of which the mesh resolves one worse than the other, so
+// that their squares differ by a factor of more than two.
+TEST(Dirac_spectrum_at_shifts, separates_signs_where_errors_tell_the_squares_apart)
+{
+  const Mesh_view mesh = torus(2, 1, 48, 24);
+  const Eigen::VectorXd around_zero = spectrum(mesh, 60, 0).eigenvalues;
+  EXPECT_LT(difference_from(around_zero, spectrum(mesh, 12, -2), 0.45), 0.01);
 }
 
 TEST(Dirac_spectrum_at_shifts, says_how_far_it_is_complete_where_more_is_asked)

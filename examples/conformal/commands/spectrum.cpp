@@ -135,10 +135,39 @@ std::string csv_of(const CGP::internal::Dirac_spectrum& s)
   return text;
 }
 
+/// \brief why these are not the eigenvalues that were asked for; empty if they are
+std::string shortage(const CGP::internal::Dirac_spectrum& s)
+{
+  if (s.is_complete()) return {};
+  const auto sure = ((s.eigenvalues.array() - s.shift).abs() <= s.complete_radius).count();
+  return "the mesh resolves " + std::to_string(sure) + " of the " + std::to_string(s.wanted) +
+         " eigenvalues that were asked for, from " + text_of(s.shift - s.complete_radius) + " to " +
+         text_of(s.shift + s.complete_radius) + ", and of " + std::to_string(s.size() - sure) +
+         " others shown some between may be missing; try: a smaller --count, or a finer mesh";
+}
+
+/// Fewer than asked for are told and written, and the run has failed.
+void conclude(const CGP::internal::Dirac_spectrum& s, const Spectrum_options& options,
+              Session& session)
+{
+  Verdict verdict;
+  verdict.fault = shortage(s);
+  session.conclude(verdict, options.force ? On_fault::force : On_fault::fail_in_the_end);
+}
+
+void require_found(int number, const CGP::internal::Dirac_spectrum& s)
+{
+  if (number >= s.size())
+    throw Failure(Exit_code::failed, "eigenfunction " + std::to_string(number) +
+                                         " was not found; try: --surface 0 to " +
+                                         std::to_string(s.size() - 1));
+}
+
 void write_surface_of(const Surface_input& input, const CGP::internal::Dirac_spectrum& s,
                       const Spectrum_options& options, Session& session)
 {
   const int number = *options.surface;
+  require_found(number, s);
   const CGP::Spin_result result =
       CGP::surface_of_spin(input.mesh, s.vectors.col(number), "spectrum");
   session.report().set("result/surface/eigenvalue", s.eigenvalues[number]);
@@ -174,11 +203,7 @@ void spectrum(const Spectrum_options& options, Session& session)
   }
   session.end_stage("write");
   tell(s, options, session.report());
-  if (!s.is_complete())
-    session.note("between the eigenvalues shown others may be missing, except from " +
-                 text_of(s.shift - s.complete_radius) + " to " +
-                 text_of(s.shift + s.complete_radius) + ": the mesh does not resolve the " +
-                 std::to_string(s.wanted) + " that were asked for");
+  conclude(s, options, session);
   if (options.surface) write_surface_of(input, s, options, session);
 }
 
