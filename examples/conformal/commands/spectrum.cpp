@@ -8,6 +8,7 @@
 #include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
 #include "conformal/process/text.h"
+#include "conformal/transform/each_component.h"
 #include "conformal/transform/suitable_surface.h"
 #include "conformal/transform/write_result.h"
 
@@ -45,6 +46,7 @@ struct Spectrum_options {
 void add_options(CLI::App& command, Spectrum_options& options, Common_options& common)
 {
   add_repair(command, common);
+  add_components(command, common);
   add_output(command, common, "the surface of an eigenfunction");
   add_map_limits(command, options.limits, options.force);
   add_input(command, options.input);
@@ -121,11 +123,15 @@ void tell(const CGP::internal::Dirac_spectrum& s, const Spectrum_options& option
   report.show("complete to", text_of(s.shift + s.complete_radius));
 }
 
-std::string csv_of(const CGP::internal::Dirac_spectrum& s)
+const char* const csv_head = "number,eigenvalue,pencil_eigenvalue,residual\n";
+
+/// one line for each
+/// \param before what they begin with
+std::string csv_rows(const CGP::internal::Dirac_spectrum& s, const std::string& before)
 {
-  std::string text = "number,eigenvalue,pencil_eigenvalue,residual\n";
+  std::string text;
   for (Eigen::Index k = 0; k < s.size(); ++k) {
-    text += std::to_string(k);
+    text += before + std::to_string(k);
     for (const double x : {s.eigenvalues[k], s.pencil_eigenvalues[k], s.residuals[k]}) {
       text += ',';
       append_number(text, x);
@@ -186,6 +192,8 @@ void require_consistent(const Spectrum_options& options, const Session& session)
     throw Failure(Exit_code::usage,
                   "there is no eigenfunction " + std::to_string(*options.surface) +
                       "; try: --surface 0 to " + std::to_string(options.count - 1));
+  if (options.surface && session.options().each_component)
+    throw Failure(Exit_code::usage, "--surface is of one component; try: without --each-component");
   if (has_output) require_writable(session.options().output);
 }
 
@@ -195,16 +203,25 @@ void spectrum(const Spectrum_options& options, Session& session)
   std::optional<Temporary_file> csv;
   if (!options.csv.empty()) csv.emplace(options.csv);
   const Surface_input input = read_suitable_surface(options.input, session);
-  const auto s = find(input, options, session.options());
-  session.end_stage("solve");
+  const bool has_parts = session.options().each_component;
+  std::string table = (has_parts ? "component," : "") + std::string(csv_head);
+  int number = 0;
+  CGP::internal::Dirac_spectrum last;
+  each_component(input, session, [&](const Component& component, Session& own) {
+    const std::string before = has_parts ? std::to_string(number++) + ',' : "";
+    const auto s = find(component.input, options, own.options());
+    own.end_stage("solve");
+    table += csv_rows(s, before);
+    tell(s, options, own.report());
+    conclude(s, options, own);
+    last = s;
+  });
   if (csv) {
-    csv->write(csv_of(s));
+    csv->write(table);
     csv->commit();
   }
   session.end_stage("write");
-  tell(s, options, session.report());
-  conclude(s, options, session);
-  if (options.surface) write_surface_of(input, s, options, session);
+  if (options.surface) write_surface_of(input, last, options, session);
 }
 
 }  // namespace
