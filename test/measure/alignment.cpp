@@ -34,6 +34,20 @@ TEST(Align, recovers_a_similarity)
   }
 }
 
+TEST(Align, does_not_depend_on_the_units_of_both)
+{
+  const Points source = bumpy_sphere(2).positions(),
+               target = radially_perturbed(bumpy_sphere(2), .1).positions();
+  const CGP::internal::Alignment a = CGP::align(source, target);
+  for (const double unit : {1e-150, 1e-80, 1e150})
+    for (const double other : {1., unit}) {
+      const CGP::internal::Alignment b = CGP::align(unit * source, other * target);
+      EXPECT_NEAR(b.scale * (unit / other), a.scale, 1e-12) << unit;
+      EXPECT_NEAR(b.rms, a.rms, 1e-12) << unit;
+      EXPECT_LT((b.rotation - a.rotation).norm(), 1e-12) << unit;
+    }
+}
+
 TEST(Align, recovers_a_similarity_of_plane_points)
 {
   const Points source = disk(3).positions();

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 #include "support/meshes.h"
 
 namespace CGP = Conformal_geometry_processing;
@@ -48,6 +51,55 @@ TEST(Area_distortion, weighs_the_deviation_by_area)
   EXPECT_NEAR(d.min_scale, 1, 1e-15);
   EXPECT_NEAR(d.max_scale, std::exp(1.), 1e-14);
   EXPECT_NEAR(d.log_deviation, std::sqrt(3. / 16), 1e-14);
+}
+
+namespace {
+
+/// squares of unit area side by side, each scaled about its centre
+std::pair<Mesh_view, Points> scaled_squares(int count, double first, double others)
+{
+  Points before(3, 4 * count), after(3, 4 * count);
+  Corners corners;
+  for (int k = 0; k < count; ++k) {
+    for (int i = 0; i < 4; ++i) {
+      const Eigen::Vector3d corner(i == 1 || i == 2, i > 1, 0), place(100 * k, 0, 0);
+      before.col(4 * k + i) = place + corner;
+      after.col(4 * k + i) = place + (k == 0 ? first : others) * corner;
+    }
+    corners.push_back({4 * k, 4 * k + 1, 4 * k + 2});
+    corners.push_back({4 * k, 4 * k + 2, 4 * k + 3});
+  }
+  return {Mesh_view(before, corners), after};
+}
+
+double collapsed_share(const std::pair<Mesh_view, Points>& map)
+{
+  return CGP::area_distortion(map.first, map.second).collapsed_share;
+}
+
+}  // namespace
+
+TEST(Area_distortion, tells_what_has_collapsed_beside_the_rest)
+{
+  EXPECT_EQ(collapsed_share(scaled_squares(4, 1, 1)), 0);
+  EXPECT_NEAR(collapsed_share(scaled_squares(4, .01, 1)), .25, 1e-12);
+}
+
+// Eighteen of 22,704 faces with nine tenths of the new area: all others shrink to a third only.
+TEST(Area_distortion, tells_where_few_faces_have_become_most_of_the_surface)
+{
+  EXPECT_NEAR(collapsed_share(scaled_squares(1261, std::sqrt(9 * 1260), 1)), .9, 1e-12);
+}
+
+TEST(Area_distortion, has_the_same_collapsed_share_for_the_inverse_map)
+{
+  for (const double scale : {.01, 3., 30., 100.}) {
+    const auto map = scaled_squares(40, scale, 1);
+    Mesh_view after = map.first;
+    after.set_positions(map.second);
+    EXPECT_NEAR(collapsed_share(map), collapsed_share({after, map.first.positions()}), 1e-12)
+        << scale;
+  }
 }
 
 TEST(Area_distortion, of_the_identity_is_none)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/measure/Conformality.h
 #include <Conformal_geometry_processing/measure/Conformality.h>
+#include <Conformal_geometry_processing/measure/flipped_faces.h>
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,29 @@ TEST(Conformality, of_a_similarity_is_perfect)
   EXPECT_NEAR(c.scale.min_scale, 2.5, 1e-13);
   EXPECT_NEAR(c.scale.max_scale, 2.5, 1e-13);
   EXPECT_EQ(c.flipped_faces, 0);
+}
+
+TEST(Conformality, does_not_depend_on_the_unit)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  const Points moved = mapped(mesh, [](const Eigen::Vector3d& p) {
+                         return Eigen::Vector3d(p.x() + .2 * p.y(), 1.3 * p.y(), p.z() + 5);
+                       }).positions();
+  const CGP::Conformality c =
+      CGP::conformality(mesh, moved, CGP::neighbourhood_normals(mesh, moved));
+  for (const double unit : {1e-150, 1e-80, 1e80, 1e150}) {
+    const Mesh_view other = scaled(mesh, unit);
+    const Points moved_there = unit * moved;
+    const CGP::Conformality d =
+        CGP::conformality(other, moved_there, CGP::neighbourhood_normals(other, moved_there));
+    EXPECT_NEAR(d.quasi_conformal.mean, c.quasi_conformal.mean, 1e-12) << unit;
+    EXPECT_NEAR(d.quasi_conformal.max, c.quasi_conformal.max, 1e-11) << unit;
+    EXPECT_NEAR(d.quasi_conformal_of_new_area, c.quasi_conformal_of_new_area, 1e-12) << unit;
+    EXPECT_NEAR(d.scale.min_scale, c.scale.min_scale, 1e-12) << unit;
+    EXPECT_NEAR(d.scale.max_scale, c.scale.max_scale, 1e-12) << unit;
+    EXPECT_NEAR(d.length_cross_ratio.rms, c.length_cross_ratio.rms, 1e-12) << unit;
+    EXPECT_EQ(d.flipped_faces, c.flipped_faces) << unit;
+  }
 }
 
 TEST(Conformality, of_a_stretch_and_a_reflection_shows_in_every_part)

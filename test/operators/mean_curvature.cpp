@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
+#include "support/torus_spectrum.h"
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
@@ -79,6 +80,25 @@ TEST(Mean_curvature, tends_to_that_of_the_torus_with_second_order)
   }
   EXPECT_NEAR(slope(h, error), 2, .2);
   EXPECT_LT(error.back(), 2e-3);
+}
+
+TEST(Mean_curvature, converges_on_the_average_only_where_the_mesh_is_irregular)
+{
+  std::vector<double> h, of_points, of_integral;
+  for (int n : {16, 32, 64}) {
+    const Mesh_view mesh = jittered_torus(2, 1, 2 * n, n, .1);
+    const Eigen::VectorXd areas = CGP::voronoi_areas(mesh);
+    const Eigen::VectorXd error = CGP::mean_curvature(mesh) - curvature_of_torus(mesh, 2, 1);
+    Eigen::VectorXd smooth(error.size());
+    for (int v = 0; v < smooth.size(); ++v)
+      smooth[v] = std::cos(mesh.position(v).x() + mesh.position(v).z());
+    h.push_back(1. / n);
+    of_points.push_back(root_of_mean_square(error));
+    of_integral.push_back(std::abs(error.cwiseProduct(areas).dot(smooth)));
+  }
+  EXPECT_LT(slope(h, of_points), .4);
+  EXPECT_GT(of_points.back(), .01);
+  EXPECT_GT(slope(h, of_integral), 1.8);
 }
 
 TEST(Mean_curvature, is_zero_on_flat_surfaces_up_to_their_boundary)

@@ -5,12 +5,15 @@
 #include "program/support.h"
 #include "support/polyhedra.h"
 #include "support/several_components.h"
+#include "support/tori.h"
 
 #include "conformal/io/read_surface.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -110,6 +113,47 @@ TEST_F(Each_component, flows_and_is_flattened)
   EXPECT_EQ(json("c.json")["components"][1]["result"]["boundary_loops"], 2);
   const auto first = points("c.ply", all.vertices[0]), second = points("c.ply", all.vertices[1]);
   EXPECT_GT(first.row(1).minCoeff(), second.row(1).maxCoeff());  // two rows, the higher one first
+}
+
+TEST_F(Each_component, has_a_spectrum_and_fields_of_its_own)
+{
+  const Mesh_view t = cgp_test::torus(2, 1, 24, 12);
+  const Joined_meshes all =
+      cgp_test::interleaved({cgp_test::scaled(t, 2), cgp_test::moved(t, {20, 0, 0})});
+  write("t.off", off(t));
+  write("a.off", off(all.mesh));
+  ASSERT_EQ(run("spectrum t.off --count 3 --json t.json").code, 0);
+  ASSERT_EQ(run("spectrum a.off --count 3 --each-component --csv a.csv --json a.json").code, 0);
+  const std::vector<double> alone = json("t.json")["result"]["eigenvalues"];
+  const auto report = json("a.json");
+  EXPECT_TRUE(report["verified"]);
+  for (std::size_t c = 0; c < 2; ++c) {
+    const std::vector<double> values = report["components"][c]["result"]["eigenvalues"];
+    ASSERT_EQ(values.size(), alone.size());
+    for (std::size_t k = 0; k < alone.size(); ++k)
+      EXPECT_NEAR(values[k], alone[k] / (c == 0 ? 2 : 1), 1e-6);
+  }
+  EXPECT_EQ(content(path("a.csv")).rfind("component,number,", 0), 0u);
+  EXPECT_TRUE(fails(run("spectrum a.off --each-component --surface 0 -o b.ply"), 2, "--surface"));
+
+  ASSERT_EQ(run("harmonic t.off --json t.json").code, 0);
+  ASSERT_EQ(run("harmonic a.off --each-component -o b.ply --json a.json").code, 0);
+  const double modulus = json("t.json")["result"]["conformal_modulus"]["imaginary"];
+  for (const auto& component : json("a.json")["components"])
+    EXPECT_NEAR(component["result"]["conformal_modulus"]["imaginary"], modulus, 1e-9);
+  const auto b = read_surface(path("b.ply"));
+  EXPECT_NE(find_property(b.faces, "harmonic_1_z"), nullptr);
+}
+
+TEST_F(Each_component, that_fails_is_no_part_of_the_fields_of_the_others)
+{
+  const Joined_meshes all = cgp_test::interleaved(
+      {cgp_test::torus(2, 1, 16, 8), cgp_test::moved(cgp_test::icosphere(1), {20, 0, 0})});
+  write("a.off", off(all.mesh));
+  EXPECT_TRUE(fails(run("harmonic a.off --each-component -o b.ply"), 4, "genus 0"));
+  EXPECT_FALSE(has("b.ply"));
+  EXPECT_EQ(run("harmonic a.off --each-component --keep-going -o b.ply").code, 1);
+  EXPECT_TRUE(has("b.ply"));
 }
 
 TEST_F(Each_component, that_is_inside_out_is_computed_with_outward_normals)

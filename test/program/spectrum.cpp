@@ -61,9 +61,14 @@ TEST_F(Spectrum, says_that_the_mesh_does_not_resolve_what_was_asked_for)
 {
   write("a.off", off(cgp_test::icosphere(1)));
   const Program_run r = run("spectrum a.off --count 42 --json a.json");
-  ASSERT_EQ(r.code, 0) << r.err;
-  EXPECT_NE(r.err.find("the mesh does not resolve the 42"), std::string::npos) << r.err;
-  EXPECT_FALSE(nlohmann::json::parse(content(path("a.json")))["result"]["is_complete"]);
+  EXPECT_EQ(r.code, 1);
+  EXPECT_NE(r.err.find("of the 42 eigenvalues that were asked for"), std::string::npos) << r.err;
+  const auto json = nlohmann::json::parse(content(path("a.json")));
+  EXPECT_FALSE(json["result"]["is_complete"]);
+  EXPECT_FALSE(json["verified"]);
+  EXPECT_GE(json["result"]["eigenvalues"].size(), 7u);  // what was found is told all the same
+  EXPECT_TRUE(fails(run("spectrum a.off --count 42 --surface 41 -o b.ply"), 1, "was not found"));
+  EXPECT_EQ(run("spectrum a.off --count 42 --force --csv a.csv").code, 0);
 }
 
 TEST_F(Spectrum, next_to_a_shift_and_with_a_boundary)

@@ -12,8 +12,12 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "support/dense.h"
@@ -161,6 +165,74 @@ TEST(Dirac_spectrum_at_shifts, does_not_depend_on_how_near_the_shift_is_to_an_ei
     ASSERT_TRUE(s.is_complete()) << shift;
     EXPECT_LT((s.eigenvalues - expected).cwiseAbs().maxCoeff(), 2 * shift + 1e-9) << shift;
   }
+}
+
+/// \brief the greatest difference between eigenvalues next to a shift, and those of a list next to
+/// zero that has them too
+double difference_from(const Eigen::VectorXd& list, const Dirac_spectrum& s, double radius)
+{
+  const auto within = [&](const Eigen::VectorXd& values) {
+    std::vector<double> v;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(v),
+                 [&](double g) { return std::abs(g - s.shift) < radius; });
+    std::sort(v.begin(), v.end());
+    return v;
+  };
+  const std::vector<double> a = within(list), b = within(s.eigenvalues);
+  EXPECT_EQ(a.size(), b.size());
+  double difference = 0;
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+    difference = std::max(difference, std::abs(a[k] - b[k]));
+  return difference;
+}
+
+// At the shift -2, X mixes -2.11 and -1.72, of which the mesh resolves one worse than the other, so
+// that their squares differ by a factor of more than two.
+TEST(Dirac_spectrum_at_shifts, separates_signs_where_errors_tell_the_squares_apart)
+{
+  const Mesh_view mesh = torus(2, 1, 48, 24);
+  const Eigen::VectorXd around_zero = spectrum(mesh, 60, 0).eigenvalues;
+  EXPECT_LT(difference_from(around_zero, spectrum(mesh, 12, -2), 0.45), 0.01);
+}
+
+TEST(Dirac_spectrum_at_shifts, holds_the_constants_that_are_far_from_the_shift)
+{
+  const Dirac_spectrum s = spectrum(fibonacci_sphere(1000), 14, -3);
+  ASSERT_GT(s.complete_radius, 3.1);
+  EXPECT_EQ((s.eigenvalues.array().abs() < 1e-6).count(), 1);
+}
+
+/// the faces all of whose corners are above a height
+Mesh_view above(const Mesh_view& mesh, double height)
+{
+  Points points(3, 0);
+  Corners corners;
+  std::map<int, int> number;
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    std::array<int, 3> c = mesh.corners(f);
+    if (std::any_of(c.begin(), c.end(), [&](int v) { return mesh.position(v).z() <= height; }))
+      continue;
+    for (int& v : c) {
+      const auto [place, is_new] = number.emplace(v, static_cast<int>(number.size()));
+      if (is_new) points.conservativeResize(Eigen::NoChange, points.cols() + 1);
+      if (is_new) points.rightCols(1) = mesh.position(v);
+      v = place->second;
+    }
+    corners.push_back(c);
+  }
+  return {std::move(points), std::move(corners)};
+}
+
+// Where the boundary is jagged, the binormals are, and vectors next to the eigenvalue 0 err by more
+// than half of their images.
+TEST(Dirac_spectrum_at_shifts, is_complete_next_to_a_jagged_boundary)
+{
+  const Mesh_view mesh = above(icosphere(3), -0.2);
+  const Dirac_spectrum s =
+      CGP::internal::Dirac_spectral_problem<>(mesh, CGP::Boundary_condition::binormals())
+          .find(CGP::no_potential(mesh), 10, {});
+  EXPECT_TRUE(s.is_complete());
+  EXPECT_GT(s.complete_radius, 1.5);
 }
 
 TEST(Dirac_spectrum_at_shifts, says_how_far_it_is_complete_where_more_is_asked)

@@ -3,11 +3,14 @@
 // Tests include/Conformal_geometry_processing/spin/Directions_search.h
 #include <Conformal_geometry_processing/operators/averaging.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
+#include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
 #include <Conformal_geometry_processing/spin/Directions_search.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "spin/boundary_tools.h"
@@ -128,6 +131,9 @@ TEST_F(Directions_search, finds_the_vector_nearest_to_the_guide)
   const CGP::internal::Dirac_solution s = solve(exactly());
   ASSERT_TRUE(s.converged);
   EXPECT_NEAR(s.eigenvalue, values[nearest], 1e-10);
+  double gap = values[nearest + 1] - values[nearest];
+  if (nearest > 0) gap = std::min(gap, values[nearest] - values[nearest - 1]);
+  EXPECT_TRUE(s.gap == 0 || std::abs(s.gap - gap) < 1e-3 / unit);  // if others were looked for
   EXPECT_NEAR(s.overlap, overlap(nearest), 1e-9);
   EXPECT_LT(greatest_difference(s.lambda, normalized(vectors.col(nearest))), 1e-8);
 }
@@ -176,6 +182,30 @@ TEST_F(Directions_search, gives_gamma_its_sign_where_it_is_an_eigenvalue)
   opposite.values *= -1;
   const double other = CGP::solve_dirac_equation(self_adjoint, opposite, exactly()).eigenvalue;
   EXPECT_LT(s.eigenvalue * other, 0);
+}
+
+TEST(Directions_search_for_binormals, knows_the_distance_to_the_next_eigenvalue_with_its_sign)
+{
+  const Mesh_view cap = mapped(cap_from_disk(jittered_disk(10, .2), 1.3), [](const auto& p) {
+    return Eigen::Vector3d(3 * p.x(), 4 * p.y() + p.x() * p.x(),
+                           3 * p.z());  // no eigenvalue is double
+  });
+  for (const double shift : {-.6, .2, .6}) {
+    CGP::Curvature_potential rho = CGP::no_potential(cap);
+    rho.values.array() += shift;
+    System with_binormals(cap, Boundary_condition::binormals());
+    CGP::Dirac_options smallest;
+    smallest.branch = CGP::Dirac_options::Branch::smallest;
+    const auto s = CGP::solve_dirac_equation(with_binormals, rho, smallest);
+    CGP::internal::Dirac_spectrum_options around;
+    around.shift = s.eigenvalue;
+    const auto spectrum =
+        CGP::internal::Dirac_spectral_problem<>(cap, Boundary_condition::binormals())
+            .find(rho, 2, around);
+    ASSERT_NEAR(spectrum.eigenvalues[0], s.eigenvalue, .01);  // X mixes less next to gamma
+    const double gap = std::abs(spectrum.eigenvalues[1] - spectrum.eigenvalues[0]);
+    EXPECT_NEAR(s.gap, gap, .1 * gap) << shift;
+  }
 }
 
 TEST_F(Directions_search, answers_to_sources_in_the_space_of_the_condition)

@@ -87,6 +87,19 @@ TEST(Nearest_spin_transformation, of_a_conformal_map_is_that_map)
   EXPECT_GT(slope(h, distances), 1.7);
 }
 
+TEST(Nearest_spin_transformation, does_not_depend_on_the_unit)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  const Points target = inverted(mesh, Eigen::Vector3d(0.4, 0.3, 2.5)).positions();
+  const double distance = CGP::Nearest_spin_transformation<>(mesh, target).transform().distance;
+  for (const double unit : {1e-150, 1e-80, 1e80, 1e150}) {
+    CGP::Nearest_spin_transformation<> near(scaled(mesh, unit), Points(unit * target));
+    const CGP::Nearest_spin_result result = near.transform();
+    EXPECT_TRUE(result.report) << unit;
+    EXPECT_NEAR(result.distance, distance, 1e-6) << unit;
+  }
+}
+
 TEST(Nearest_spin_transformation, of_a_stretch_is_the_surface_itself)
 {
   const Mesh_view mesh = beam(4);

@@ -73,11 +73,20 @@ TEST(Spectral_pairs, are_those_that_the_mesh_resolves_nearest_first)
   EXPECT_FALSE(again.is_limited_by_mesh);
 }
 
+TEST(Spectral_pairs, resolve_what_does_not_oscillate_from_edge_to_edge_though_it_errs)
+{
+  internal::Spectral_pairs p = four_pairs(9);
+  p.squared_images[0] = p.energies[0] = 1;  // and the quotient .1
+  EXPECT_EQ(internal::resolved_nearest_first(p).size(), 3);
+  p.slow_energy = 1;
+  EXPECT_EQ(internal::resolved_nearest_first(p).size(), 4);
+}
+
 TEST(Spectral_pairs, resolve_constants_whose_image_is_zero)
 {
   internal::Spectral_pairs p = four_pairs(9);
   p.energies[2] = 1 + 1e-12;
-  p.squared_images[2] = 0;
+  p.squared_images[2] = 0;  // with a slow energy of zero too
   EXPECT_EQ(internal::resolved_nearest_first(p).size(), 4);
 }
 

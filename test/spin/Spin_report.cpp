@@ -43,6 +43,17 @@ TEST(Spin_report, of_two_transformations_adds_what_was_spent_and_keeps_the_worse
   EXPECT_EQ(all.gap, 3);
 }
 
+TEST(Spin_report, of_several_transformations_has_the_least_gap_that_is_known)
+{
+  CGP::Spin_report all, next;
+  next.gap = 4;
+  CGP::append(all, next);
+  EXPECT_EQ(all.gap, 4);
+  next.gap = 0;
+  CGP::append(all, next);
+  EXPECT_EQ(all.gap, 4);
+}
+
 namespace {
 
 using Fault = CGP::Spin_report::Fault;

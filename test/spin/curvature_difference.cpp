@@ -83,6 +83,19 @@ TEST(Curvature_difference, is_in_the_units_of_the_mesh)
   EXPECT_LT((of_half.values - 2 * rho.values).cwiseAbs().maxCoeff(), 1e-12);
 }
 
+TEST(Curvature_difference, is_so_for_very_large_and_very_small_units)
+{
+  const Mesh_view mesh = bumpy_sphere(2), target = other(mesh);
+  const auto rho = CGP::curvature_difference(mesh, target.positions());
+  for (const double unit : {1e-150, 1e-80, 1e80, 1e150}) {
+    const Mesh_view there = scaled(mesh, unit);
+    const auto found = CGP::curvature_difference(there, scaled(target, unit).positions());
+    EXPECT_LT((unit * found.values - rho.values).cwiseAbs().maxCoeff(), 1e-11) << unit;
+    const Eigen::VectorXd transferred = CGP::transferred(rho, mesh, there).values;
+    EXPECT_LT((unit * transferred - rho.values).cwiseAbs().maxCoeff(), 1e-11) << unit;
+  }
+}
+
 TEST(Curvature_difference, refuses_other_numbers_of_positions)
 {
   EXPECT_THROW((void)CGP::curvature_difference(icosphere(1), Points(3, 2)),

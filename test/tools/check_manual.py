@@ -12,7 +12,7 @@ import check_thesis_map
 import sources
 
 DOC = sources.ROOT / "doc"
-PAGES = ["README.md", "doc/gallery.md", "doc/history.md"]
+PAGES = ["README.md", "doc/overview.md", "doc/gallery.md", "doc/history.md"]
 LINK = re.compile(r"\]\((?!https?:)([^)#]+)\)")
 
 

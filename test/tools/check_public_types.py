@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """At most 70 types are public: classes and enumerations directly in the library's namespace. Each of
-them, and each alias there, is named in the README, the manual or on the page of a concept. All
+them, and each alias there, is named in the README, the overview, the manual or on the page of a concept. All
 others are in its namespace `internal`, or members of a class.
 """
 
@@ -11,7 +11,7 @@ import re
 import sources
 
 MOST = 70
-PAGES = ("README.md", "doc/named_parameters.txt", "doc/manual/*.txt", "doc/Concepts/*.h")
+PAGES = ("README.md", "doc/overview.md", "doc/named_parameters.txt", "doc/manual/*.txt", "doc/Concepts/*.h")
 COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"', re.DOTALL)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n\\]|\\.|\\\n)*", re.MULTILINE)
 # an opening or closing brace, or the head of a type that is defined

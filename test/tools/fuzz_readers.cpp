@@ -44,5 +44,6 @@ int main(int argc, char** argv)
   trials.make(subject(".obj", fuzz::obj_seeds(), request.seed));
   trials.make(subject(".ply", fuzz::ply_seeds(), request.seed));
   trials.make(subject(".stl", fuzz::stl_seeds(), request.seed));
+  trials.make(subject(".glb", fuzz::glb_seeds(), request.seed));
   return trials.is_clean() ? 0 : 1;
 }

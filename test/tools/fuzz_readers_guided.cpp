@@ -10,12 +10,13 @@
 
 namespace {
 
-const char* const extensions[] = {".off", ".obj", ".ply", ".stl"};
+const char* const extensions[] = {".off", ".obj", ".ply", ".stl", ".glb"};
 
 std::vector<std::string> seeds()
 {
   return {fuzz::off_seeds()[1], fuzz::obj_seeds()[0], fuzz::ply_seeds()[0], fuzz::stl_seeds()[0],
-          fuzz::off_seeds()[2], fuzz::obj_seeds()[1], fuzz::ply_seeds()[2], fuzz::stl_seeds()[1]};
+          fuzz::glb_seeds()[0], fuzz::off_seeds()[2], fuzz::obj_seeds()[1], fuzz::ply_seeds()[2],
+          fuzz::stl_seeds()[1], fuzz::glb_seeds()[1]};
 }
 
 }  // namespace
@@ -31,6 +32,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   if (size < 2) return 0;
   const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
-  fuzz::is_read(text, extensions[data[0] % 4], data[0] >= 128);
+  fuzz::is_read(text, extensions[data[0] % 5], data[0] >= 128);
   return 0;
 }

@@ -113,6 +113,65 @@ inline std::vector<std::string> stl_seeds()
       binary_stl()};
 }
 
+/// a file of two chunks, each padded to a multiple of four bytes
+inline std::string glb(std::string json, std::string binary)
+{
+  while (json.size() % 4 != 0) json += ' ';
+  while (binary.size() % 4 != 0) binary += '\0';
+  std::string text = "glTF";
+  append_bytes(text, std::uint32_t{2});
+  append_bytes(text, static_cast<std::uint32_t>(28 + json.size() + binary.size()));
+  append_bytes(text, static_cast<std::uint32_t>(json.size()));
+  text += "JSON" + json;
+  append_bytes(text, static_cast<std::uint32_t>(binary.size()));
+  return text + std::string("BIN\0", 4) + binary;
+}
+
+/// a square: four positions, then, if wanted, four texture coordinates and six indices
+inline std::string glb_buffer(bool has_indices)
+{
+  std::string bytes;
+  const int corners[6] = {0, 1, 2, 0, 2, 3}, points[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const auto append_point = [&](int v) {
+    for (const int x : {points[v][0], points[v][1], 0}) append_bytes(bytes, static_cast<float>(x));
+  };
+  if (!has_indices) {
+    for (const int v : corners) append_point(v);
+    return bytes;
+  }
+  for (int v = 0; v < 4; ++v) append_point(v);
+  for (const auto& p : points)
+    for (const int x : p) append_bytes(bytes, static_cast<float>(x));
+  for (const int v : corners) append_bytes(bytes, static_cast<std::uint16_t>(v));
+  return bytes;
+}
+
+inline std::vector<std::string> glb_seeds()
+{
+  return {
+      glb(R"({ "asset": { "version": "2.0" }, "scene": 0, "scenes": [ { "nodes": [ 0 ] } ], )"
+          R"("nodes": [ { "children": [ 1 ], "scale": [ 2, 2, 2 ] }, )"
+          R"({ "mesh": 0, "translation": [ 1, 0, 0 ], "rotation": [ 0, 0, 0, 1 ] } ], )"
+          R"("meshes": [ { "primitives": [ { "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, )"
+          R"("indices": 2, "mode": 4 } ] } ], "accessors": [ )"
+          R"({ "bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", )"
+          R"("min": [ 0, 0, 0 ], "max": [ 1, 1, 0 ] }, )"
+          R"({ "bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2" }, )"
+          R"({ "bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR" } ], )"
+          R"("bufferViews": [ { "buffer": 0, "byteOffset": 0, "byteLength": 48 }, )"
+          R"({ "buffer": 0, "byteOffset": 48, "byteLength": 32 }, )"
+          R"({ "buffer": 0, "byteOffset": 80, "byteLength": 12 } ], )"
+          R"("buffers": [ { "byteLength": 92 } ] })",
+          glb_buffer(true)),
+      glb(R"({ "asset": { "version": "2.0" }, "scenes": [ { "nodes": [ 0 ] } ], )"
+          R"("nodes": [ { "mesh": 0, "matrix": [ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1 ] )"
+          R"(} ], "meshes": [ { "primitives": [ { "attributes": { "POSITION": 0 } } ] } ], )"
+          R"("accessors": [ { "bufferView": 0, "componentType": 5126, "count": 6, )"
+          R"("type": "VEC3" } ], "bufferViews": [ { "buffer": 0, "byteLength": 72 } ], )"
+          R"("buffers": [ { "byteLength": 72 } ] })",
+          glb_buffer(false))};
+}
+
 }  // namespace fuzz
 
 #endif

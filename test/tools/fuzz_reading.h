@@ -4,6 +4,7 @@
 #define TEST_TOOLS_FUZZ_READING_H
 
 #include "conformal/io/file/io_errors.h"
+#include "conformal/io/glb/read_glb.h"
 #include "conformal/io/glb/write_glb.h"
 #include "conformal/io/obj/read_obj.h"
 #include "conformal/io/obj/write_obj.h"
@@ -60,6 +61,7 @@ inline conformal::Surface_file parsed(const std::string& text, const std::string
   if (extension == ".off") return conformal::parse_off(text, "a.off");
   if (extension == ".obj") return conformal::parse_obj(text, "a.obj");
   if (extension == ".ply") return conformal::parse_ply(text, "a.ply");
+  if (extension == ".glb") return conformal::parse_glb(text, "a.glb");
   return conformal::parse_stl(text, "a.stl");
 }
 

@@ -7,6 +7,7 @@
 #include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
 #include "conformal/process/text.h"
+#include "conformal/transform/each_component.h"
 #include "conformal/transform/suitable_surface.h"
 #include "conformal/transform/write_result.h"
 
@@ -18,6 +19,7 @@
 #include <Conformal_geometry_processing/operators/exterior_derivative.h>
 
 #include <complex>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +42,7 @@ void add_options(CLI::App& command, Harmonic_options& harmonic, Common_options& 
 {
   add_input(command, harmonic.input);
   add_repair(command, common);
+  add_components(command, common);
   add_output(command, common, "the mesh with the fields");
   command.add_option("--form", harmonic.form, "write only this one, counted from 0")
       ->check(CLI::NonNegativeNumber);
@@ -50,9 +53,9 @@ Files files(const Harmonic_options& harmonic)
   return {{"the input", harmonic.input, Named_file::Role::replaceable}};
 }
 
-Surface_input read_surface_with_handles(const Harmonic_options& options, Session& session)
+void require_handles(const Surface_input& input, const Harmonic_options& options)
 {
-  Surface_input input = read_closed_surface(options.input, session);
+  require_closed_surface(input);
   const int genus = CGP::topology(input.mesh).genus;
   if (genus == 0)
     throw unsuitable(options.input, "has genus 0 and so no harmonic fields, wanted handles");
@@ -60,7 +63,6 @@ Surface_input read_surface_with_handles(const Harmonic_options& options, Session
     throw Failure(Exit_code::usage, options.input + ": there is no form " +
                                         std::to_string(*options.form) + "; try: --form 0 to " +
                                         std::to_string(2 * genus - 1));
-  return input;
 }
 
 CGP::Mesh_view in_frame(const CGP::Mesh_view& mesh)
@@ -137,23 +139,35 @@ void set_field(const Surface_input& input, const CGP::Mesh_view& mesh, const CGP
   }
 }
 
-Surface_file file_with_fields(const Surface_input& input, const CGP::Mesh_view& mesh,
-                              const CGP::Harmonic_basis& basis, const std::optional<int>& form)
+/// fields on the whole surface in 1/length, by their numbers; zero on components without them
+using Fields = std::map<int, CGP::Points>;
+
+void add_fields(const Surface_input& whole, const Component& component,
+                const CGP::Harmonic_basis& basis, const std::optional<int>& form, Fields& fields)
+{
+  const double unit = CGP::internal::Normalized_frame(component.input.mesh.positions()).unit();
+  for (int i = 0; i < basis.size(); ++i) {
+    if (form.value_or(i) != i) continue;
+    const auto [place, is_new] = fields.try_emplace(i);
+    if (is_new) place->second = CGP::Points::Zero(3, whole.mesh.size_of_faces());
+    place->second(Eigen::indexing::all, component.faces) =
+        basis.fields[static_cast<std::size_t>(i)] / unit;
+  }
+}
+
+Surface_file file_with_fields(const Surface_input& input, const Fields& fields)
 {
   Surface_file file = input.file;
-  const double unit = CGP::internal::Normalized_frame(input.mesh.positions()).unit();
-  for (int i = 0; i < basis.size(); ++i)
-    if (form.value_or(i) == i)
-      set_field(input, mesh, basis.fields[static_cast<std::size_t>(i)] / unit,
-                "harmonic_" + std::to_string(i), file);
+  const CGP::Mesh_view mesh = in_frame(input.mesh);
+  for (const auto& [number, field] : fields)
+    set_field(input, mesh, field, "harmonic_" + std::to_string(number), file);
   return file;
 }
 
-void harmonic(const Harmonic_options& options, Session& session)
+CGP::Harmonic_basis find(const Surface_input& input, const Harmonic_options& options,
+                         Session& session)
 {
-  const std::string& output = session.options().output;
-  if (!output.empty()) require_writable(output);
-  const Surface_input input = read_surface_with_handles(options, session);
+  require_handles(input, options);
   const CGP::Mesh_view mesh = in_frame(input.mesh);
   const CGP::Hodge_decomposition<> hodge(mesh, "harmonic");
   throw_if_interrupted();
@@ -164,9 +178,20 @@ void harmonic(const Harmonic_options& options, Session& session)
   evidence.fault = fault_of(found);
   session.conclude(judge(evidence, {}, ""), On_fault::refuse);
   session.end_stage("measure");
+  return hodge.harmonic_basis();
+}
+
+void harmonic(const Harmonic_options& options, Session& session)
+{
+  const std::string& output = session.options().output;
+  if (!output.empty()) require_writable(output);
+  const Surface_input input = read_suitable_surface(options.input, session);
+  Fields fields;
+  each_component(input, session, [&](const Component& component, Session& own) {
+    add_fields(input, component, find(component.input, options, own), options.form, fields);
+  });
   if (output.empty()) return;
-  session.note_all(
-      write_surface(output, file_with_fields(input, mesh, hodge.harmonic_basis(), options.form)));
+  session.note_all(write_surface(output, file_with_fields(input, fields)));
   session.end_stage("write");
 }
 

@@ -48,9 +48,8 @@ void add_html(CLI::App& command, Common_options& common)
       ->check(file_name);
 }
 
-void add_transformation(CLI::App& command, Common_options& common)
+void add_components(CLI::App& command, Common_options& common)
 {
-  add_repair(command, common);
   CLI::Option* each = command.add_flag(
       "--each-component", common.each_component,
       "take a surface of several components, and work on each as if it were alone");
@@ -59,6 +58,12 @@ void add_transformation(CLI::App& command, Common_options& common)
                 "where some of them fail, write the others, and those as they were; the exit code "
                 "is 1 all the same")
       ->needs(each);
+}
+
+void add_transformation(CLI::App& command, Common_options& common)
+{
+  add_repair(command, common);
+  add_components(command, common);
   add_output(command, common)->required();
   add_html(command, common);
 }

@@ -42,6 +42,9 @@ CLI::Option* add_output(CLI::App& command, Common_options& common,
                         const char* what = "where the result goes");
 void add_html(CLI::App& command, Common_options& common);
 
+/// --each-component, --keep-going
+void add_components(CLI::App& command, Common_options& common);
+
 /// of commands that transform a surface: its repair, its components, the output and its page
 void add_transformation(CLI::App& command, Common_options& common);
 

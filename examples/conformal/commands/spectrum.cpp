@@ -8,6 +8,7 @@
 #include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
 #include "conformal/process/text.h"
+#include "conformal/transform/each_component.h"
 #include "conformal/transform/suitable_surface.h"
 #include "conformal/transform/write_result.h"
 
@@ -45,6 +46,7 @@ struct Spectrum_options {
 void add_options(CLI::App& command, Spectrum_options& options, Common_options& common)
 {
   add_repair(command, common);
+  add_components(command, common);
   add_output(command, common, "the surface of an eigenfunction");
   add_map_limits(command, options.limits, options.force);
   add_input(command, options.input);
@@ -121,11 +123,15 @@ void tell(const CGP::internal::Dirac_spectrum& s, const Spectrum_options& option
   report.show("complete to", text_of(s.shift + s.complete_radius));
 }
 
-std::string csv_of(const CGP::internal::Dirac_spectrum& s)
+const char* const csv_head = "number,eigenvalue,pencil_eigenvalue,residual\n";
+
+/// one line for each
+/// \param before what they begin with
+std::string csv_rows(const CGP::internal::Dirac_spectrum& s, const std::string& before)
 {
-  std::string text = "number,eigenvalue,pencil_eigenvalue,residual\n";
+  std::string text;
   for (Eigen::Index k = 0; k < s.size(); ++k) {
-    text += std::to_string(k);
+    text += before + std::to_string(k);
     for (const double x : {s.eigenvalues[k], s.pencil_eigenvalues[k], s.residuals[k]}) {
       text += ',';
       append_number(text, x);
@@ -135,10 +141,39 @@ std::string csv_of(const CGP::internal::Dirac_spectrum& s)
   return text;
 }
 
+/// \brief why these are not the eigenvalues that were asked for; empty if they are
+std::string shortage(const CGP::internal::Dirac_spectrum& s)
+{
+  if (s.is_complete()) return {};
+  const auto sure = ((s.eigenvalues.array() - s.shift).abs() <= s.complete_radius).count();
+  return "the mesh resolves " + std::to_string(sure) + " of the " + std::to_string(s.wanted) +
+         " eigenvalues that were asked for, from " + text_of(s.shift - s.complete_radius) + " to " +
+         text_of(s.shift + s.complete_radius) + ", and of " + std::to_string(s.size() - sure) +
+         " others shown some between may be missing; try: a smaller --count, or a finer mesh";
+}
+
+/// Fewer than asked for are told and written, and the run has failed.
+void conclude(const CGP::internal::Dirac_spectrum& s, const Spectrum_options& options,
+              Session& session)
+{
+  Verdict verdict;
+  verdict.fault = shortage(s);
+  session.conclude(verdict, options.force ? On_fault::force : On_fault::fail_in_the_end);
+}
+
+void require_found(int number, const CGP::internal::Dirac_spectrum& s)
+{
+  if (number >= s.size())
+    throw Failure(Exit_code::failed, "eigenfunction " + std::to_string(number) +
+                                         " was not found; try: --surface 0 to " +
+                                         std::to_string(s.size() - 1));
+}
+
 void write_surface_of(const Surface_input& input, const CGP::internal::Dirac_spectrum& s,
                       const Spectrum_options& options, Session& session)
 {
   const int number = *options.surface;
+  require_found(number, s);
   const CGP::Spin_result result =
       CGP::surface_of_spin(input.mesh, s.vectors.col(number), "spectrum");
   session.report().set("result/surface/eigenvalue", s.eigenvalues[number]);
@@ -157,6 +192,8 @@ void require_consistent(const Spectrum_options& options, const Session& session)
     throw Failure(Exit_code::usage,
                   "there is no eigenfunction " + std::to_string(*options.surface) +
                       "; try: --surface 0 to " + std::to_string(options.count - 1));
+  if (options.surface && session.options().each_component)
+    throw Failure(Exit_code::usage, "--surface is of one component; try: without --each-component");
   if (has_output) require_writable(session.options().output);
 }
 
@@ -166,20 +203,25 @@ void spectrum(const Spectrum_options& options, Session& session)
   std::optional<Temporary_file> csv;
   if (!options.csv.empty()) csv.emplace(options.csv);
   const Surface_input input = read_suitable_surface(options.input, session);
-  const auto s = find(input, options, session.options());
-  session.end_stage("solve");
+  const bool has_parts = session.options().each_component;
+  std::string table = (has_parts ? "component," : "") + std::string(csv_head);
+  int number = 0;
+  CGP::internal::Dirac_spectrum last;
+  each_component(input, session, [&](const Component& component, Session& own) {
+    const std::string before = has_parts ? std::to_string(number++) + ',' : "";
+    const auto s = find(component.input, options, own.options());
+    own.end_stage("solve");
+    table += csv_rows(s, before);
+    tell(s, options, own.report());
+    conclude(s, options, own);
+    last = s;
+  });
   if (csv) {
-    csv->write(csv_of(s));
+    csv->write(table);
     csv->commit();
   }
   session.end_stage("write");
-  tell(s, options, session.report());
-  if (!s.is_complete())
-    session.note("between the eigenvalues shown others may be missing, except from " +
-                 text_of(s.shift - s.complete_radius) + " to " +
-                 text_of(s.shift + s.complete_radius) + ": the mesh does not resolve the " +
-                 std::to_string(s.wanted) + " that were asked for");
-  if (options.surface) write_surface_of(input, s, options, session);
+  if (options.surface) write_surface_of(input, last, options, session);
 }
 
 }  // namespace

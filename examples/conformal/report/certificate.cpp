@@ -19,7 +19,7 @@ void report_details(const CGP::Spin_report& spin, Report& report)
   report.set("result/substeps", spin.substeps);
   report.set("result/spectral_shift", spin.spectral_shift);
   report.set("result/dirac_residual", spin.dirac_residual);
-  report.set("result/branch_gap", spin.branch_gap);
+  if (spin.branch_gap > 0) report.set("result/branch_gap", spin.branch_gap);
   report.set("result/factorizations", spin.factorizations);
   report.set("result/solves", spin.solves);
   report.set("result/realised_share", spin.realised_share());
@@ -54,7 +54,7 @@ void tell_certificate(const CGP::Spin_report& spin, int faces, Outcome& outcome)
   Report& report = outcome.report;
   report.tell("result/eigenvalue", "eigenvalue gamma (1/length)", spin.eigenvalue);
   report.tell("result/residual", "residual of the eigenvector", spin.residual, 3);
-  report.tell("result/gap", "gap to the next eigenvalue", spin.gap);
+  if (spin.gap > 0) report.tell("result/gap", "gap to the next eigenvalue", spin.gap);
   const bool has_parts = spin.substeps > 1;
   report.show("iterations",
               std::to_string(spin.iterations) +

@@ -3,6 +3,7 @@
 #include "deform.h"
 
 #include "solve_twice.h"
+#include "suggested_factor.h"
 
 #include "conformal/process/text.h"
 #include "conformal/report/boundary_report.h"
@@ -22,6 +23,20 @@ void note_departures(const Spin_solution& solution, Session& session)
   if (report.missing_share > 0.5)
     session.note(text_of(100 * report.missing_share, 3) +
                  " % of rho is left out: with it, the handles and holes would not stay closed");
+}
+
+/// \brief advice that names the amplitude with which a refused solution would verify
+std::string easier_by_amplitude(const Surface_input& input, const Spin_problem& problem,
+                                const Spin_options& options, const Spin_solution& refused,
+                                const std::string& easier, Session& session)
+{
+  if (options.force || objection(refused.report, refused.positions, options.limits, "").empty())
+    return easier;
+  const double amplitude =
+      options.rho.amplitude * suggested_factor(input.mesh, problem, options, session);
+  if (amplitude == 0) return easier;
+  session.report().set("result/suggested_amplitude", amplitude);
+  return "--amplitude " + text_of(amplitude) + ", with which it verifies, or " + easier;
 }
 
 }  // namespace
@@ -48,7 +63,9 @@ Spin_solution deform(const Surface_input& input, const Spin_problem& problem,
   Spin_solution solution = solve_twice(input.mesh, problem, options, session);
   session.begin_stage();
   tell_solution(input, problem.boundary, solution.report, session.outcome());
-  conclude(solution, options, easier, session, session.input());
+  conclude(solution, options,
+           easier_by_amplitude(input, problem, options, solution, easier, session), session,
+           session.input());
   return solution;
 }
 

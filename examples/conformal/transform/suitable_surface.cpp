@@ -26,13 +26,6 @@ Surface_input read_suitable_surface(const std::string& path, Session& session,
   return input;
 }
 
-Surface_input read_closed_surface(const std::string& path, Session& session)
-{
-  Surface_input input = read_suitable_surface(path, session);
-  require_closed_surface(input);
-  return input;
-}
-
 Surface_input read_bounded_surface(const std::string& path, Session& session)
 {
   Surface_input input = read_suitable_surface(path, session);

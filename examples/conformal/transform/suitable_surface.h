@@ -25,9 +25,8 @@ inline Flat_faces flat_faces(const std::optional<double>& mollification)
   return mollification.value_or(0) > 0 ? Flat_faces::allowed : Flat_faces::refused;
 }
 
-/// Likewise, for closed surfaces only, and for surfaces with a boundary only (of components, that
-/// is required when their turn comes)
-Surface_input read_closed_surface(const std::string& path, Session& session);
+/// Likewise, for surfaces with a boundary only (of components, that is required when their turn
+/// comes)
 Surface_input read_bounded_surface(const std::string& path, Session& session);
 
 /// \throws Failure if the surface is closed

@@ -40,6 +40,7 @@ struct Conformality {
 const char* to_string(Conformality::Fault fault);
 
 /// \ingroup PkgMeasure
+/// For coordinates of 1e-150 to 1e150.
 /// \param positions the new ones, 3 x |V|
 /// \param expected_normals 3 x |F|, to detect flipped faces (`flipped_faces()`)
 Conformality conformality(const Mesh_view& mesh, const Points& positions,

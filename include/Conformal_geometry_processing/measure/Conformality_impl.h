@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
 namespace Conformal_geometry_processing {
 
@@ -34,8 +35,11 @@ CGP_INLINE const char* to_string(Conformality::Fault fault)
   return "none";
 }
 
-CGP_INLINE Conformality conformality(const Mesh_view& mesh, const Points& positions,
-                                     const Points& expected_normals)
+namespace internal {
+
+/// \pre squares of areas neither overflow nor underflow
+CGP_INLINE Conformality measured_conformality(const Mesh_view& mesh, const Points& positions,
+                                              const Points& expected_normals)
 {
   const Eigen::VectorXd Q = quasi_conformal_errors(mesh, positions), areas = face_areas(mesh);
   const Eigen::VectorXd new_areas = areas.array() * length_scales(mesh, positions).array().square();
@@ -47,6 +51,20 @@ CGP_INLINE Conformality conformality(const Mesh_view& mesh, const Points& positi
   c.flipped_faces = flipped_faces(mesh, positions, expected_normals);
   c.flipped_share = double(c.flipped_faces) / mesh.size_of_faces();
   return c;
+}
+
+}  // namespace internal
+
+CGP_INLINE Conformality conformality(const Mesh_view& mesh, const Points& positions,
+                                     const Points& expected_normals)
+{
+  const internal::Normalized_frame frame(mesh.positions());
+  const bool is_moderate = frame.unit() > 1e-60 && frame.unit() < 1e60;
+  if (is_moderate) return internal::measured_conformality(mesh, positions, expected_normals);
+  Mesh_view in_frame = mesh;
+  in_frame.set_positions(frame.to_frame(mesh.positions()));
+  return internal::measured_conformality(in_frame, frame.to_frame(positions),
+                                         expected_normals / expected_normals.cwiseAbs().maxCoeff());
 }
 
 }  // namespace Conformal_geometry_processing

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/measure/alignment.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -35,9 +36,8 @@ CGP_INLINE Eigen::Matrix3d best_rotation(const Eigen::Matrix3d& S)
   return Eigen::Quaterniond(q[0], -q[1], -q[2], -q[3]).toRotationMatrix();  // Eigen: q a q^-1
 }
 
-}  // namespace internal
-
-CGP_INLINE internal::Alignment align(const Points& source, const Points& target)
+/// \pre both are of moderate size
+CGP_INLINE Alignment alignment_in_frames(const Points& source, const Points& target)
 {
   const Eigen::Vector3d from = source.rowwise().mean(), to = target.rowwise().mean();
   Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
@@ -47,14 +47,27 @@ CGP_INLINE internal::Alignment align(const Points& source, const Points& target)
     S += p * (target.col(k) - to).transpose();
     size += p.squaredNorm();
   }
-  internal::Alignment a;
-  a.rotation = internal::best_rotation(S);
+  Alignment a;
+  a.rotation = best_rotation(S);
   a.scale = a.rotation.cwiseProduct(S.transpose()).sum() / size;
   a.translation = to - a.scale * (a.rotation * from);
   const Eigen::RowVectorXd distance = (a.apply(source) - target).colwise().norm();
   const double diagonal = (target.rowwise().maxCoeff() - target.rowwise().minCoeff()).norm();
   a.rms = distance.norm() / std::sqrt(static_cast<double>(source.cols())) / diagonal;
   a.max = distance.maxCoeff() / diagonal;
+  return a;
+}
+
+}  // namespace internal
+
+CGP_INLINE internal::Alignment align(const Points& source, const Points& target)
+{
+  // In frames of their own, where squares neither overflow nor underflow.
+  const internal::Normalized_frame frame(source), target_frame(target);
+  internal::Alignment a =
+      internal::alignment_in_frames(frame.to_frame(source), target_frame.to_frame(target));
+  a.scale *= target_frame.unit() / frame.unit();
+  a.translation = target_frame.from_frame(a.translation) - a.scale * (a.rotation * frame.center());
   return a;
 }
 

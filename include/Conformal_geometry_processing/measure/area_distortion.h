@@ -21,7 +21,8 @@ namespace internal {
 struct Area_distortion {
   double min_scale = 1, max_scale = 1;  ///< range of `length_scales()`
   double log_deviation = 0;  ///< standard deviation of the log of the scale, weighted by area
-  /// share of the old area that shrank below a tenth of the root mean square scale
+  /// share of the old area that shrank below a tenth of the root mean square scale, or of the new
+  /// area that grew beyond ten times it, whichever is larger: the same for the inverse map
   double collapsed_share = 0;
 };
 

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Conformal_geometry_processing {
@@ -22,15 +23,28 @@ CGP_INLINE Eigen::VectorXd length_scales(const Mesh_view& mesh, const Points& po
   return scale;
 }
 
+namespace internal {
+
+CGP_INLINE double collapsed_share(const Eigen::VectorXd& scale, const Eigen::VectorXd& areas)
+{
+  const Eigen::VectorXd new_areas = areas.cwiseProduct(scale.cwiseAbs2());
+  const double usual = std::sqrt(new_areas.sum() / areas.sum());
+  const auto shrank = scale.array() < usual / 10;
+  const auto grew = scale.array() > usual * 10;
+  return (std::max)(shrank.select(areas.array(), 0).sum() / areas.sum(),
+                    grew.select(new_areas.array(), 0).sum() / new_areas.sum());
+}
+
+}  // namespace internal
+
 CGP_INLINE internal::Area_distortion area_distortion(const Mesh_view& mesh, const Points& positions)
 {
   const Eigen::VectorXd scale = length_scales(mesh, positions), areas = face_areas(mesh);
   const Eigen::VectorXd u = scale.array().log();
   const double mean = areas.dot(u) / areas.sum();
   const double variance = areas.dot((u.array() - mean).square().matrix()) / areas.sum();
-  const double least = std::sqrt(areas.dot(scale.cwiseAbs2()) / areas.sum()) / 10;
-  const double collapsed = (scale.array() < least).select(areas.array(), 0).sum() / areas.sum();
-  return {scale.minCoeff(), scale.maxCoeff(), std::sqrt(variance), collapsed};
+  return {scale.minCoeff(), scale.maxCoeff(), std::sqrt(variance),
+          internal::collapsed_share(scale, areas)};
 }
 
 }  // namespace Conformal_geometry_processing

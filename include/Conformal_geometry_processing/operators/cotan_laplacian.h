@@ -37,6 +37,8 @@ void assemble_cotan_laplacian(const Surface_ref& surface, const Eigen::VectorXd&
 ///
 /// |V| x |V|, real symmetric, positive *semidefinite* even if weights are negative; the kernel of a
 /// connected surface consists of the constants. (L f)_i = sum_j w_ij (f_i - f_j). Dimensionless.
+/// On irregular meshes it converges in the weak sense only: <g, L f> and solutions of L u = b do,
+/// single values (L f)_i over the area of the vertex do not, as with `mean_curvature()`.
 Hermitian_sparse_matrix<double> cotan_laplacian(const Surface_ref& surface,
                                                 std::shared_ptr<const Sparse_pattern> pattern);
 

@@ -25,6 +25,10 @@ void fill_unknown(const Surface_ref& surface, std::vector<char> is_unknown,
 /// angle-weighted normals. At boundary vertices L f also contains the curvature of the boundary
 /// curve, and at vertices whose area is less than a thousandth of a neighbour's, rounding
 /// dominates: there H is the mean of the other neighbours.
+///
+/// Under refinement, single values converge on regular meshes only. On irregular ones their errors
+/// keep their size, for L f sees the place of each neighbour; only averages converge, as the
+/// integral of H against a smooth function does, with O(h^2).
 Eigen::VectorXd mean_curvature(const Surface_ref& surface);
 
 /// \ingroup PkgOperators

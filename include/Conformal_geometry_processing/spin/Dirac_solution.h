@@ -47,8 +47,10 @@ struct Dirac_evidence {
                           ///< dual to the energy, divided by sqrt(4 pi / area) |lambda|
   /// |(D - rho - gamma) lambda| / |lambda|, in 1/length: what the mesh leaves of the equation
   double dirac_residual = 0;
-  double gap = 0;  ///< distance from gamma to the next eigenvalue known, in 1/length: an upper
-                   ///< bound of the true gap; zero if no other is known
+  /// distance from gamma to the nearest other eigenvalue that was found, in 1/length: an upper
+  /// bound of the true gap. Zero, and in no report, if no other was looked for, as where the
+  /// boundary is free, or where the vector of prescribed directions is near enough to the guide.
+  double gap = 0;
   double branch_gap = 0;   ///< the least gap on the way from rho = 0, on closed surfaces: where it
                            ///< is small, another branch crosses
   double overlap = 0;      ///< |<lambda, 1>| / (|lambda| |1|), one for the identity

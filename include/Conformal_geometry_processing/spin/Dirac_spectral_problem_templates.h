@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/random_quaternions.h>
 #include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/mesh/mean_edge_length.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
@@ -148,6 +149,7 @@ internal::Spectral_pairs internal::Dirac_spectral_problem<SolverTraits>::pairs(
     p.squared_images[k] = std::pow(dirac_misfit(m_mesh, none, v), 2);
     p.of_pencil[k] = energy / form;
   }
+  p.slow_energy = std::pow(2 * std::acos(-1.) / (20 * mean_edge_length(m_mesh)), 2);
   p.residuals = std::move(e.residuals);
   p.vectors = std::move(e.vectors);
   p.reach = square.values.size() < size_of_space() ? e.reach - m_system.shift()

@@ -42,8 +42,10 @@ struct Dirac_spectrum {
   int size_of_constants = 0;          ///< number of constant spins, which come first, with exact
                                       ///< eigenvalues
   /// Every eigenvalue nearer to the shift than this is listed, as often as its multiplicity, if its
-  /// discretisation error is not far larger than those of the listed; in 1/length. Others are
-  /// eigenvalues too, but some between them may be missing. Infinite if all are listed.
+  /// squared discretisation error is at most twice those of the listed: an estimate, and no bound,
+  /// for nothing on a mesh bounds the error of an eigenvalue that it resolves much worse than its
+  /// neighbours. In 1/length. Others are eigenvalues too, but some between them may be missing.
+  /// Infinite if all are listed.
   double complete_radius = 0;
   int restarts = 0;        ///< of the iteration
   bool converged = false;  ///< the iteration for the discrete problem

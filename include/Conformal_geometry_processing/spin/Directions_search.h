@@ -58,9 +58,13 @@ class Directions_search {
   /// the number of singular values that count as zero; zero and one have the same effect
   int size_of_kernel(const Eigensolver_result& r, const Dirac_options& options) const;
 
+  /// \brief the distance between the eigenvalues of the vectors from `first` to before `end`, and
+  /// the nearest of the others; zero if there are none. Where D is self-adjoint, these are signed.
+  double gap(const Curvature_potential& rho, const Eigensolver_result& r, int first, int end) const;
+
   /// takes the vector nearest to the guide, or the projection of the guide onto the kernel
-  void take(const Eigensolver_result& r, const Dirac_options& options, double bound,
-            Dirac_solution& s) const;
+  void take(const Curvature_potential& rho, const Eigensolver_result& r,
+            const Dirac_options& options, double bound, Dirac_solution& s) const;
 
   const Quaternion_vector<double>& guide() const { return m_system.directions()->guide(); }
 

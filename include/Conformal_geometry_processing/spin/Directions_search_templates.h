@@ -29,7 +29,7 @@ void Directions_search<SolverTraits>::solve(const Curvature_potential& rho,
   const double bound = is_self_adjoint ? std::numeric_limits<double>::infinity()
                                        : greatest_misfit(m_system.surface());
   const Eigensolver_result found = nearest_to_guide(options, bound, s, go_further);
-  take(found, options, bound, s);
+  take(rho, found, options, bound, s);
   s.eigenvalue = is_self_adjoint ? dirac_quotient(m_system.surface(), rho, s.lambda)
                                  : dirac_misfit(m_system.surface(), rho, s.lambda);
   s.seconds.eigenvectors += watch.lap();
@@ -125,7 +125,25 @@ int Directions_search<SolverTraits>::size_of_kernel(const Eigensolver_result& r,
 }
 
 template <class SolverTraits>
-void Directions_search<SolverTraits>::take(const Eigensolver_result& r,
+double Directions_search<SolverTraits>::gap(const Curvature_potential& rho,
+                                            const Eigensolver_result& r, int first, int end) const
+{
+  const auto value = [&](int c) {
+    return m_system.is_self_adjoint() ? dirac_quotient(m_system.surface(), rho,
+                                                       Quaternion_vector<double>(r.vectors.col(c)))
+                                      : singular_value(r, c);
+  };
+  const auto size = static_cast<int>(r.values.size());
+  double least = std::numeric_limits<double>::infinity();
+  for (int own = first; own < end && size > end - first; ++own)
+    for (int c = 0; c < size; ++c)
+      if (c < first || c >= end) least = (std::min)(least, std::abs(value(c) - value(own)));
+  return std::isfinite(least) ? least : 0;
+}
+
+template <class SolverTraits>
+void Directions_search<SolverTraits>::take(const Curvature_potential& rho,
+                                           const Eigensolver_result& r,
                                            const Dirac_options& options, double bound,
                                            Dirac_solution& s) const
 {
@@ -143,9 +161,7 @@ void Directions_search<SolverTraits>::take(const Eigensolver_result& r,
   s.converged = s.residual <= options.tolerance;
   s.energy =
       inner_product(s.lambda, m_system.matrix() * s.lambda).w / m_system.squared_norm(s.lambda);
-  s.gap = nearest + 1 < r.values.size() ? std::sqrt((std::max)(r.values[nearest + 1], 0.)) -
-                                              std::sqrt((std::max)(r.values[nearest], 0.))
-                                        : 0;
+  s.gap = kernel > 1 ? gap(rho, r, 0, kernel) : gap(rho, r, nearest, nearest + 1);
   s.overlap = m_system.overlap(s.lambda, guide());
   // Takes the sign of the guide, but no rotation, because the directions are fixed.
   if (inner_product(guide(), m_system.areas(), s.lambda).w < 0) components(s.lambda) *= -1;

@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -102,6 +103,9 @@ class Nearest_spin_transformation {
                            const std::string& function, const Nearest_spin_options& options);
   static Points checked(const Mesh_view& mesh, Points target, const std::string& function,
                         const Nearest_spin_options& options);
+
+  /// both in the normalized frame of the mesh, where squares of areas neither over- nor underflow
+  static std::pair<Mesh_view, Points> in_frame(const Mesh_view& mesh, const Points& target);
   static Spin_transformation_options transformation_options(const Mesh_view& target,
                                                             const Nearest_spin_options& options);
 

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
@@ -28,10 +29,11 @@ Nearest_spin_transformation<SolverTraits, EigensolverTraits>::Nearest_spin_trans
     : Nearest_spin_transformation(function, mesh,
                                   checked(mesh, std::move(target), function, options), options)
 {
-  Quaternion_vector<double> faces = face_spins(mesh, m_target);
-  if (options.mollification) replace_thin_faces(mesh, m_target, faces);
-  m_conflicts = make_consistent(mesh, faces);
-  use(vertex_spins(mesh, faces));
+  const auto [before, after] = in_frame(mesh, m_target);
+  Quaternion_vector<double> faces = face_spins(before, after);
+  if (options.mollification) replace_thin_faces(before, after, faces);
+  m_conflicts = make_consistent(before, faces);
+  use(vertex_spins(before, faces));
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -126,9 +128,20 @@ Points Nearest_spin_transformation<SolverTraits, EigensolverTraits>::checked(
                                            std::to_string(mesh.size_of_vertices()));
   internal::Framed_surface::require_faces(Mesh_view(target, mesh.corners()),
                                           options.mollification.has_value(), function + ", target");
+  const auto [before, after] = in_frame(mesh, target);
   if (boundary_loops(mesh).empty() && !options.mollification)
-    require_same_spin_structure(mesh, target, function);
+    require_same_spin_structure(before, after, function);
   return target;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+std::pair<Mesh_view, Points> Nearest_spin_transformation<SolverTraits, EigensolverTraits>::in_frame(
+    const Mesh_view& mesh, const Points& target)
+{
+  const internal::Normalized_frame frame(mesh.positions());
+  std::pair<Mesh_view, Points> both{mesh, frame.to_frame(target)};
+  both.first.set_positions(frame.to_frame(mesh.positions()));
+  return both;
 }
 
 template <class SolverTraits, class EigensolverTraits>

@@ -21,6 +21,7 @@ struct Spectral_pairs {
   Eigen::VectorXd residuals;
   Block<Quaternion<double>> vectors;
   double reach = 0;
+  double slow_energy = 0;           ///< |D v|^2 of waves as long as twenty edges
   bool is_limited_by_mesh = false;  ///< more vectors do not increase the reach
 
   Eigen::Index size() const { return quotients.size(); }
@@ -55,8 +56,9 @@ bool is_window_complete(const Spectral_pairs& pairs, Eigen::Index count);
 ///
 /// A vector that oscillates from edge to edge is orthogonal to its image under D, and its quotient
 /// is a number near -rho - s without a meaning: it is not resolved if its squared error is more
-/// than half of |D v|^2. What such vectors have displaced may be missing from their energy on,
-/// which limits the reach.
+/// than half of |D v|^2, and that exceeds 1 / h^2. (Eigenvectors next to zero have small images,
+/// and on a jagged boundary an error as large, which leaves them what they are.) What such vectors
+/// have displaced may be missing from their energy on, which limits the reach.
 Spectral_pairs resolved_nearest_first(const Spectral_pairs& pairs);
 
 }  // namespace internal

@@ -47,12 +47,10 @@ CGP_INLINE internal::Spectral_pairs internal::resolved_nearest_first(
     const internal::Spectral_pairs& pairs)
 {
   const Eigen::ArrayXd errors = pairs.energies.array() - pairs.quotients.array().square();
-  // Constants have neither error nor image, up to rounding.
-  const double rounding = pairs.size() > 0 ? 1e-9 * pairs.energies.maxCoeff() : 0;
   double reach = pairs.reach;
   std::vector<Eigen::Index> order;
   for (Eigen::Index k = 0; k < pairs.size(); ++k)
-    if (2 * errors[k] <= pairs.squared_images[k] + rounding)
+    if (2 * errors[k] <= pairs.squared_images[k] || pairs.squared_images[k] <= pairs.slow_energy)
       order.push_back(k);
     else
       reach = (std::min)(reach, pairs.energies[k]);
@@ -66,6 +64,7 @@ CGP_INLINE internal::Spectral_pairs internal::resolved_nearest_first(
           pairs.residuals(order),
           pairs.vectors(Eigen::all, order),
           reach,
+          pairs.slow_energy,
           reach < pairs.reach};
 }
 

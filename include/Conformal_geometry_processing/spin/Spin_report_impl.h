@@ -86,6 +86,12 @@ CGP_INLINE Spin_report::Fault Spin_report::fault() const
 
 namespace internal {
 
+/// of two numbers of which zeros are unknown
+CGP_INLINE double least_known(double a, double b)
+{
+  return a == 0 || b == 0 ? (std::max)(a, b) : (std::min)(a, b);
+}
+
 CGP_INLINE void append(Spin_report::Mollification& all, const Spin_report::Mollification& next)
 {
   const bool is_first = all.share == 0;  // whose faces measure the conformality of the whole path
@@ -105,8 +111,8 @@ CGP_INLINE void append(Spin_report& all, const Spin_report& next)
   const internal::Dirac_evidence before = all;
   static_cast<internal::Dirac_evidence&>(all) = next;
   all.residual = (std::max)(before.residual, next.residual);
-  if (all.steps > 0) all.gap = (std::min)(before.gap, next.gap);
-  if (all.steps > 0) all.branch_gap = (std::min)(before.branch_gap, next.branch_gap);
+  all.gap = internal::least_known(before.gap, next.gap);
+  all.branch_gap = internal::least_known(before.branch_gap, next.branch_gap);
   if (all.steps > 0) all.overlap = (std::min)(before.overlap, next.overlap);
   all.iterations += before.iterations;
   all.factorizations += before.factorizations;

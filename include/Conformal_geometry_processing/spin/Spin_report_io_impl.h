@@ -17,8 +17,9 @@ CGP_INLINE std::ostream& operator<<(std::ostream& out, const Spin_report& r)
       << r.residual << " after " << r.iterations << " iterations";
   if (r.substeps > 1) out << " in " << r.substeps << " substeps";
   out << ", " << r.factorizations << " factorizations";
-  out << "\neigenvalue             " << r.eigenvalue << " (next one " << r.gap
-      << " away, overlap with the identity " << r.overlap << ")\n"
+  out << "\neigenvalue             " << r.eigenvalue << " (";
+  if (r.gap > 0) out << "next one " << r.gap << " away, ";
+  out << "overlap with the identity " << r.overlap << ")\n"
       << "closure                " << r.closure_residual << " of the edge lengths\n";
   if (r.steps != 1 || r.missing_share > 0)
     out << "handles kept closed    in " << r.steps << " steps, " << 100 * r.reached

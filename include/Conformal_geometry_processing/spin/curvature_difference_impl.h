@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/curvature_difference.h>
@@ -15,24 +16,42 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
+/// of moderate size, where squares of areas neither overflow nor underflow
+CGP_INLINE Mesh_view in_own_frame(Mesh_view mesh)
+{
+  mesh.set_positions(Normalized_frame(mesh.positions()).to_frame(mesh.positions()));
+  return mesh;
+}
+
+}  // namespace internal
+
 CGP_INLINE Curvature_potential curvature_difference(const Mesh_view& mesh, const Points& positions)
 {
   if (positions.cols() != mesh.size_of_vertices())
     throw Precondition_error("curvature_difference", std::to_string(positions.cols()) +
                                                          " positions, one per vertex is needed: " +
                                                          std::to_string(mesh.size_of_vertices()));
-  const Mesh_view other(positions, mesh.corners());
+  const internal::Normalized_frame frame(mesh.positions());
+  const Mesh_view before = internal::in_own_frame(mesh);
+  Mesh_view after = before;
+  after.set_positions(internal::Normalized_frame(positions).to_frame(positions));
   const Eigen::VectorXd change =
-      mean_curvature_half_density(other) - mean_curvature_half_density(mesh);
-  return Curvature_potential::on_vertices(change.cwiseQuotient(voronoi_areas(mesh).cwiseSqrt()));
+      mean_curvature_half_density(after) - mean_curvature_half_density(before);
+  return Curvature_potential::on_vertices(
+      change.cwiseQuotient(frame.unit() * voronoi_areas(before).cwiseSqrt()));
 }
 
 CGP_INLINE Curvature_potential transferred(const Curvature_potential& rho, const Mesh_view& from,
                                            const Mesh_view& to)
 {
-  const Eigen::VectorXd shrinking =
-      voronoi_areas(from).cwiseQuotient(voronoi_areas(to)).cwiseSqrt();
-  return Curvature_potential::on_vertices(rho.values.cwiseProduct(shrinking));
+  const double unit = internal::Normalized_frame(from.positions()).unit() /
+                      internal::Normalized_frame(to.positions()).unit();
+  const Eigen::VectorXd shrinking = voronoi_areas(internal::in_own_frame(from))
+                                        .cwiseQuotient(voronoi_areas(internal::in_own_frame(to)))
+                                        .cwiseSqrt();
+  return Curvature_potential::on_vertices(unit * rho.values.cwiseProduct(shrinking));
 }
 
 }  // namespace Conformal_geometry_processing

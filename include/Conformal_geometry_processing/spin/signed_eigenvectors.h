@@ -28,7 +28,8 @@ struct Signed_eigenvectors {
 /// Rayleigh-Ritz of K in it tells the signs. Of a finite number of vectors, the last ones may be
 /// mixtures with vectors that are missing: their images N^-1 K v leave the span by about |v| /
 /// sqrt(mu), those of all others by the discretisation error. They are left out. Only vectors whose
-/// mu differ by less than a factor of two are combined: others are not mixed.
+/// mu differ by less than a factor of two, or whose coupling <v, K w> is too large for an error of
+/// discretisation, are combined: others are not mixed.
 ///
 /// Costs one K and one solution for each vector, and some n^2 products of |V| quaternions and n^3.
 /// \param form K, and N^-1

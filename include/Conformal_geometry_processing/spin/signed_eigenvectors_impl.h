@@ -86,15 +86,25 @@ CGP_INLINE double least_value(const Block<Quaternion<double>>& vectors,
   return quaternionic_householder(congruent(vectors, values)).values[0];
 }
 
-/// \brief S without the entries of vectors whose mu differ by more than a factor of two: N has not
-/// mixed them, but equal quotients of vectors that the mesh resolves and others that it does not
-/// would.
-CGP_INLINE Block<Quaternion<double>> between_close_squares(Block<Quaternion<double>> S,
-                                                           const Vector<double>& mu)
+/// \brief of sqrt(mu_i mu_j), which bounds |<v_i, K v_j>|: what N has mixed exceeds this share,
+/// also where discretisation errors tell the squares of s + g and s - g apart by a large factor.
+/// The error of K between vectors that N has not mixed is far below it.
+inline constexpr double coupling_of_mixtures = 0.25;
+
+CGP_INLINE bool may_be_mixed(double mu, double other, const Quaternion<double>& coupling)
+{
+  const bool are_close = mu <= 2 * other && other <= 2 * mu;
+  return are_close || norm(coupling) > coupling_of_mixtures * std::sqrt(mu * other);
+}
+
+/// \brief S without the entries between vectors that N has not mixed: equal quotients of some that
+/// the mesh resolves and others that it does not would.
+CGP_INLINE Block<Quaternion<double>> between_mixtures(Block<Quaternion<double>> S,
+                                                      const Vector<double>& mu)
 {
   for (Eigen::Index j = 0; j < S.cols(); ++j)
     for (Eigen::Index i = 0; i < S.rows(); ++i)
-      if (mu[i] > 2 * mu[j] || mu[j] > 2 * mu[i]) S(i, j) = {};
+      if (!may_be_mixed(mu[i], mu[j], S(i, j))) S(i, j) = {};
   return S;
 }
 
@@ -110,7 +120,7 @@ CGP_INLINE internal::Signed_eigenvectors signed_eigenvectors(const internal::Pen
   const auto projection = internal::signed_projection(form, basis, v, square.values);
   const auto [pure, mixtures] = internal::split_by_losses(projection.losses);
   const Vector<double> mu = square.values.cwiseInverse();
-  const Vectors S = internal::between_close_squares(projection.form, mu);
+  const Vectors S = internal::between_mixtures(projection.form, mu);
   const auto ritz = quaternionic_householder(gram_matrix(pure, combination(S, pure)));
   const Vectors coefficients = combination(pure, ritz.vectors);
   return {basis.combination(coefficients),

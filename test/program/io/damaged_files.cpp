@@ -24,7 +24,8 @@ std::vector<Format> formats()
   return {{"a.off", fuzz::off_seeds()},
           {"a.obj", fuzz::obj_seeds()},
           {"a.ply", fuzz::ply_seeds()},
-          {"a.stl", fuzz::stl_seeds()}};
+          {"a.stl", fuzz::stl_seeds()},
+          {"a.glb", fuzz::glb_seeds()}};
 }
 
 bool is_sound(const Surface_file& file)

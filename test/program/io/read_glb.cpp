@@ -11,6 +11,9 @@
 #include "conformal/io/glb/write_glb.h"
 #include "conformal/io/obj/read_obj.h"
 
+#include <cmath>
+#include <string>
+
 namespace {
 
 using namespace io_test;
@@ -72,11 +75,13 @@ TEST(Read_glb, puts_meshes_in_their_places_and_keeps_names)
   EXPECT_EQ(file.group_lines[1].text, "usemtl steel");
 }
 
+std::string message(const std::string& bytes)
+{
+  return message_of([&] { parse_glb(bytes, "a.glb"); });
+}
+
 TEST(Read_glb, refuses_what_is_damaged_with_a_reason)
 {
-  const auto message = [](const std::string& bytes) {
-    return message_of([&] { parse_glb(bytes, "a.glb"); });
-  };
   const auto with = [](const std::string& what, const std::string& other) {
     std::string text = triangle;
     return glb(text.replace(text.find(what), what.size(), other), three_points());
@@ -96,6 +101,39 @@ TEST(Read_glb, refuses_what_is_damaged_with_a_reason)
   const std::string whole = glb(triangle, three_points());
   for (std::size_t size = 0; size < whole.size(); ++size)
     EXPECT_NE(message(whole.substr(0, size)), "no error") << size;
+}
+
+/// 64 nodes, of which each is twice below the one before: 2^63 ways to the last one
+TEST(Read_glb, refuses_nodes_below_two_others_at_once)
+{
+  std::string nodes = "\"nodes\":[";
+  for (int k = 1; k < 64; ++k) {
+    const std::string child = std::to_string(k);
+    nodes += "{\"children\":[" + child + ',' + child + "]},";
+  }
+  std::string text = triangle;
+  const std::string before = "\"nodes\":[{\"mesh\"";
+  text.replace(text.find(before), before.size(), nodes + "{\"mesh\"");
+  EXPECT_NE(message(glb(text, three_points())).find("below two others"), std::string::npos);
+}
+
+TEST(Read_glb, refuses_indices_that_are_negative_or_no_numbers)
+{
+  const auto with_index = [](float index) {
+    std::string bytes = three_points(), text = triangle;
+    for (const float i : {0.f, 1.f, index}) append_little_endian(bytes, i);
+    const auto put = [&text](const std::string& at, const std::string& what) {
+      text.insert(text.find(at), what);
+    };
+    put("\"material\":0}", "\"indices\":1,");
+    put("}],\n\"accessors", "},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":12");
+    text.replace(text.rfind("]}"), 2,
+                 ",{\"bufferView\":1,\"componentType\":5126,\"type\":\"SCALAR\",\"count\":3}]}");
+    return glb(text, bytes);
+  };
+  EXPECT_EQ(parse_glb(with_index(2), "a.glb").polygons.size(), 1u);
+  for (const float index : {-1.f, 3.f, -std::nanf("")})
+    EXPECT_NE(message(with_index(index)).find("has the vertex index"), std::string::npos) << index;
 }
 
 }  // namespace

@@ -6,12 +6,14 @@
 
 #include "conformal/io/data/Vertex_merger.h"
 #include "conformal/io/file/io_errors.h"
+#include "conformal/io/file/numbers.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 namespace conformal {
@@ -48,7 +50,7 @@ class Glb_reader {
     if (json.contains("scenes") && !json["scenes"].empty()) {
       for (const Json& node :
            json["scenes"].at(json.value("scene", 0)).value("nodes", Json::array()))
-        read_node(node.get<std::size_t>(), Eigen::Affine3d::Identity(), 0);
+        read_node(node.get<std::size_t>(), Eigen::Affine3d::Identity());
     } else if (json.contains("meshes")) {
       for (const Json& mesh : json["meshes"]) read_mesh(mesh, Eigen::Affine3d::Identity());
     }
@@ -59,16 +61,18 @@ class Glb_reader {
   Surface_file take() { return std::move(m_file); }
 
  private:
-  void read_node(std::size_t index, const Eigen::Affine3d& parent, std::size_t depth)
+  // Nodes form trees; where they do not, the number of ways through them may be exponential.
+  void read_node(std::size_t index, const Eigen::Affine3d& parent)
   {
     const Json& json = m_content.json();
-    if (depth > json.at("nodes").size()) throw Read_error(m_file.path, 0, "a node is below itself");
-    const Json& node = json["nodes"].at(index);
+    if (!m_read_nodes.insert(index).second)
+      throw Read_error(m_file.path, 0, "a node is below itself, or below two others");
+    const Json& node = json.at("nodes").at(index);
     const Eigen::Affine3d place = parent * placement(node);
     if (node.contains("mesh"))
       read_mesh(json.at("meshes").at(node["mesh"].get<std::size_t>()), place);
     for (const Json& child : node.value("children", Json::array()))
-      read_node(child.get<std::size_t>(), place, depth + 1);
+      read_node(child.get<std::size_t>(), place);
   }
 
   void read_mesh(const Json& mesh, const Eigen::Affine3d& place)
@@ -117,16 +121,20 @@ class Glb_reader {
     m_file.texture.index.resize(m_file.polygons.corners.size());
   }
 
+  [[noreturn]] void refuse_index(double index, std::size_t size) const
+  {
+    std::string message = "a face has the vertex index ";
+    append_number(message, index);
+    throw Read_error(m_file.path, 0,
+                     message + ", wanted 0 or more, and less than " + std::to_string(size));
+  }
+
   std::vector<std::size_t> indices(const Json& primitive, std::size_t size) const
   {
     std::vector<std::size_t> all;
     if (primitive.contains("indices")) {
       for (const auto& row : m_content.rows(primitive["indices"].get<std::size_t>())) {
-        if (!(row[0] < static_cast<double>(size)))
-          throw Read_error(m_file.path, 0,
-                           "a face has the vertex index " +
-                               std::to_string(static_cast<long>(row[0])) + ", wanted less than " +
-                               std::to_string(size));
+        if (!(row[0] >= 0 && row[0] < static_cast<double>(size))) refuse_index(row[0], size);
         all.push_back(static_cast<std::size_t>(row[0]));
       }
     } else {
@@ -187,6 +195,7 @@ class Glb_reader {
   Glb_content m_content;
   Bad_faces m_bad_faces;
   Vertex_merger m_merger;
+  std::set<std::size_t> m_read_nodes;
   std::vector<std::int64_t> m_corners;  // of the face that is read
   std::vector<std::optional<std::array<double, 4>>> m_colors;
   bool m_has_colors = false, m_has_others = false;

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_TRANSFORM_SUGGESTED_FACTOR_H
+#define CONFORMAL_TRANSFORM_SUGGESTED_FACTOR_H
+
+#include "solve_spin.h"
+
+#include "conformal/report/Session.h"
+
+namespace conformal {
+
+/// \brief Finds by bisection a factor below one with which rho of a refused problem has a solution
+/// that verifies; the largest one up to a sixteenth where all smaller ones verify. Zero if there is
+/// none, also where rho is zero.
+///
+/// Costs up to four solutions of the problem. \throws Failure if a signal comes
+double suggested_factor(const CGP::Mesh_view& mesh, const Spin_problem& refused,
+                        const Spin_options& options, const Session& session);
+
+}  // namespace conformal
+
+#endif
