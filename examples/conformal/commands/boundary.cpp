@@ -12,7 +12,6 @@
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
-#include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 
 namespace conformal {
 namespace {
@@ -114,14 +113,14 @@ CGP::Curvature_potential potential(const Surface_input& input, const Boundary_op
 
 /// \param rho in 1/length
 Spin_problem problem_of(CGP::Curvature_potential rho, CGP::Boundary_condition condition,
-                        const Surface_input& input, const Boundary_options& options)
+                        const Boundary_options& options)
 {
   Spin_problem problem;
   problem.rho = std::move(rho);
   problem.boundary = std::move(condition);
   // The prescribed data determine the loops: they close, or the residual is large.
   problem.closes_loops = false;
-  if (options.minimal) problem.kernel_tolerance = CGP::minimal_kernel_tolerance(input.mesh);
+  problem.minimal = options.minimal;
   return problem;
 }
 
@@ -140,7 +139,7 @@ void boundary(const Boundary_options& options, Session& session)
     require_boundary(component.input);
     const Spin_problem problem =
         problem_of(on_component(surface.rho, component, 1 / unit),
-                   on_component(condition, input.mesh, component), component.input, options);
+                   on_component(condition, input.mesh, component), options);
     surface.set(component, deform(component.input, problem, options.spin,
                                   "a gentler change of the directions", own));
   });
