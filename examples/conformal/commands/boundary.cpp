@@ -24,11 +24,12 @@ const char* const about =
     "a minimal one), or changes by rho as with conformal spin. Directions are absolute, sizes are "
     "not\n"
     "prescribed: area and centroid stay, unless positions are given.\n"
-    "Any binormals can be realised, up to a constant gamma that is added to rho; so can the "
-    "tangents\n"
-    "of plane curves, but of others only those that fulfil one condition, which the program "
-    "checks:\n"
-    "the exit code is 1, and nothing is written, where gamma times the radius stays away from 0.\n"
+    "Any binormals can be realised, up to a constant gamma that is added to rho, and with several\n"
+    "boundary loops the least rho that closes the surface (added_share); so can the tangents of "
+    "plane\n"
+    "curves, but of others only those that fulfil one condition, which the program checks: the "
+    "exit\n"
+    "code is 1, and nothing is written, where gamma times the radius stays away from 0.\n"
     "A loop begins at its vertex of smallest number, and has the surface on its left.\n"
     "Example: conformal boundary disk.off --binormal-tilt '40*cos(6*pi*s)' -o flower.ply";
 
@@ -118,8 +119,6 @@ Spin_problem problem_of(CGP::Curvature_potential rho, CGP::Boundary_condition co
   Spin_problem problem;
   problem.rho = std::move(rho);
   problem.boundary = std::move(condition);
-  // The prescribed data determine the loops: they close, or the residual is large.
-  problem.closes_loops = false;
   problem.minimal = options.minimal;
   return problem;
 }

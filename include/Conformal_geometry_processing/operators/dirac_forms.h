@@ -21,6 +21,10 @@ struct Dirac_forms {
   Block<Quaternion<double>> mass;   ///< V^H B^H M_F B V; positive definite
 };
 
+/// \ingroup PkgOperators
+/// row c of M (D - R) on a sheet, divided by its share; r: rho at the corners
+Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3d& r, int c);
+
 }  // namespace internal
 
 /// \ingroup PkgOperators

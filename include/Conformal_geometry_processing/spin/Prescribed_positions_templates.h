@@ -93,8 +93,9 @@ Quaternion<double> internal::Prescribed_positions<SolverTraits>::spin_at(
   const auto length = [&](const auto& p) {
     return (p(next) - p(k)).norm() + (p(k) - p(previous)).norm();
   };
-  const internal::Boundary_frame frame = boundary_frame(
-      target(next) - target(previous), condition.normals.col(static_cast<Eigen::Index>(first + k)));
+  const internal::Boundary_frame frame =
+      boundary_frame(circle_tangent(target(previous), target(k), target(next)),
+                     condition.normals.col(static_cast<Eigen::Index>(first + k)));
   if (!(frame.determinant() > 0.5))
     throw Precondition_error(function, "the curve folds back, or has its normal along it, at " +
                                            internal::name_of_vertex(loop[k]));

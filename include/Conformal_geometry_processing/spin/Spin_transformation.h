@@ -95,6 +95,12 @@ class Spin_transformation {
   /// \throw Solver_error if a factorization fails, or a solve
   const internal::Exactness_constraints& exactness(Curvature_potential::On on);
 
+  /// whether the boundary has directions that need not be those of the surface
+  bool turns_directions() const
+  {
+    return system().directions() && m_options.boundary.targets.cols() > 0;
+  }
+
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   void require_potential(const Curvature_potential& rho) const;
 
