@@ -72,11 +72,13 @@ TEST(Minimal_surface_of_directions, is_that_of_the_weierstrass_data_of_the_same_
           const CGP::Spin_result r = minimal(plane, plane, X, tnb);
           ASSERT_TRUE(r.report) << h[i] << " " << seed;
           const double error = shape_error(r.positions, mapped(plane, X).positions());
-          EXPECT_LT(error, .12 * h[i] * h[i]);
+          // On rings, the tangents have a second vector whose singular value tends to zero.
+          const bool is_unique = !has_hole || tnb == binormal;
+          EXPECT_LT(error, .12 * h[i] * h[i] + (is_unique ? 0 : 4e-4));
           if (seed < 4) errors[i] += error;
           EXPECT_LT(gamma_radius(r, plane), tnb == tangent ? h[i] : .1 * h[i] * h[i]);
         }
-      EXPECT_GT(slope(h, errors), 1.5);
+      EXPECT_GT(slope(h, errors), !has_hole ? 1.9 : tnb == binormal ? 1.6 : 1);
     }
 }
 

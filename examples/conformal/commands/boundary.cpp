@@ -66,6 +66,11 @@ void add_prescription(CLI::App& command, Prescription_options& prescription)
                    "has its binormals turned towards the normals, by a formula likewise")
       ->check(formula);
   what->require_option(1);
+  command
+      .add_option("--position-weight", prescription.position_weight,
+                  "weight of these positions against conformality; without it they are exact. With "
+                  "it, the boundary moves away from them within a layer of radius / weight")
+      ->check(CLI::PositiveNumber);
 }
 
 void add_options(CLI::App& command, Boundary_options& boundary, Common_options& common)

@@ -37,6 +37,15 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
   } direction_error;
   Boundary_fault boundary_fault = Boundary_fault::none;
 
+  /// with prescribed positions at a boundary, which no conformal surface need have: the edges need
+  /// not close up either, and the distortion of the map is what counts
+  bool has_positions = false;
+
+  /// the distances of the boundary from the prescribed positions, in lengths
+  struct Position_error {
+    double mean = 0, max = 0;
+  } position_error;
+
   /// how the intrinsic triangulation was built; over several steps the maximum, but what was
   /// measured in the first
   struct Mollification {
