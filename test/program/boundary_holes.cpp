@@ -48,6 +48,15 @@ TEST_F(Boundary_of_a_ring, is_refused_where_no_minimal_surface_has_its_binormals
   EXPECT_GT(std::abs(json("b.json")["result"]["boundary"]["gamma_radius"].get<double>()), .5);
 }
 
+TEST_F(Boundary_of_a_ring, is_not_written_even_by_force_where_there_is_none)
+{
+  write("a.off", off(cgp_test::random_domain(.12, 5, {{{.2, .1}, .3}})));
+  const std::string constant = "boundary a.off --tangent-rotation -360*s -o b.ply";
+  for (const std::string force : {"", " --force"})
+    EXPECT_TRUE(fails(run(constant + force), 1, "no surface conformally equivalent to this one"));
+  EXPECT_FALSE(has("b.ply"));
+}
+
 TEST_F(Boundary_of_a_ring, yields_positions_to_conformality_by_their_weight)
 {
   const auto disk = cgp_test::random_domain(.12, 5);

@@ -23,7 +23,9 @@ namespace internal {
 ///
 /// The quantity that adds up over transformations is the half-density rho |df|. The inexact part of
 /// rho is discarded: a retry, with a shrinking rest of the path to compensate for it, would lead to
-/// ever larger steps.
+/// ever larger steps. Where prescribed directions turn the boundary, they contribute periods of
+/// first order, too, and rho and they may close together: the first step goes all the way with all
+/// of rho, and adds what `closed_step()` needs.
 template <class Transformation>
 class Exact_steps {
  public:
