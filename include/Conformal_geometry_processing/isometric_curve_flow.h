@@ -33,9 +33,10 @@ Curve_flow_options curve_flow_options(const NamedParameters& np)
 /// that preserve the length of every edge [CGP 4.2, 6.4.3].
 ///
 /// The curve is a polygon, closed or open. Closed curves of turning number k converge to k-fold
-/// circles, or for k = 0 to the figure eight of minimal bending energy, open ones to straight
-/// lines. The energy, the integral of the squared curvature, decreases in every step; a step that
-/// would raise it is repeated with half of tau. The centroid is fixed.
+/// circles, or for k = 0 to the figure eight of minimal bending energy, also from figure eights
+/// that are run through several times, which are saddles; open ones converge to straight lines. The
+/// energy, the integral of the squared curvature, decreases in every step; a step that would raise
+/// it is repeated with half of tau. The centroid is fixed.
 ///
 /// Computes in double precision for any kernel. O(m) for each step, without a factorization. Use
 /// `Isometric_curve_flow` for single steps.

@@ -18,7 +18,9 @@ namespace Conformal_geometry_processing {
 ///
 /// Its shape is determined by the directions at its boundary: by default its tangents are
 /// preserved. For a flat mesh, tangents in its plane yield its conformal maps to other plane
-/// domains.
+/// domains. With binormals there is a surface for each eigenvalue gamma of D - rho, of mean
+/// curvature gamma / |lambda|^2; only gamma = 0 up to the discretisation error counts, and the
+/// report is false where no eigenvalue is.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -70,7 +72,7 @@ Spin_report minimal_surface(TriangleMesh& mesh,
   Boundary_condition condition = internal::boundary_condition(graph, np, "minimal_surface");
   if (condition.kind == Boundary_condition::Kind::free) condition = Boundary_condition::tangents();
   const Spin_result result = spin_to_minimal_surface<Solver_traits>(
-      graph.view(), condition, internal::dirac_options(np), "minimal_surface");
+      graph.view(), {condition}, internal::dirac_options(np), "minimal_surface");
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

@@ -40,8 +40,8 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
           internal_np::maximum_period_defect_t, internal_np::limits_t, internal_np::tolerance_t,
           internal_np::maximum_number_of_substeps_t, internal_np::boundary_direction_t,
           internal_np::boundary_direction_map_t, internal_np::vertex_target_point_map_t,
-          internal_np::kernel_tolerance_t, internal_np::branch_t, internal_np::mollification_t,
-          internal_np::scale_bound_t, internal_np::vertex_scale_map_t,
+          internal_np::position_weight_t, internal_np::kernel_tolerance_t, internal_np::branch_t,
+          internal_np::mollification_t, internal_np::scale_bound_t, internal_np::vertex_scale_map_t,
           internal_np::vertex_scale_weight_map_t, CGAL::internal_np::vertex_is_constrained_t,
           CGAL::internal_np::vertex_normal_map_t>,
       "spin_transform(): unknown named parameter, see the manual for those it accepts");
@@ -181,6 +181,12 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key; without
 ///                    `vertex_normal_map` it must have points for all vertices}
 ///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{position_weight}
+///     \cgalParamDescription{weight of the positions against conformality: with a finite one the
+///                           boundary is attached to them, in a layer of width radius / weight}
+///     \cgalParamType{a positive number}
+///     \cgalParamDefault{infinity: the positions are exact}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_normal_map}
 ///     \cgalParamDescription{normals of the new surface at prescribed boundary points}

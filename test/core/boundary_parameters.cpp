@@ -102,6 +102,9 @@ TEST_F(Boundary_parameters, with_target_points_prescribe_positions)
   EXPECT_EQ(c.kind, Kind::positions);
   EXPECT_EQ(c.targets, expected_image());
   EXPECT_EQ(c.normals, at_boundary([](const auto&) { return Eigen::Vector3d(0, 0, 1); }));
+  EXPECT_TRUE(std::isinf(c.weight));
+  const auto points = params::vertex_target_point_map(image<Kernel::Point_3>());
+  EXPECT_EQ(condition(points.vertex_normal_map(up).position_weight(20)).weight, 20);
 }
 
 TEST_F(Boundary_parameters, without_normals_take_those_of_the_target_points)

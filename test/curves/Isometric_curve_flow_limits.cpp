@@ -104,6 +104,26 @@ Curve flown_with_current_lengths(Curve curve, double tau, int steps)
   return curve;
 }
 
+// A figure eight run through several times has n^2 times the least energy, and is a saddle.
+TEST(Limits, of_eights_run_through_several_times_is_the_eight_run_once)
+{
+  const double m = parameter_of_eight(), K = Elliptic(m).K, least = 32 * K * K * (2 * m - 1);
+  for (const int times : {2, 3, 4})
+    for (const int size : {200, 300}) {
+      const Curve eight = sampled(size, [times](double t) {
+        return std::complex(2 * std::sin(times * t), std::sin(2 * times * t));
+      });
+      CGP::Curve_flow_options options;
+      options.max_steps = 400;
+      CGP::Isometric_curve_flow flow(eight, options);
+      CGP::Curve_flow_visitor silent;
+      const CGP::Curve_flow_report report = flow.run(silent);
+      EXPECT_TRUE(report) << times;
+      EXPECT_NEAR(energy_times_length(flow.points()), least, .003 * least) << times << " " << size;
+      EXPECT_LT(report.length_distortion, 1e-11);
+    }
+}
+
 TEST(Limits, of_the_eight_with_current_lengths_are_those_of_the_reference)
 {
   const auto limit = [](int m) {
@@ -166,6 +186,21 @@ TEST(Length_distortion, of_one_step_without_exact_closing_is_of_second_order)
       before = measured;
       tau /= 2;
     }
+  }
+}
+
+TEST(Length_distortion, is_that_of_the_points_that_are_written)
+{
+  for (const double offset : {0., 1e3, 1e6}) {
+    Curve far = flower(200);
+    far.colwise() += Eigen::Vector2d(offset, -2 * offset);
+    CGP::Isometric_curve_flow flow(far);
+    CGP::Curve_flow_visitor silent;
+    const CGP::Curve_flow_report report = flow.run(silent);
+    EXPECT_NEAR(report.length_distortion, distortion(far, flow.points()),
+                .01 * report.length_distortion + 1e-14)
+        << offset;
+    EXPECT_LT(report.length_distortion, 1e-12 + 2e-14 * offset);
   }
 }
 

@@ -132,10 +132,10 @@ TEST(Conformal_willmore_flow_with_turned_boundary, follows_oscillating_binormals
   const Mesh_view mesh = hemisphere(16);
   const CGP::Flow_report report =
       expect_reference(mesh, oscillating(mesh, .5), 24, 2.47960, 2.6e-3);
-  EXPECT_NEAR(report.conformality.quasi_conformal.mean, 1.01217, 1e-5);
+  EXPECT_NEAR(report.conformality.quasi_conformal.mean, 1.01214, 1e-5);
   const Mesh_view cap = cap_from_disk(disk(16), pi / 3);
   const CGP::Flow_report other = expect_reference(cap, oscillating(cap, .4), 10, 1.75499, 2.2e-3);
-  EXPECT_NEAR(other.conformality.quasi_conformal.mean, 1.00837, 1e-5);
+  EXPECT_NEAR(other.conformality.quasi_conformal.mean, 1.00833, 1e-5);
 }
 
 TEST(Conformal_willmore_flow_with_turned_boundary, takes_the_branch_that_turns_least)

@@ -10,6 +10,7 @@
 
 #include "support/bounded_meshes.h"
 #include "support/meshes.h"
+#include "support/random_delaunay.h"
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
@@ -88,11 +89,47 @@ TEST(Boundary_frames, are_right_handed_and_orthonormal_on_any_surface)
   }
 }
 
-TEST(Boundary_frames, are_second_order_where_edges_grow_along_the_boundary)
+TEST(Boundary_frames, have_the_tangents_of_circles_however_uneven_the_edges)
 {
-  const std::vector<double> errors = {tangent_error(moved_disk(8)), tangent_error(moved_disk(16)),
-                                      tangent_error(moved_disk(32))};
-  EXPECT_NEAR(slope({4, 2, 1}, errors), 2, .1);
+  for (const double h : {.5, .1}) EXPECT_LT(tangent_error(random_domain(h, 5)), 1e-13);
+  EXPECT_LT(tangent_error(moved_disk(8)), 1e-13);
+}
+
+TEST(Boundary_frames, are_second_order_on_curves_whose_edges_jump_in_length)
+{
+  std::vector<double> h{.2, .1, .05, .025}, errors;
+  for (const double length : h) {
+    const Mesh_view ellipse = mapped(random_domain(length, 5), [](const Eigen::Vector3d& p) {
+      return Eigen::Vector3d(2 * p.x(), p.y(), 0);
+    });
+    const CGP::internal::Boundary_frames b = CGP::boundary_frames(ellipse);
+    double sum = 0;
+    for (std::size_t k = 0; k < b.vertices.size(); ++k) {
+      const Eigen::Vector3d p = ellipse.position(b.vertices[k]), T(-2 * p.y(), p.x() / 2, 0);
+      sum += (b.tangent(k) - T.normalized()).norm() / static_cast<double>(b.vertices.size());
+    }
+    errors.push_back(sum);
+  }
+  EXPECT_NEAR(slope(h, errors), 2, .15);
+}
+
+TEST(Circle_tangent, is_that_of_the_circle_line_or_what_is_left_of_it)
+{
+  Random random(4);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Matrix3d R = random.rotation();
+    const auto point = [&R](double t) -> Eigen::Vector3d {
+      return R * Eigen::Vector3d(std::cos(t), std::sin(t), .3);
+    };
+    const double a = 1 + random.number(), b = 1 + random.number();
+    const Eigen::Vector3d T = CGP::circle_tangent(point(-a), point(0), point(b)).normalized();
+    EXPECT_LT((T - R.col(1)).norm(), 1e-8);
+  }
+  const Eigen::Vector3d o(0, 0, 0), x(1, 0, 0);
+  EXPECT_EQ(CGP::circle_tangent(o, x, 4 * x).normalized(), x);
+  EXPECT_EQ(CGP::circle_tangent(o, o, x), x);
+  EXPECT_EQ(CGP::circle_tangent(o, x, x), x);
+  EXPECT_EQ(CGP::circle_tangent(o, x, o), o);
 }
 
 TEST(Boundary_frames, turn_with_the_surface)

@@ -22,7 +22,7 @@ namespace CGP = Conformal_geometry_processing;
 CGP::Spin_result flattened(const Mesh_view& mesh)
 {
   return CGP::spin_to_minimal_surface(
-      mesh, CGP::Boundary_condition::tangents(CGP::planar_directions(mesh)));
+      mesh, {CGP::Boundary_condition::tangents(CGP::planar_directions(mesh))});
 }
 
 double height_over_width(const Points& p)

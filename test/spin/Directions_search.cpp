@@ -5,6 +5,7 @@
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
 #include <Conformal_geometry_processing/spin/Directions_search.h>
+#include <Conformal_geometry_processing/spin/boundary_fault.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
 #include <Eigen/Eigenvalues>
@@ -86,8 +87,8 @@ class Directions_search : public testing::Test {
   {
     CGP::internal::Dirac_solution s;
     system.set_potential(rho, s.seconds);
-    CGP::internal::Directions_search<CGP::Default_solver_traits>(system).solve(rho, options, s,
-                                                                               go_further);
+    CGP::internal::Directions_search<CGP::Default_solver_traits>(system, rho, options)
+        .solve(s, go_further);
     return s;
   }
 
@@ -136,6 +137,26 @@ TEST_F(Directions_search, finds_the_vector_nearest_to_the_guide)
   EXPECT_TRUE(s.gap == 0 || std::abs(s.gap - gap) < 1e-3 / unit);  // if others were looked for
   EXPECT_NEAR(s.overlap, overlap(nearest), 1e-9);
   EXPECT_LT(greatest_difference(s.lambda, normalized(vectors.col(nearest))), 1e-8);
+}
+
+TEST_F(Directions_search, takes_the_nearest_of_eigenvalue_zero_or_the_smallest)
+{
+  System self_adjoint(mesh, Boundary_condition::binormals());
+  CGP::Dirac_options options = exactly(), smallest = exactly();
+  options.branch = CGP::Dirac_options::Branch::zero;
+  smallest.branch = CGP::Dirac_options::Branch::smallest;
+  int zeros = 0, others = 0;
+  for (const double shift : {0., 3., 6., 9., 12., 15., 18.}) {
+    const Curvature_potential shifted{rho.on, rho.values.array() + shift / unit};
+    const auto s = CGP::solve_dirac_equation(self_adjoint, shifted, options);
+    const bool is_zero = std::abs(s.eigenvalue) <= CGP::greatest_zero(mesh);
+    is_zero ? ++zeros : ++others;
+    if (is_zero) continue;
+    EXPECT_NEAR(s.eigenvalue, CGP::solve_dirac_equation(self_adjoint, shifted, smallest).eigenvalue,
+                1e-10);
+  }
+  EXPECT_GT(zeros, 0);
+  EXPECT_GT(others, 0);
 }
 
 TEST_F(Directions_search, projects_the_guide_on_what_counts_as_kernel)

@@ -61,10 +61,10 @@ TEST_F(Prescribed_positions, turn_and_stretch_the_boundary_into_the_curve)
   const std::size_t n = loop.size();
   for (std::size_t k = 0; k < n; ++k) {
     const int v = loop[k], next = loop[(k + 1) % n], last = loop[(k + n - 1) % n];
-    const auto length = [&](const Mesh_view& m) {
-      return (m.position(next) - m.position(v)).norm() + (m.position(v) - m.position(last)).norm();
-    };
-    const double ratio = length(curve) / length(mesh);
+    const auto in = [&](const Mesh_view& m) { return (m.position(v) - m.position(last)).norm(); };
+    const auto out = [&](const Mesh_view& m) { return (m.position(next) - m.position(v)).norm(); };
+    const double ratio = (in(curve) / in(mesh)*out(mesh) + out(curve) / out(mesh) * in(mesh)) /
+                         (in(mesh) + out(mesh));
     for (int c = 0; c < 3; ++c)
       EXPECT_LT((CGP::spin(s.lambda[v], frames.frames[k].col(c)) - ratio * wanted[k].col(c)).norm(),
                 1e-13);

@@ -95,6 +95,16 @@ TEST(Spin_report, is_a_success_without_fault_only)
   expect_fault(report, Fault::cancelled);
 }
 
+TEST(Spin_report, does_not_want_edges_to_close_up_where_positions_are_prescribed)
+{
+  CGP::Spin_report report = success();
+  report.closure_residual = 0.2;
+  report.has_positions = true;
+  expect_fault(report, Fault::none);
+  report.conformality.quasi_conformal_of_new_area = 2;
+  expect_fault(report, Fault::map);
+}
+
 // A tolerance of 1e300 makes every vector converge.
 TEST(Spin_report, is_no_success_with_a_large_residual_whatever_was_asked_for)
 {

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
 // Tests include/Conformal_geometry_processing/spin/Prescribed_positions.h
+#include <limits>
+
 #include "spin/boundary_tools.h"
+#include "support/random_delaunay.h"
 
 /// New positions of the boundary, against closed forms and tables computed by other code.
 namespace {
@@ -61,7 +64,7 @@ TEST(Spin_transformation_to_new_positions, finds_the_holomorphic_map)
 {
   expect_rows(rows(
                   disk, [](int n) { return mapped(disk(n), quadratic_map); }, 0),
-              {1.05388, 1.02661, 1.01322, 1.00659}, {7.0e-5, 1.8e-5, 4.5e-6, 1.1e-6}, 2);
+              {1.05388, 1.02661, 1.01322, 1.00659}, {1.32e-4, 3.39e-5, 8.6e-6, 2.17e-6}, 2);
 }
 
 TEST(Spin_transformation_to_new_positions, finds_enneper_s_surface)
@@ -88,6 +91,87 @@ TEST(Spin_transformation_to_new_positions, gives_way_where_there_is_no_conformal
     });
     const CGP::Spin_result r = transformed(mesh, boundary_of(image), constant_potential(mesh, 0));
     EXPECT_NEAR(mean_Q(r), 1.2753, .02 * .2753);
+  }
+}
+
+TEST(Spin_transformation_to_new_positions, is_judged_by_the_distortion_that_they_cost)
+{
+  const Mesh_view mesh = random_domain(.1, 5);
+  const auto result = [&mesh](const Mesh_view& image) {
+    return CGP::Spin_transformation<>(mesh, {boundary_of(image)})
+        .transform(constant_potential(mesh, 0));
+  };
+  const auto ellipse = [&mesh](double a) {
+    return mapped(mesh, [a](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+      return {a * p.x(), p.y(), 0};
+    });
+  };
+  const Mesh_view saddle = mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return {p.x(), p.y(), .2 * (p.x() * p.x() - p.y() * p.y())};
+  });
+  const Mesh_view slide = mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return Eigen::AngleAxisd(.1 * p.y(), Eigen::Vector3d(0, 0, 1)) * p;
+  });
+  for (const Mesh_view& image : {saddle, slide, ellipse(1.05), ellipse(1.3)}) {
+    const CGP::Spin_result r = result(image);
+    EXPECT_TRUE(r.report);
+    EXPECT_EQ(r.report.boundary_fault, CGP::Spin_report::Boundary_fault::none);
+    EXPECT_LT(r.report.position_error.max, 1e-14);
+    EXPECT_GT(mean_Q(r), 1.005);
+  }
+  EXPECT_NEAR(mean_Q(result(ellipse(1.3))), 1.3, .02);  // as affine
+  EXPECT_EQ(result(ellipse(1.8)).report.fault(), CGP::Spin_report::Fault::map);
+}
+
+TEST(Spin_transformation_to_new_positions, trades_them_for_conformality_by_their_weight)
+{
+  const Mesh_view mesh = random_domain(.1, 5);
+  const Mesh_view saddle = mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return {p.x(), p.y(), .2 * (p.x() * p.x() - p.y() * p.y())};
+  });
+  const auto result = [&](double weight) {
+    Boundary_condition condition = boundary_of(saddle);
+    condition.weight = weight;
+    return CGP::Spin_transformation<>(mesh, {condition}).transform(constant_potential(mesh, 0));
+  };
+  const CGP::Spin_result exact = result(std::numeric_limits<double>::infinity());
+  double Q = 1, distance = std::numeric_limits<double>::infinity();
+  for (const double weight : {.1, 1., 10., 100., 1000.}) {
+    const CGP::Spin_result r = result(weight);
+    EXPECT_TRUE(r.report);
+    EXPECT_GT(mean_Q(r), Q);
+    EXPECT_LT(r.report.position_error.mean, distance);
+    Q = mean_Q(r);
+    distance = r.report.position_error.mean;
+  }
+  EXPECT_LT(mean_Q(result(.1)), 1.005);  // of the edges, at any weight
+  EXPECT_LT(Q, mean_Q(exact));
+  EXPECT_NEAR(Q, mean_Q(exact), 1e-3);
+  EXPECT_LT(distance, 1e-4);
+}
+
+TEST(Spin_transformation_to_new_positions, with_a_weight_moves_with_the_curve)
+{
+  const Mesh_view mesh = cap_from_disk(jittered_disk(6, .3), 1), image = perturbed(mesh, .02);
+  const Eigen::Matrix3d R = Random(2).rotation();
+  const Eigen::Vector3d t(100, -200, 300);
+  Boundary_condition here = boundary_of(image), there = here;
+  there.targets = (3 * R * here.targets).colwise() + t;
+  there.normals = R * here.normals;
+  here.weight = there.weight = 5;
+  const CGP::Spin_result a = transformed(mesh, here, constant_potential(mesh, .3)),
+                         b = transformed(mesh, there, constant_potential(mesh, .3));
+  EXPECT_LT(greatest_distance((3 * R * a.positions).colwise() + t, b.positions), 1e-11);
+  EXPECT_NEAR(b.report.position_error.mean, 3 * a.report.position_error.mean, 1e-11);
+}
+
+TEST(Spin_transformation_to_new_positions, refuses_a_weight_that_is_none)
+{
+  Boundary_condition condition = boundary_of(disk(3));
+  for (const double weight : {0., -1., std::numeric_limits<double>::quiet_NaN()}) {
+    condition.weight = weight;
+    EXPECT_EQ(refusal_of([&] { CGP::Spin_transformation<>(disk(3), {condition}, "f"); }),
+              "the weight of positions must be positive");
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -81,6 +82,13 @@ TEST_F(Boundary_fault_of_a_disk, is_a_zero_of_the_spins)
   EXPECT_EQ(fault(0), Boundary_fault::none);
   report.min_spin_ratio = .019;
   EXPECT_EQ(fault(0), Boundary_fault::degenerate);
+}
+
+TEST_F(Boundary_fault_of_a_disk, allows_eigenvalues_that_should_be_zero_less_than_misfits)
+{
+  EXPECT_NEAR(CGP::greatest_zero(mesh) * radius, std::max(h, .05), 1e-12);
+  EXPECT_NEAR(CGP::greatest_zero(disk(70)), .05, 1e-3);
+  EXPECT_LT(CGP::greatest_zero(mesh), CGP::greatest_misfit(mesh));
 }
 
 TEST(Spin_report, with_a_fault_at_the_boundary_is_false)

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -20,26 +21,49 @@ namespace CGP = Conformal_geometry_processing;
 
 TEST(Delaunay_meridian, goes_from_bulge_to_neck_and_back_in_one_period)
 {
-  for (const double neck : {.3, -.2, 1.}) {
+  for (const double neck : {.3, -.2, 1., .01, -1e-4, 1e-8}) {
     const CGP::internal::Delaunay_meridian meridian(neck, 1);
     const Eigen::Matrix2Xd p = meridian.points(10, 11);
     EXPECT_NEAR(p(0, 0), 1, 1e-15) << neck;
-    EXPECT_NEAR(p(0, 5), std::abs(neck), 1e-9) << neck;
-    EXPECT_NEAR(p(0, 10), 1, 1e-9) << neck;
-    EXPECT_NEAR(p(1, 10), 2 * p(1, 5), 1e-9) << neck;
+    EXPECT_NEAR(p(0, 5), std::abs(neck), 1e-14) << neck;
+    EXPECT_NEAR(p(0, 10), 1, 1e-15) << neck;
+    EXPECT_NEAR(p(1, 10), 2 * p(1, 5), 1e-14) << neck;
   }
 }
 
 // A focus of an ellipse that rolls on the axis draws it, and one turn is one period.
 TEST(Delaunay_meridian, of_an_unduloid_is_as_high_as_an_ellipse_is_round)
 {
-  const double neck = .25, bulge = 1.1, a = (bulge + neck) / 2, b = std::sqrt(bulge * neck);
-  double perimeter = 0;
-  for (int i = 0; i < 1000; ++i) {
-    const double t = 2 * pi * i / 1000;
-    perimeter += std::hypot(a * std::sin(t), b * std::cos(t)) * 2 * pi / 1000;
+  for (const double neck : {.9, .25, .01, 1e-4}) {
+    const double bulge = 1.1, a = (bulge + neck) / 2, b = std::sqrt(bulge * neck);
+    double perimeter = 0;
+    const int n = 200000;
+    for (int i = 0; i < n; ++i) {
+      const double t = 2 * pi * i / n;
+      perimeter += std::hypot(a * std::sin(t), b * std::cos(t)) * 2 * pi / n;
+    }
+    EXPECT_NEAR(CGP::internal::Delaunay_meridian(neck, bulge).points(4, 5)(1, 4), perimeter, 1e-12)
+        << neck;
   }
-  EXPECT_NEAR(CGP::internal::Delaunay_meridian(neck, bulge).points(4, 5)(1, 4), perimeter, 1e-9);
+}
+
+// The force along the axis is constant, and the parameter is conformal.
+TEST(Delaunay_meridian, solves_its_equations)
+{
+  for (const double neck : {.4, -.4, .01, -1e-3}) {
+    const CGP::internal::Delaunay_meridian meridian(neck, 1);
+    const double H = meridian.mean_curvature(), c = H * neck;
+    const int n = 20000;
+    const Eigen::Matrix2Xd p = meridian.points(n, 2 * n);
+    const double h = meridian.period() / n;
+    double greatest = 0;
+    for (int i = 1; i + 1 < p.cols(); ++i) {
+      const Eigen::Vector2d d = (p.col(i + 1) - p.col(i - 1)) / (2 * h);
+      const double x = p(0, i);
+      greatest = std::max({greatest, std::abs(d.y() - c - H * x * x), std::abs(d.norm() - x)});
+    }
+    EXPECT_LT(greatest, 10 * h * h) << neck;
+  }
 }
 
 TEST(Delaunay_meridian, of_a_nodoid_turns_back_at_the_neck)

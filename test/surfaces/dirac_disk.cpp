@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "support/bounded_meshes.h"
+#include "support/random_delaunay.h"
 #include "support/spheres.h"
 
 namespace {
@@ -59,6 +60,16 @@ TEST(Dirac_disk, of_the_first_zero_of_j0_is_the_surface_in_closed_form)
   }
   EXPECT_LT(errors.back(), 1e-4);
   EXPECT_NEAR(slope(h, errors), 2, 0.2);
+}
+
+TEST(Dirac_disk, is_refused_where_a_branch_point_folds_faces_over)
+{
+  for (const double h : {.1, .05}) {
+    const CGP::Spin_result result = CGP::dirac_disk(random_domain(h, 3), 3.0642369283);
+    EXPECT_GT(result.report.conformality.flipped_faces, 0);
+    EXPECT_EQ(result.report.fault(), CGP::Spin_report::Fault::map);
+  }
+  EXPECT_TRUE(CGP::dirac_disk(random_domain(.1, 3), 1.85).report);  // it has none
 }
 
 TEST(Dirac_disk, of_eigenvalue_zero_is_the_disk)

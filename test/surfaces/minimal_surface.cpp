@@ -55,7 +55,7 @@ TEST(Minimal_surface, with_the_tangents_of_an_enneper_surface_is_that_to_roundin
   CGP::Dirac_options options;
   options.tolerance = 1e-13;
   const CGP::Spin_result result = CGP::spin_to_minimal_surface(
-      plane, CGP::Boundary_condition::tangents(enneper_tangents(plane)), options);
+      plane, {CGP::Boundary_condition::tangents(enneper_tangents(plane))}, options);
   ASSERT_TRUE(result.report);
   EXPECT_LT(CGP::align(result.positions, enneper(plane).positions()).max, 1e-12);
 }

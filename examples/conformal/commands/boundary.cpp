@@ -12,7 +12,6 @@
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
-#include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 
 namespace conformal {
 namespace {
@@ -25,11 +24,12 @@ const char* const about =
     "a minimal one), or changes by rho as with conformal spin. Directions are absolute, sizes are "
     "not\n"
     "prescribed: area and centroid stay, unless positions are given.\n"
-    "Any binormals can be realised, up to a constant gamma that is added to rho; so can the "
-    "tangents\n"
-    "of plane curves, but of others only those that fulfil one condition, which the program "
-    "checks:\n"
-    "the exit code is 1, and nothing is written, where gamma times the radius stays away from 0.\n"
+    "Any binormals can be realised, up to a constant gamma that is added to rho, and with several\n"
+    "boundary loops the least rho that closes the surface (added_share); so can the tangents of "
+    "plane\n"
+    "curves, but of others only those that fulfil one condition, which the program checks: the "
+    "exit\n"
+    "code is 1, and nothing is written, where gamma times the radius stays away from 0.\n"
     "A loop begins at its vertex of smallest number, and has the surface on its left.\n"
     "Example: conformal boundary disk.off --binormal-tilt '40*cos(6*pi*s)' -o flower.ply";
 
@@ -66,6 +66,11 @@ void add_prescription(CLI::App& command, Prescription_options& prescription)
                    "has its binormals turned towards the normals, by a formula likewise")
       ->check(formula);
   what->require_option(1);
+  command
+      .add_option("--position-weight", prescription.position_weight,
+                  "weight of these positions against conformality; without it they are exact. With "
+                  "it, the boundary moves away from them within a layer of radius / weight")
+      ->check(CLI::PositiveNumber);
 }
 
 void add_options(CLI::App& command, Boundary_options& boundary, Common_options& common)
@@ -114,14 +119,12 @@ CGP::Curvature_potential potential(const Surface_input& input, const Boundary_op
 
 /// \param rho in 1/length
 Spin_problem problem_of(CGP::Curvature_potential rho, CGP::Boundary_condition condition,
-                        const Surface_input& input, const Boundary_options& options)
+                        const Boundary_options& options)
 {
   Spin_problem problem;
   problem.rho = std::move(rho);
   problem.boundary = std::move(condition);
-  // The prescribed data determine the loops: they close, or the residual is large.
-  problem.closes_loops = false;
-  if (options.minimal) problem.kernel_tolerance = CGP::minimal_kernel_tolerance(input.mesh);
+  problem.minimal = options.minimal;
   return problem;
 }
 
@@ -140,7 +143,7 @@ void boundary(const Boundary_options& options, Session& session)
     require_boundary(component.input);
     const Spin_problem problem =
         problem_of(on_component(surface.rho, component, 1 / unit),
-                   on_component(condition, input.mesh, component), component.input, options);
+                   on_component(condition, input.mesh, component), options);
     surface.set(component, deform(component.input, problem, options.spin,
                                   "a gentler change of the directions", own));
   });

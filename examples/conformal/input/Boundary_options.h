@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_INPUT_BOUNDARY_OPTIONS_H
 #define CONFORMAL_INPUT_BOUNDARY_OPTIONS_H
 
+#include <limits>
 #include <string>
 
 namespace conformal {
@@ -10,11 +11,12 @@ namespace conformal {
 /// what stays as it is at the boundary of a surface that has one
 enum class Boundary_choice { free, tangents, binormals };
 
-/// The prescribed boundary: exactly one member is not empty
+/// The prescribed boundary: exactly one string is not empty
 struct Prescription_options {
-  std::string tangents_from, binormals_from, positions_from;  ///< files with meshes
-  std::string curve;                                          ///< a file with points
-  std::string tangent_rotation, binormal_tilt;                ///< formulas
+  std::string tangents_from, binormals_from, positions_from;         ///< files with meshes
+  std::string curve;                                                 ///< a file with points
+  std::string tangent_rotation, binormal_tilt;                       ///< formulas
+  double position_weight = std::numeric_limits<double>::infinity();  ///< against conformality
 };
 
 }  // namespace conformal

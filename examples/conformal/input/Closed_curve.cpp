@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Closed_curve.h"
 
+#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -49,7 +51,8 @@ CGP::Points tangents(const CGP::Points& closed_polygon)
   const Eigen::Index n = closed_polygon.cols();
   CGP::Points T(3, n);
   for (Eigen::Index k = 0; k < n; ++k)
-    T.col(k) = closed_polygon.col((k + 1) % n) - closed_polygon.col((k + n - 1) % n);
+    T.col(k) = CGP::circle_tangent(closed_polygon.col((k + n - 1) % n), closed_polygon.col(k),
+                                   closed_polygon.col((k + 1) % n));
   return T;
 }
 

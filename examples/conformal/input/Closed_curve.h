@@ -35,7 +35,7 @@ class Closed_curve {
   double m_length = 0;
 };
 
-/// from the point before to the point after, for each point; 3 x n, not normalised
+/// those of the circles through each point and its neighbours; 3 x n, not normalised
 CGP::Points tangents(const CGP::Points& closed_polygon);
 
 }  // namespace conformal

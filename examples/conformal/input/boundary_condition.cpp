@@ -42,13 +42,13 @@ CGP::Mesh_view target_surface(const Surface_input& input, const std::string& pat
   return {positions_in(input, read_file_like(input, path)), input.mesh.corners()};
 }
 
-Boundary_condition positions_of(const CGP::Mesh_view& target)
+Boundary_condition positions_of(const CGP::Mesh_view& target, double weight)
 {
   const auto frames = CGP::boundary_frames(target);
   CGP::Points points(3, count(frames));
   for (Eigen::Index k = 0; k < points.cols(); ++k)
     points.col(k) = target.position(frames.vertices[static_cast<std::size_t>(k)]);
-  return Boundary_condition::positions(std::move(points), axes(frames, 1));
+  return Boundary_condition::positions(std::move(points), axes(frames, 1), weight);
 }
 
 /// The angles in radians that a formula of degrees gives at the boundary.
@@ -107,7 +107,7 @@ Boundary_condition condition_of(const Surface_input& input, const Prescription_o
     return directions_of(input, target_surface(input, options.binormals_from),
                          Boundary_choice::binormals);
   if (!options.positions_from.empty())
-    return positions_of(target_surface(input, options.positions_from));
+    return positions_of(target_surface(input, options.positions_from), options.position_weight);
   if (!options.curve.empty())
     return Boundary_condition::tangents(tangents_of_curves(input, options.curve));
   const auto frames = CGP::boundary_frames(input.mesh);

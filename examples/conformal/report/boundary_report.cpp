@@ -43,6 +43,14 @@ void tell_directions(const CGP::Spin_report& spin, Report& report)
               text_of(mean, 3) + " in the mean, " + text_of(max, 3) + " at most");
 }
 
+void tell_positions(const CGP::Spin_report& spin, Report& report)
+{
+  report.set("result/boundary/position_error/mean", spin.position_error.mean);
+  report.set("result/boundary/position_error/max", spin.position_error.max);
+  report.show("positions missed by", text_of(spin.position_error.mean, 3) + " in the mean, " +
+                                         text_of(spin.position_error.max, 3) + " at most");
+}
+
 }  // namespace
 
 void tell_boundary(const CGP::Mesh_view& mesh, const CGP::Boundary_condition& condition,
@@ -54,6 +62,7 @@ void tell_boundary(const CGP::Mesh_view& mesh, const CGP::Boundary_condition& co
   report.tell("result/boundary/gamma_radius", "gamma times the radius",
               spin.eigenvalue * radius(mesh), 3);
   if (condition.kind == Kind::directions) tell_directions(spin, report);
+  if (condition.kind == Kind::positions) tell_positions(spin, report);
   if (spin.boundary_fault == CGP::Spin_report::Boundary_fault::none)
     report.set("result/boundary/fault", Report::Value(nullptr));
   else

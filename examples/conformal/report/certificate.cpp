@@ -27,6 +27,7 @@ void report_details(const CGP::Spin_report& spin, Report& report)
   report.set("result/steps", spin.steps);
   report.set("result/reached", spin.reached);
   report.set("result/missing_share", spin.missing_share);
+  report.set("result/added_share", spin.added_share);
   report.set("result/period_defect", spin.period_defect);
   report.set("steps", Report::Value(std::vector<double>()));
 }
@@ -65,6 +66,9 @@ void tell_certificate(const CGP::Spin_report& spin, int faces, Outcome& outcome)
     report.show("steps that keep handles closed", std::to_string(spin.steps));
     report.show("left out of rho, for handles (%)", text_of(100 * spin.missing_share, 3));
   }
+  if (spin.added_share > 0)
+    report.show("added to rho, to close holes (% of the curvature of a sphere)",
+                text_of(100 * spin.added_share, 3));
   tell_scales(spin.scales, report);
   tell_mollification(spin.mollification, report);
   tell_conformality(spin.conformality, measured_faces(spin, faces), report);

@@ -29,7 +29,7 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
   if (report.boundary_fault == CGP::Spin_report::Boundary_fault::not_realizable)
     return what + "; try: binormals instead of tangents, the tangents of a plane curve, or " +
            easier;
-  if (report.boundary_fault == CGP::Spin_report::Boundary_fault::degenerate)
+  if (report.boundary_fault != CGP::Spin_report::Boundary_fault::none)
     return what + "; try: " + easier + ", or a finer mesh";
   return "directions at the boundary are missed by " +
          text_of(report.direction_error.mean * 180 / std::acos(-1.), 3) +
@@ -73,6 +73,8 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
   judged.limits = bounds(limits);
   switch (judged.fault()) {
     case Fault::nothing_left:
+      if (report.boundary_fault != CGP::Spin_report::Boundary_fault::none)
+        return fault_of_boundary(report, limits, easier);
       return "no part of rho could be reached with handles and holes closed; try: a weaker rho, a "
              "finer mesh, or --open-handles";
     case Fault::not_finite:

@@ -53,7 +53,8 @@ void conclude(const Spin_solution& solution, const Spin_options& options, const 
 {
   const Evidence evidence{solution.positions, solution.report};
   const Verdict verdict = judge(evidence, options.limits, easier);
-  session.conclude(verdict, on_fault(options.force), what);
+  const bool has_surface = solution.positions.cols() > 0;  // else there is nothing to write
+  session.conclude(verdict, on_fault(options.force && has_surface), what);
   if (verdict.is_verified()) note_departures(solution, session);
 }
 

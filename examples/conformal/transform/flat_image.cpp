@@ -91,7 +91,7 @@ Flat_image minimal_image(const Surface_input& input, const Flatten_options& opti
   how.tolerance = session.options().tolerance;
   how.random_seed = session.options().seed;
   const CGP::Spin_result result = CGP::spin_to_minimal_surface(
-      input.mesh, CGP::Boundary_condition::tangents(CGP::planar_directions(input.mesh)), how,
+      input.mesh, {CGP::Boundary_condition::tangents(CGP::planar_directions(input.mesh))}, how,
       "flatten");
   const int faces = input.mesh.size_of_faces();
   tell_certificate(result.report, faces, session.outcome());

@@ -5,6 +5,7 @@
 #include "conformal/process/Failure.h"
 
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 #include <Conformal_geometry_processing/templates.h>
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
 #include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
@@ -29,8 +30,11 @@ Spin_solution solve_by(const CGP::Mesh_view& mesh, const Spin_problem& problem,
   own.scales.bound = problem.max_scale;
   if (!problem.closes_loops) own.exactness.reset();
   if (problem.mollification > 0) own.mollification = problem.mollification;
-  CGP::Spin_result result = CGP::Spin_transformation<SolverTraits>(mesh, own, "spin")
-                                .transform(problem.rho, options, std::cref(go_further));
+  CGP::Spin_result result = problem.minimal
+                                ? CGP::spin_to_minimal_surface<SolverTraits>(
+                                      mesh, own, options, "boundary", std::cref(go_further))
+                                : CGP::Spin_transformation<SolverTraits>(mesh, own, "spin")
+                                      .transform(problem.rho, options, std::cref(go_further));
   return {std::move(result.positions), std::move(result.lambda), result.report};
 }
 
@@ -46,7 +50,6 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem
                       : CGP::Dirac_options::Eigenproblem::standard;
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
-  dirac.kernel_tolerance = problem.kernel_tolerance;
   const std::optional<double> defect = options.max_period_defect;
   if (options.solver == "eigen")
     return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, problem, defect, dirac, go_further);

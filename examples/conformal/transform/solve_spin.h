@@ -33,15 +33,15 @@ struct Spin_solution {
 struct Spin_problem {
   CGP::Curvature_potential rho;
   CGP::Boundary_condition boundary;
-  double kernel_tolerance = 0;
+  bool minimal = false;      ///< rho is -H, and gamma has to be zero
   double mollification = 0;  ///< if not 0, on the intrinsic Delaunay triangulation
   double second_try = 0;     ///< the mollification where a result without does not verify; 0: none
   std::optional<double> max_scale;  ///< bound on factors of lengths
   bool closes_loops = true;         ///< in as many steps as it takes; leaves out what opens them
 };
 
-/// Calls the library's `Spin_transformation` with the solver that the options name. This is the one
-/// place that compiles it.
+/// Calls the library's `Spin_transformation`, or `spin_to_minimal_surface()`, with the solver that
+/// the options name. This is the one place that compiles it.
 Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
                          const Spin_options& options, const Common_options& common,
                          const std::function<bool(const CGP::Eigensolver_progress&)>& go_further);

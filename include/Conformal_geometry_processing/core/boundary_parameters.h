@@ -93,9 +93,9 @@ void require_constrained_boundary(const Graph_view<TriangleMesh>& graph,
 }
 
 /// Returns the boundary condition given by named parameters: `vertex_target_point_map` for
-/// positions, `boundary_direction` and `boundary_direction_map` for directions (the tangents, if
-/// only the second is given), otherwise a free boundary.
-/// \throw Precondition_error if `vertex_is_constrained_map` contains only a part of the boundary
+/// positions, with `position_weight`, `boundary_direction` and `boundary_direction_map` for
+/// directions (the tangents, if only the second is given), otherwise a free boundary. \throw
+/// Precondition_error if `vertex_is_constrained_map` contains only a part of the boundary
 template <class TriangleMesh, class NamedParameters>
 Boundary_condition boundary_condition(const Graph_view<TriangleMesh>& graph,
                                       const NamedParameters& np, const std::string& function)
@@ -118,6 +118,8 @@ Boundary_condition boundary_condition(const Graph_view<TriangleMesh>& graph,
     const auto traits = geometry_traits<TriangleMesh>(np);
     condition.kind = Boundary_condition::Kind::positions;
     condition.targets = read_points(graph, vertices, target, traits);
+    condition.weight = CGAL::to_double(CGAL::parameters::choose_parameter(
+        get_parameter(np, internal_np::position_weight), condition.weight));
     if constexpr (has_parameter<NamedParameters, CGAL::internal_np::vertex_normal_map_t>) {
       const auto normals = get_parameter(np, CGAL::internal_np::vertex_normal_map);
       condition.normals = read_vectors(graph, vertices, normals);

@@ -29,6 +29,7 @@
   X(boundary_direction)                                 \
   X(boundary_direction_map)                             \
   X(vertex_target_point_map)                            \
+  X(position_weight)                                    \
   X(kernel_tolerance)                                   \
   X(mollification)                                      \
   X(branch)                                             \

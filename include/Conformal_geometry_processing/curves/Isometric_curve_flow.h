@@ -26,6 +26,10 @@ namespace Conformal_geometry_processing {
 /// rotated to match the previous one as well as possible. A step that fails to close, changes the
 /// turning number or raises the energy is repeated with half of tau. O(m) time per step, without
 /// allocations.
+///
+/// The least energy is that of the k-fold circle, or of the figure eight if the turning number k is
+/// zero. A figure eight that is run through several times is critical, too, but a saddle: where the
+/// flow settles at one, the curve is bent along long waves, and goes on if it finds less energy.
 class Isometric_curve_flow {
  public:
   /// \param points the vertices, 2 x m \param function named in exceptions
@@ -71,13 +75,14 @@ class Isometric_curve_flow {
         visitor.on_step_end(report.steps.back(), m_output);
     }
     report.energy = energy();
-    report.length_distortion = length_distortion(m_points, m_lengths);
+    report.length_distortion = length_distortion(m_output, m_given_lengths);
     report.seconds = watch.lap();
     return report;
   }
 
  private:
   static constexpr int max_trials = 12;
+  static constexpr int max_saddle_steps = 50;    // eights run twice need three
   static constexpr double energy_noise = 1e-11;  // relative to the initial energy
 
   static const internal::Plane_points& required(const internal::Plane_points& points,
@@ -87,11 +92,25 @@ class Isometric_curve_flow {
   bool has_same_turns();
   Curve_step_report::Stop accept(Curve_step_report& report);
 
+  /// whether the curve is far above the least energy of its turning number, zero
+  bool is_saddle() const;
+
+  /// bends the curve along long waves and lets it flow until its energy is lower than now; returns
+  /// false, with the curve unchanged, if it does not become so
+  bool leave_saddle();
+
+  /// goes the amplitude along m_direction and then down, and returns whether the energy falls below
+  bool falls_below(double energy, double amplitude);
+
+  /// makes m_direction a sum of long waves of curvature that keeps the curve closed to first order
+  void set_long_waves();
+
   Curve_flow_options m_options;
   internal::Curve_frame m_frame;
   internal::Plane_points m_output;                // in units of the curve
   internal::Plane_points m_points, m_new_points;  // in the frame, like all following members
   internal::Polygon_lengths m_lengths;
+  internal::Polygon_lengths m_given_lengths;  // in units of the curve, of what was read
   Eigen::VectorXd m_curvatures, m_direction, m_new_curvatures;
   internal::Plane_points m_tangents;
   int m_turning_number = 0, m_steps = 0;

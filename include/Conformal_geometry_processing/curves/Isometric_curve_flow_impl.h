@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace Conformal_geometry_processing {
@@ -31,6 +32,7 @@ CGP_INLINE Isometric_curve_flow::Isometric_curve_flow(const internal::Plane_poin
       m_points(m_frame.to_frame(points)),
       m_new_points(m_points),
       m_lengths(m_points, options.is_closed),
+      m_given_lengths(points, options.is_closed),
       m_curvatures(turning_angles(m_points, options.is_closed)),
       m_direction(points.cols()),
       m_new_curvatures(points.cols()),
@@ -55,6 +57,8 @@ CGP_INLINE Curve_step_report Isometric_curve_flow::step()
     report.accepted = try_step(report);
   }
   report.stop = report.accepted ? accept(report) : Curve_step_report::Stop::step_failed;
+  if (report.stop == Curve_step_report::Stop::energy_settled && is_saddle() && leave_saddle())
+    report.stop = Curve_step_report::Stop::none;
   report.energy = energy();
   return report;
 }
@@ -115,11 +119,67 @@ CGP_INLINE Curve_step_report::Stop Isometric_curve_flow::accept(Curve_step_repor
   ++m_steps;
   const double before = m_energy;
   m_energy = bending_energy(m_curvatures, m_lengths);
-  report.length_distortion = length_distortion(m_points, m_lengths);
+  report.length_distortion = length_distortion(m_output, m_given_lengths);
   const double scale = (std::max)(m_energy, m_initial_energy / 100);
   const bool is_settled =
       std::abs(before - m_energy) <= m_options.energy_tolerance * report.time_step * scale;
   return is_settled ? Curve_step_report::Stop::energy_settled : Curve_step_report::Stop::none;
+}
+
+// The figure eight has 32 K(m)^2 (2 m - 1) with 2 E(m) = K(m); run through n times, n^2 of it.
+CGP_INLINE bool Isometric_curve_flow::is_saddle() const
+{
+  const double least = 112.43961;
+  return is_closed() && m_turning_number == 0 && m_energy * m_lengths.total() > 1.5 * least;
+}
+
+CGP_INLINE bool Isometric_curve_flow::leave_saddle()
+{
+  const internal::Plane_points points = m_points;
+  const Eigen::VectorXd curvatures = m_curvatures;
+  const double energy = m_energy;
+  const int steps = m_steps;
+  for (const double amplitude : {0.1, 0.03, 0.01}) {
+    set_long_waves();
+    const bool has_left = falls_below(energy, amplitude);
+    m_steps = steps;
+    if (has_left) return true;
+    m_points = points;
+    m_curvatures = curvatures;
+    m_energy = energy;
+    m_frame.from_frame(m_points, m_output);
+  }
+  return false;
+}
+
+CGP_INLINE bool Isometric_curve_flow::falls_below(double energy, double amplitude)
+{
+  const double gain = 1e-4, small = 0.25;
+  m_energy = std::numeric_limits<double>::infinity();  // the bent curve may have more
+  for (int trial = 0; trial < max_saddle_steps; ++trial) {
+    Curve_step_report report;
+    report.time_step = trial == 0 ? amplitude : small;
+    if (!try_step(report)) return false;
+    (void)accept(report);
+    if (m_energy < (1 - gain) * energy) return true;
+    bending_descent(m_curvatures, m_points, m_lengths, m_direction);
+  }
+  return false;
+}
+
+// Waves that are not symmetric to each other under any shift along the curve.
+CGP_INLINE void Isometric_curve_flow::set_long_waves()
+{
+  const double size = std::sqrt(m_energy / m_lengths.total());
+  double s = 0;
+  for (Eigen::Index i = 0; i < m_direction.size(); ++i) {
+    const double turn = two_pi * s / m_lengths.total();
+    double wave = 0;
+    for (int waves = 1; waves <= 5; ++waves) wave += std::cos(waves * turn + waves * waves);
+    m_new_curvatures[i] = -size / 2 * wave;
+    s += m_lengths.duals()[i];
+  }
+  bending_descent(m_new_curvatures, m_points, m_lengths, m_direction);
 }
 
 }  // namespace Conformal_geometry_processing

@@ -22,7 +22,7 @@ CGP_INLINE internal::Polygon_lengths::Polygon_lengths(const internal::Plane_poin
   const Eigen::Index m = points.cols();
   for (Eigen::Index i = 0; i < m_edges.size(); ++i) {
     const Eigen::Index next = i + 1 < m ? i + 1 : 0;
-    m_edges[i] = (points.col(next) - points.col(i)).norm();
+    m_edges[i] = (points.col(next) - points.col(i)).stableNorm();
     m_duals[i] += m_edges[i] / 2;
     m_duals[next] += m_edges[i] / 2;
   }
@@ -35,7 +35,7 @@ CGP_INLINE double length_distortion(const internal::Plane_points& points,
   double worst = 0;
   for (Eigen::Index i = 0; i < original.size_of_edges(); ++i) {
     const Eigen::Index next = i + 1 < points.cols() ? i + 1 : 0;
-    const double length = (points.col(next) - points.col(i)).norm();
+    const double length = (points.col(next) - points.col(i)).stableNorm();
     worst = (std::max)(worst, std::abs(length / original.edges()[i] - 1));
   }
   return worst;

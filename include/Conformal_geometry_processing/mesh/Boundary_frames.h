@@ -23,10 +23,8 @@ using Boundary_frame = Eigen::Matrix3d;
 /// \ingroup PkgMesh
 /// \brief the boundary vertices of a surface in order, with a frame at each.
 ///
-/// T is the direction from the previous to the next vertex, the mean of the two edges weighted by
-/// their lengths. It is second order; the outgoing edge alone would be first order and destroy the
-/// symmetry of the Dirac operator. N is the angle-weighted normal of the vertex, made orthogonal to
-/// T. If the boundary is folded so that T or N vanishes, the frame is zero.
+/// T is the `circle_tangent()`. N is the angle-weighted normal of the vertex, made orthogonal to T.
+/// If the boundary is folded so that T or N vanishes, the frame is zero.
 struct Boundary_frames {
   std::vector<std::vector<int>> loops;  ///< see `boundary_loops()`
   std::vector<int> vertices;            ///< all of them, loop after loop
@@ -38,6 +36,15 @@ struct Boundary_frames {
 };
 
 }  // namespace internal
+
+/// \ingroup PkgMesh
+/// \brief the tangent at `here` of the circle through three points, of no particular length; zero
+/// if the curve folds back.
+///
+/// It is second order on any smooth curve. The direction from the previous to the next point is so
+/// only where edges grow steadily; where they jump it is first order, as the outgoing edge is.
+Eigen::Vector3d circle_tangent(const Eigen::Vector3d& previous, const Eigen::Vector3d& here,
+                               const Eigen::Vector3d& next);
 
 /// \ingroup PkgMesh
 /// the frame of a tangent and a normal, which need not be unit vectors or orthogonal

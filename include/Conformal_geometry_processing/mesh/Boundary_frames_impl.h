@@ -16,6 +16,15 @@
 
 namespace Conformal_geometry_processing {
 
+CGP_INLINE Eigen::Vector3d circle_tangent(const Eigen::Vector3d& previous,
+                                          const Eigen::Vector3d& here, const Eigen::Vector3d& next)
+{
+  const Eigen::Vector3d in = here - previous, out = next - here;
+  if (in.isZero(0) || out.isZero(0)) return in + out;
+  // Each unit edge weighted by the length of the other: the shorter one is nearer to the tangent.
+  return stable_norm(out) * stable_normalized(in) + stable_norm(in) * stable_normalized(out);
+}
+
 CGP_INLINE internal::Boundary_frame boundary_frame(const Eigen::Vector3d& tangent,
                                                    const Eigen::Vector3d& normal)
 {
@@ -35,7 +44,8 @@ CGP_INLINE internal::Boundary_frames boundary_frames(const Surface_ref& surface)
     const std::size_t n = loop.size();
     for (std::size_t k = 0; k < n; ++k) {
       const Eigen::Vector3d along =
-          surface.position(loop[(k + 1) % n]) - surface.position(loop[(k + n - 1) % n]);
+          circle_tangent(surface.position(loop[(k + n - 1) % n]), surface.position(loop[k]),
+                         surface.position(loop[(k + 1) % n]));
       b.vertices.push_back(loop[k]);
       b.frames.push_back(boundary_frame(along, normals.col(loop[k])));
     }

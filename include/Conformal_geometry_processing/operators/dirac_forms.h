@@ -13,10 +13,6 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-/// row c of M (D - R) on a sheet, divided by its share
-/// \param r the values of rho at the corners
-Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3d& r, int c);
-
 /// \ingroup PkgOperators
 /// \brief the two forms whose quotient is the *signed* eigenvalue of D - rho, on k vectors V: |V| x
 /// k. Both are k x k and Hermitian.
@@ -24,6 +20,10 @@ struct Dirac_forms {
   Block<Quaternion<double>> dirac;  ///< the Hermitian part of V^H B^H M_F (D - R) V; indefinite
   Block<Quaternion<double>> mass;   ///< V^H B^H M_F B V; positive definite
 };
+
+/// \ingroup PkgOperators
+/// row c of M (D - R) on a sheet, divided by its share; r: rho at the corners
+Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3d& r, int c);
 
 }  // namespace internal
 

@@ -14,17 +14,14 @@
 
 namespace Conformal_geometry_processing {
 
-namespace internal {
-
-CGP_INLINE Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3d& r, int c)
+CGP_INLINE Quaternion<double> internal::dirac_row(const Sheet& sheet, const Eigen::Vector3d& r,
+                                                  int c)
 {
   const Eigen::Vector3d e = sheet.vectors.col(c) / -2;
   Quaternion<double> q = imaginary(e);
   q.w = -sheet.area * r[c] / 3;
   return q;
 }
-
-}  // namespace internal
 
 CGP_INLINE internal::Dirac_forms dirac_forms(const Surface_ref& surface,
                                              const Curvature_potential& rho,

@@ -27,8 +27,8 @@ Eigen::VectorXd turning_angles(const Mesh_view& mesh, const internal::Vertex_loo
 /// distributed evenly along it. A flat disk keeps its shape, and a hemisphere becomes a round disk.
 /// Any other directions in the plane with turning number one can be used as well.
 /// \code
-/// const auto flat = spin_to_minimal_surface(mesh,
-///                                           Boundary_condition::tangents(planar_directions(mesh)));
+/// const auto flat =
+///     spin_to_minimal_surface(mesh, {Boundary_condition::tangents(planar_directions(mesh))});
 /// \endcode
 ///
 /// \returns 3 x number of boundary vertices, unit vectors with z = 0, in the order of

@@ -42,7 +42,8 @@ CGP_INLINE Points planar_directions(const Mesh_view& mesh, const std::string& fu
     const double in = k == 0 ? length[n] - length[n - 1] : length[k] - length[k - 1],
                  out = length[k + 1] - length[k],
                  next = angle + turn[k] + missing * (in + out) / (2 * length[n]);
-    const std::complex<double> sum = std::polar(in, angle) + std::polar(out, next);
+    // As by `circle_tangent()`.
+    const std::complex<double> sum = std::polar(out, angle) + std::polar(in, next);
     directions.col(k) << sum.real() / std::abs(sum), sum.imag() / std::abs(sum), 0;
     angle = next;
   }

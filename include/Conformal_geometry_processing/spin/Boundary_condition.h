@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <limits>
+
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
@@ -22,9 +24,10 @@ namespace Conformal_geometry_processing {
 /// *Free*: no condition. For any rho there are infinitely many solutions; the one nearest to the
 /// given surface is taken.
 ///
-/// *Positions*: the boundary is mapped to a given curve with given normals.
-///
-/// *Positions*: the boundary becomes a given curve, with given normals.
+/// *Positions*: the boundary becomes a given curve, with given normals. No conformal surface has
+/// it, in general: the conformal distortion is minimised in the sense of least squares, and is what
+/// the result is judged by [CGP 6.3.2]. With a finite weight, the boundary is attached to the
+/// curve, and the distance from it is minimised together with the distortion.
 struct Boundary_condition {
   enum class Kind { free, directions, positions };
 
@@ -37,6 +40,9 @@ struct Boundary_condition {
   /// discretisation errors of all steps and raise the energy again
   Points targets = Points(3, 0);
   Points normals = Points(3, 0);  ///< of the given curve, with positions
+  /// of positions against conformality: the curve pulls at the boundary in a layer of the width
+  /// radius / weight; infinite: positions are exact
+  double weight = std::numeric_limits<double>::infinity();
 
   static Boundary_condition free() { return {}; }
 
@@ -44,7 +50,8 @@ struct Boundary_condition {
   static Boundary_condition binormals(Points targets = Points(3, 0));
   static Boundary_condition directions(const Eigen::Vector3d& direction,
                                        Points targets = Points(3, 0));
-  static Boundary_condition positions(Points targets, Points normals);
+  static Boundary_condition positions(Points targets, Points normals,
+                                      double weight = std::numeric_limits<double>::infinity());
 
   /// whether D is self-adjoint with this condition, so that gamma is a true eigenvalue
   bool is_self_adjoint() const { return kind == Kind::directions && direction.x() == 0; }

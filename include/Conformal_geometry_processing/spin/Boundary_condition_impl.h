@@ -28,9 +28,10 @@ CGP_INLINE Boundary_condition Boundary_condition::directions(const Eigen::Vector
   return {Kind::directions, direction, std::move(targets), Points(3, 0)};
 }
 
-CGP_INLINE Boundary_condition Boundary_condition::positions(Points targets, Points normals)
+CGP_INLINE Boundary_condition Boundary_condition::positions(Points targets, Points normals,
+                                                            double weight)
 {
-  return {Kind::positions, {1, 0, 0}, std::move(targets), std::move(normals)};
+  return {Kind::positions, {1, 0, 0}, std::move(targets), std::move(normals), weight};
 }
 
 }  // namespace Conformal_geometry_processing

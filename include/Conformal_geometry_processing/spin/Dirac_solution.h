@@ -12,8 +12,10 @@ namespace Conformal_geometry_processing {
 struct Dirac_options {
   /// the eigenvector of D - rho that is taken if directions are prescribed at a boundary
   enum class Branch {
-    nearest,  ///< the nearest to the spins that turn the boundary least and are harmonic inside
-    smallest  ///< the one whose eigenvalue has the smallest modulus
+    nearest,   ///< the nearest to the spins that turn the boundary least and are harmonic inside
+    smallest,  ///< the one whose eigenvalue has the smallest modulus
+    zero       ///< the nearest among those whose eigenvalue is zero up to the discretisation error,
+               ///< even where other eigenvalues have surfaces, too; if there is none, the smallest
   };
 
   /// the discrete eigenvalue problem for (D - rho) lambda = gamma lambda

@@ -72,6 +72,7 @@ class Dirac_system {
 
   const Directions* directions() const { return m_directions.get(); }  ///< prescribed, or null
   Positions* positions() { return m_positions.get(); }                 ///< prescribed, or null
+  const Positions* positions() const { return m_positions.get(); }
 
   /// the scalars of the space of spins
   Coefficients coefficients() const;

@@ -15,57 +15,61 @@
 #include <functional>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace Conformal_geometry_processing {
 namespace internal {
 
 template <class SolverTraits>
-void Directions_search<SolverTraits>::solve(const Curvature_potential& rho,
-                                            const Dirac_options& options, Dirac_solution& s,
-                                            const Go_further& go_further)
+Directions_search<SolverTraits>::Directions_search(Dirac_system<SolverTraits>& system,
+                                                   const Curvature_potential& rho,
+                                                   const Dirac_options& options)
+    : m_system(system), m_rho(rho), m_options(options)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const bool is_eigenvalue = system.is_self_adjoint();
+  const bool is_any = is_eigenvalue && options.branch != Dirac_options::Branch::zero;
+  m_greatest_value = is_any ? infinity : greatest_misfit(system.surface());
+  m_greatest_eigenvalue = is_any || !is_eigenvalue ? infinity : greatest_zero(system.surface());
+}
+
+template <class SolverTraits>
+void Directions_search<SolverTraits>::solve(Dirac_solution& s, const Go_further& go_further)
 {
   Stopwatch watch;
-  const bool is_self_adjoint = m_system.is_self_adjoint();
-  const double bound = is_self_adjoint ? std::numeric_limits<double>::infinity()
-                                       : greatest_misfit(m_system.surface());
-  const Eigensolver_result found = nearest_to_guide(options, bound, s, go_further);
-  take(rho, found, options, bound, s);
-  s.eigenvalue = is_self_adjoint ? dirac_quotient(m_system.surface(), rho, s.lambda)
-                                 : dirac_misfit(m_system.surface(), rho, s.lambda);
+  take(nearest_to_guide(s, go_further), s);
+  s.eigenvalue = m_system.is_self_adjoint() ? dirac_quotient(m_system.surface(), m_rho, s.lambda)
+                                            : dirac_misfit(m_system.surface(), m_rho, s.lambda);
   s.seconds.eigenvectors += watch.lap();
 }
 
 template <class SolverTraits>
 Eigensolver_result Directions_search<SolverTraits>::nearest_to_guide(
-    const Dirac_options& options, double bound, Dirac_solution& s,
-    const Go_further& go_further) const
+    Dirac_solution& s, const Go_further& go_further) const
 {
   // The guide may be an eigenvector itself, which gives no information about others.
   const bool is_one_enough =
-      options.kernel_tolerance == 0 && options.branch == Dirac_options::Branch::nearest;
+      m_options.kernel_tolerance == 0 && m_options.branch != Dirac_options::Branch::smallest;
   const int columns = 4;
   Eigensolver_result r =
-      smallest(guide(), 1, is_one_enough ? options.tolerance : 1e-2, options, s, go_further);
-  if (s.cancelled || (is_one_enough && r.converged && singular_value(r, 0) <= bound &&
+      smallest(guide(), 1, is_one_enough ? m_options.tolerance : 1e-2, s, go_further);
+  if (s.cancelled || (is_one_enough && r.converged && is_solution(r, 0) &&
                       m_system.overlap(r.vectors.col(0), guide()) >= surely_nearest))
     return r;
-  r = smallest(with_noise(r.vectors, columns, options.random_seed), columns, 1e-2, options, s,
-               go_further);
+  r = smallest(with_noise(r.vectors, columns), columns, 1e-2, s, go_further);
   if (s.cancelled) return r;
-  return smallest(r.vectors, wanted(r, options, bound), options.tolerance, options, s, go_further);
+  return smallest(r.vectors, wanted(r), m_options.tolerance, s, go_further);
 }
 
 template <class SolverTraits>
 Eigensolver_result Directions_search<SolverTraits>::smallest(Vectors start, int wanted,
-                                                             double tolerance,
-                                                             const Dirac_options& options,
-                                                             Dirac_solution& s,
+                                                             double tolerance, Dirac_solution& s,
                                                              const Go_further& go_further) const
 {
   Eigensolver_options o;
   o.wanted = wanted;
   o.tolerance = tolerance;
-  o.max_iterations = (std::max)(options.max_iterations - s.iterations, 1);
+  o.max_iterations = (std::max)(m_options.max_iterations - s.iterations, 1);
   o.scale = std::sqrt(m_system.unit());
   o.coefficients = Coefficients::reals;
   Eigensolver_result r =
@@ -78,19 +82,17 @@ Eigensolver_result Directions_search<SolverTraits>::smallest(Vectors start, int 
 }
 
 template <class SolverTraits>
-auto Directions_search<SolverTraits>::with_noise(const Vectors& first, int columns,
-                                                 unsigned seed) const -> Vectors
+auto Directions_search<SolverTraits>::with_noise(const Vectors& first, int columns) const -> Vectors
 {
   Vectors all(first.rows(), columns);
-  all << first, m_system.noise(columns - first.cols(), seed);
+  all << first, m_system.noise(columns - first.cols(), m_options.random_seed);
   return all;
 }
 
 template <class SolverTraits>
-int Directions_search<SolverTraits>::wanted(const Eigensolver_result& r,
-                                            const Dirac_options& options, double bound) const
+int Directions_search<SolverTraits>::wanted(const Eigensolver_result& r) const
 {
-  return (std::max)(column(r, options, bound), size_of_kernel(r, options) - 1) + 1;
+  return (std::max)(column(r), size_of_kernel(r) - 1) + 1;
 }
 
 template <class SolverTraits>
@@ -100,36 +102,43 @@ double Directions_search<SolverTraits>::singular_value(const Eigensolver_result&
 }
 
 template <class SolverTraits>
-int Directions_search<SolverTraits>::column(const Eigensolver_result& r,
-                                            const Dirac_options& options, double bound) const
+bool Directions_search<SolverTraits>::is_solution(const Eigensolver_result& r, int c) const
 {
-  int nearest = 0;
-  if (options.branch == Dirac_options::Branch::smallest) return nearest;
-  const bool has_solution = singular_value(r, 0) <= bound;
-  for (int c = 1; c < r.vectors.cols() && (!has_solution || singular_value(r, c) <= bound); ++c)
-    if (m_system.overlap(r.vectors.col(c), guide()) >
-        m_system.overlap(r.vectors.col(nearest), guide()))
-      nearest = c;
-  return nearest;
+  if (singular_value(r, c) > m_greatest_value) return false;
+  if (std::isinf(m_greatest_eigenvalue)) return true;
+  const Quaternion_vector<double> lambda = r.vectors.col(c);
+  return std::abs(dirac_quotient(m_system.surface(), m_rho, lambda)) <= m_greatest_eigenvalue;
 }
 
 template <class SolverTraits>
-int Directions_search<SolverTraits>::size_of_kernel(const Eigensolver_result& r,
-                                                    const Dirac_options& options) const
+int Directions_search<SolverTraits>::column(const Eigensolver_result& r) const
+{
+  using Branch = Dirac_options::Branch;
+  if (m_options.branch == Branch::smallest) return 0;
+  std::vector<int> candidates;
+  for (int c = 0; c < r.vectors.cols(); ++c)
+    if (is_solution(r, c)) candidates.push_back(c);
+  if (candidates.empty() && m_options.branch == Branch::zero) return 0;
+  if (candidates.empty())
+    for (int c = 0; c < r.vectors.cols(); ++c) candidates.push_back(c);
+  const auto overlap = [&](int c) { return m_system.overlap(r.vectors.col(c), guide()); };
+  return *std::max_element(candidates.begin(), candidates.end(),
+                           [&](int a, int b) { return overlap(a) < overlap(b); });
+}
+
+template <class SolverTraits>
+int Directions_search<SolverTraits>::size_of_kernel(const Eigensolver_result& r) const
 {
   int size = 0;
-  while (size < r.values.size() &&
-         std::sqrt((std::max)(r.values[size], 0.)) <= options.kernel_tolerance)
-    ++size;
+  while (size < r.values.size() && singular_value(r, size) <= m_options.kernel_tolerance) ++size;
   return size;
 }
 
 template <class SolverTraits>
-double Directions_search<SolverTraits>::gap(const Curvature_potential& rho,
-                                            const Eigensolver_result& r, int first, int end) const
+double Directions_search<SolverTraits>::gap(const Eigensolver_result& r, int first, int end) const
 {
   const auto value = [&](int c) {
-    return m_system.is_self_adjoint() ? dirac_quotient(m_system.surface(), rho,
+    return m_system.is_self_adjoint() ? dirac_quotient(m_system.surface(), m_rho,
                                                        Quaternion_vector<double>(r.vectors.col(c)))
                                       : singular_value(r, c);
   };
@@ -142,12 +151,9 @@ double Directions_search<SolverTraits>::gap(const Curvature_potential& rho,
 }
 
 template <class SolverTraits>
-void Directions_search<SolverTraits>::take(const Curvature_potential& rho,
-                                           const Eigensolver_result& r,
-                                           const Dirac_options& options, double bound,
-                                           Dirac_solution& s) const
+void Directions_search<SolverTraits>::take(const Eigensolver_result& r, Dirac_solution& s) const
 {
-  const int nearest = column(r, options, bound), kernel = size_of_kernel(r, options);
+  const int nearest = column(r), kernel = size_of_kernel(r);
   s.lambda = r.vectors.col(nearest);
   s.residual = r.estimates[nearest];
   if (kernel > 1) {
@@ -158,10 +164,10 @@ void Directions_search<SolverTraits>::take(const Curvature_potential& rho,
     }
     s.residual = r.estimates.head(kernel).maxCoeff();
   }
-  s.converged = s.residual <= options.tolerance;
+  s.converged = s.residual <= m_options.tolerance;
   s.energy =
       inner_product(s.lambda, m_system.matrix() * s.lambda).w / m_system.squared_norm(s.lambda);
-  s.gap = kernel > 1 ? gap(rho, r, 0, kernel) : gap(rho, r, nearest, nearest + 1);
+  s.gap = kernel > 1 ? gap(r, 0, kernel) : gap(r, nearest, nearest + 1);
   s.overlap = m_system.overlap(s.lambda, guide());
   // Takes the sign of the guide, but no rotation, because the directions are fixed.
   if (inner_product(guide(), m_system.areas(), s.lambda).w < 0) components(s.lambda) *= -1;

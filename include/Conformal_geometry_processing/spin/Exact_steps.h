@@ -23,7 +23,9 @@ namespace internal {
 ///
 /// The quantity that adds up over transformations is the half-density rho |df|. The inexact part of
 /// rho is discarded: a retry, with a shrinking rest of the path to compensate for it, would lead to
-/// ever larger steps.
+/// ever larger steps. Where prescribed directions turn the boundary, they contribute periods of
+/// first order, too, and rho and they may close together: the first step goes all the way with all
+/// of rho, and adds what `closed_step()` needs.
 template <class Transformation>
 class Exact_steps {
  public:
@@ -61,6 +63,9 @@ class Exact_steps {
   /// the certificate from the first surface to the last
   void finish(Spin_result& all) const;
 
+  /// the shares of rho that are missing and added
+  void tell_shares(Spin_report& report) const;
+
   /// the areas that belong to the values of rho, in the unit of the mesh
   Eigen::VectorXd areas() const;
 
@@ -77,6 +82,7 @@ class Exact_steps {
   Normalized_frame m_frame;       // of the first surface
   Mesh_view m_before;             // on which the whole path is measured
   Curvature_potential m_missing;  // remaining rho, on the present surface
+  Eigen::VectorXd m_wanted;       // all of rho, on the present surface
   Eigen::VectorXd m_left_out;     // part of rho that cannot be realised
   Eigen::VectorXd m_areas;        // of the surface of `m_missing`
   Points m_directions;            // prescribed at the boundary, if any

@@ -33,6 +33,7 @@ Exact_steps<Transformation>::Exact_steps(Transformation& transformation,
       m_frame(transformation.domain().frame()),
       m_before(transformation.domain().measured()),
       m_missing(rho),
+      m_wanted(rho.values),
       m_left_out(Eigen::VectorXd::Zero(rho.values.size())),
       m_areas(areas())
 {
@@ -44,7 +45,6 @@ template <class Transformation>
 Spin_result Exact_steps<Transformation>::run(const Dirac_options& options,
                                              const Go_further& go_further)
 {
-  const double wanted = norm(m_missing.values);
   m_limit.tolerance = options.tolerance;
   Spin_result all;
   all.lambda = Quaternion_vector<double>::Constant(m_before.size_of_vertices(), {1, 0, 0, 0});
@@ -52,8 +52,25 @@ Spin_result Exact_steps<Transformation>::run(const Dirac_options& options,
   all.report.reached = 0;
   go_all_the_way(options, go_further, all);
   if (all.report.steps > 0) finish(all);
-  if (wanted > 0) all.report.missing_share = norm(m_left_out + m_missing.values) / wanted;
+  tell_shares(all.report);
   return all;
+}
+
+// Rho that turning the boundary adds has nothing to do with the given one, and takes away from it
+// by chance only.
+template <class Transformation>
+void Exact_steps<Transformation>::tell_shares(Spin_report& report) const
+{
+  const double wanted = norm(m_wanted), sphere = std::sqrt(4 * std::acos(-1.));
+  const Eigen::VectorXd lacking = m_left_out + m_missing.values;
+  if (!m_transformation.turns_directions()) {
+    if (wanted > 0) report.missing_share = norm(lacking) / wanted;
+    return;
+  }
+  const double along =
+      wanted > 0 ? m_areas.dot(lacking.cwiseProduct(m_wanted)) / (wanted * wanted) : 0;
+  report.missing_share = std::clamp(along, 0., 1.);
+  report.added_share = norm(lacking - report.missing_share * m_wanted) / sphere;
 }
 
 template <class Transformation>
@@ -82,6 +99,8 @@ void Exact_steps<Transformation>::go_all_the_way(const Dirac_options& options,
 template <class Transformation>
 std::optional<Eigen::VectorXd> Exact_steps<Transformation>::exact_part(bool has_moved)
 {
+  // The periods that come from turning the boundary are not orthogonal to all of the rest.
+  if (!has_moved && m_transformation.turns_directions()) return m_missing.values;
   try {
     return m_transformation.exactness(m_missing.on).basis().project_out(m_missing.values);
   } catch (const Precondition_error&) {
@@ -164,6 +183,7 @@ void Exact_steps<Transformation>::take(const Eigen::VectorXd& v, double share,
   const Eigen::VectorXd rest = (1 - share) * v;
   m_left_out = shrinking.cwiseProduct(m_left_out + m_missing.values - rho - rest);
   m_missing.values = shrinking.cwiseProduct(rest);
+  m_wanted = shrinking.cwiseProduct(m_wanted);
 }
 
 // Each step keeps the area of its own faces; all together keep that of the first.

@@ -31,16 +31,16 @@ CGP_INLINE double internal::Exactness_constraints::period_defect(
 }
 
 CGP_INLINE Eigen::VectorXd internal::Exactness_constraints::closing_change(
-    const Eigen::MatrixX3d& edges) const
+    const Eigen::MatrixX3d& edges, const Eigen::MatrixXd& derivative) const
 {
-  if (functions.cols() == 0) return Eigen::VectorXd::Zero(areas.size());
+  if (derivative.cols() == 0) return Eigen::VectorXd::Zero(areas.size());
   // By rows, so that the three axes of a form are together, as in the functions.
   const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> periods =
       forms.coefficients(weights, edges);
   const double damping = 0.01;
-  Eigen::MatrixXd gram = functions.transpose() * areas.asDiagonal() * functions;
+  Eigen::MatrixXd gram = derivative.transpose() * areas.asDiagonal() * derivative;
   gram.diagonal().array() += damping * damping * gram.diagonal().maxCoeff();
-  return functions * gram.ldlt().solve(-periods.reshaped<Eigen::RowMajor>() / 2);
+  return derivative * gram.ldlt().solve(-periods.reshaped<Eigen::RowMajor>() / 2);
 }
 
 }  // namespace Conformal_geometry_processing

@@ -27,7 +27,9 @@ namespace internal {
 ///
 /// At the boundary lambda is known: it rotates the frame of the surface into that of the curve and
 /// scales by the ratio of lengths. Inside it minimises |(D - rho) lambda|^2, which is a linear
-/// system. The positions solve (5.5) with the boundary fixed on the curve.
+/// system. The positions solve (5.5) with the boundary fixed on the curve. With a finite weight w,
+/// both minimise in addition w / R times the integral along the boundary of the squared difference
+/// from what is given, where pi R^2 is the area.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits>
@@ -47,6 +49,7 @@ class Prescribed_positions {
       : m_surface(surface),
         m_frames(boundary_frames(surface)),
         m_targets(condition.targets),
+        m_weights(weights(condition.weight)),
         m_spins(spins(condition, function)),
         m_lambda(pattern, m_frames.vertices, solver),
         m_positions(std::move(pattern), m_frames.vertices, solver)
@@ -54,13 +57,13 @@ class Prescribed_positions {
 
   /// \brief factors the interior part of X.
   /// \throw Solver_error if the factorization fails
-  void factorize(const Hermitian_sparse_matrix<Quaternion<double>>& X) { m_lambda.factorize(X); }
+  void factorize(const Hermitian_sparse_matrix<Quaternion<double>>& X) { factorize(m_lambda, X); }
 
-  /// \brief lambda, |V|: the given values at the boundary, and the minimiser of the energy inside
+  /// \brief lambda, |V|: the minimiser of the energy with the given values at the boundary
   /// \pre X has been factorized
   Quaternion_vector<double> spins(const Hermitian_sparse_matrix<Quaternion<double>>& X) const;
 
-  /// residual of the interior system, relative to the contribution of the boundary
+  /// residual of the linear system, relative to the contribution of the boundary
   double residual(const Hermitian_sparse_matrix<Quaternion<double>>& X,
                   const Quaternion_vector<double>& lambda) const;
 
@@ -68,7 +71,22 @@ class Prescribed_positions {
   /// \throw Solver_error if the Laplacian cannot be factored
   Points positions(const Eigen::MatrixX3d& edges);
 
+  /// how far each boundary vertex is from the curve
+  Eigen::VectorXd errors(const Points& f) const;
+
  private:
+  /// w / R times the length of the boundary at each vertex; empty if positions are exact
+  Eigen::VectorXd weights(double weight) const;
+
+  template <class Solver, class Matrix>
+  void factorize(Solver& solver, const Matrix& A)
+  {
+    m_weights.size() > 0 ? solver.factorize(A, m_weights) : solver.factorize(A);
+  }
+
+  /// zero inside
+  Block<Quaternion<double>> given_spins() const;
+
   std::vector<Quaternion<double>> spins(const Boundary_condition& condition,
                                         const std::string& function) const;
 
@@ -80,6 +98,7 @@ class Prescribed_positions {
   Surface_ref m_surface;
   Boundary_frames m_frames;
   Points m_targets;
+  Eigen::VectorXd m_weights;  // |V|
   std::vector<Quaternion<double>> m_spins;
   Dirichlet_solver<Quaternion<double>, SolverTraits> m_lambda;
   Dirichlet_solver<double, SolverTraits> m_positions;

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/divergence.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Prescribed_positions.h>
 #include <Conformal_geometry_processing/spin/boundary_planes.h>
 
@@ -21,14 +22,36 @@
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits>
+Eigen::VectorXd internal::Prescribed_positions<SolverTraits>::weights(double weight) const
+{
+  if (std::isinf(weight)) return {};
+  const double radius = std::sqrt(face_areas(m_surface).sum() / std::acos(-1.));
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(m_surface.size_of_vertices());
+  for (const std::vector<int>& loop : m_frames.loops)
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const int i = loop[k], j = loop[(k + 1) % loop.size()];
+      const double length = (m_surface.position(j) - m_surface.position(i)).norm();
+      for (const int v : {i, j}) w[v] += weight / radius * length / 2;
+    }
+  return w;
+}
+
+template <class SolverTraits>
+Block<Quaternion<double>> internal::Prescribed_positions<SolverTraits>::given_spins() const
+{
+  Block<Quaternion<double>> values =
+      Block<Quaternion<double>>::Constant(m_surface.size_of_vertices(), 1, {});
+  for (std::size_t k = 0; k < m_spins.size(); ++k) values(m_frames.vertices[k], 0) = m_spins[k];
+  return values;
+}
+
+template <class SolverTraits>
 Quaternion_vector<double> internal::Prescribed_positions<SolverTraits>::spins(
     const Hermitian_sparse_matrix<Quaternion<double>>& X) const
 {
   const Block<Quaternion<double>> zero =
       Block<Quaternion<double>>::Constant(m_surface.size_of_vertices(), 1, {});
-  Block<Quaternion<double>> values = zero;
-  for (std::size_t k = 0; k < m_spins.size(); ++k) values(m_frames.vertices[k], 0) = m_spins[k];
-  return m_lambda.solve(X, zero, values).col(0);
+  return m_lambda.solve(X, zero, given_spins()).col(0);
 }
 
 template <class SolverTraits>
@@ -36,15 +59,30 @@ double internal::Prescribed_positions<SolverTraits>::residual(
     const Hermitian_sparse_matrix<Quaternion<double>>& X,
     const Quaternion_vector<double>& lambda) const
 {
-  Quaternion_vector<double> known = lambda;
-  for (Eigen::Index i = 0; i < lambda.size(); ++i)
-    if (!m_lambda.is_given(static_cast<int>(i))) known[i] = {};
-  const Quaternion_vector<double> r = X * lambda, b = X * known;
+  const bool is_exact = m_weights.size() == 0;
+  const Quaternion_vector<double> given = given_spins().col(0);
+  Quaternion_vector<double> r = X * lambda, b = X * given;
   double left = 0, all = 0;
-  for (Eigen::Index i = 0; i < lambda.size(); ++i)
-    if (!m_lambda.is_given(static_cast<int>(i)))
-      left += squared_norm(r[i]), all += squared_norm(b[i]);
+  for (Eigen::Index i = 0; i < lambda.size(); ++i) {
+    if (is_exact && m_lambda.is_given(static_cast<int>(i))) continue;
+    if (!is_exact) {
+      r[i] += m_weights[i] * (lambda[i] - given[i]);
+      b[i] = m_weights[i] * given[i];
+    }
+    left += squared_norm(r[i]);
+    all += squared_norm(b[i]);
+  }
   return all > 0 ? std::sqrt(left / all) : 0;
+}
+
+template <class SolverTraits>
+Eigen::VectorXd internal::Prescribed_positions<SolverTraits>::errors(const Points& f) const
+{
+  Eigen::VectorXd distances(m_targets.cols());
+  for (Eigen::Index k = 0; k < distances.size(); ++k)
+    distances[k] =
+        (f.col(m_frames.vertices[static_cast<std::size_t>(k)]) - m_targets.col(k)).norm();
+  return distances;
 }
 
 template <class SolverTraits>
@@ -52,7 +90,7 @@ Points internal::Prescribed_positions<SolverTraits>::positions(const Eigen::Matr
 {
   const Eigen::VectorXd weights = cotan_weights(m_surface);
   const auto L = cotan_laplacian(m_surface);
-  m_positions.factorize(L);
+  factorize(m_positions, L);
   Block<double> values = Block<double>::Zero(m_surface.size_of_vertices(), 3);
   for (std::size_t k = 0; k < m_frames.vertices.size(); ++k)
     values.row(m_frames.vertices[k]) = m_targets.col(static_cast<Eigen::Index>(k)).transpose();
@@ -90,15 +128,20 @@ Quaternion<double> internal::Prescribed_positions<SolverTraits>::spin_at(
     return condition.targets.col(static_cast<Eigen::Index>(first + i));
   };
   const auto source = [&](std::size_t i) -> Eigen::Vector3d { return m_surface.position(loop[i]); };
-  const auto length = [&](const auto& p) {
-    return (p(next) - p(k)).norm() + (p(k) - p(previous)).norm();
-  };
-  const internal::Boundary_frame frame = boundary_frame(
-      target(next) - target(previous), condition.normals.col(static_cast<Eigen::Index>(first + k)));
+  // The stretch at the vertex is the mean of the edges' weighted as in `circle_tangent()`.
+  const double in = (source(k) - source(previous)).norm(), out = (source(next) - source(k)).norm();
+  const double to_in = (target(k) - target(previous)).norm(),
+               to_out = (target(next) - target(k)).norm();
+  const bool has_edges = in > 0 && out > 0;
+  const double stretch = has_edges ? (to_in / in * out + to_out / out * in) / (in + out)
+                                   : (to_in + to_out) / (in + out);
+  const internal::Boundary_frame frame =
+      boundary_frame(circle_tangent(target(previous), target(k), target(next)),
+                     condition.normals.col(static_cast<Eigen::Index>(first + k)));
   if (!(frame.determinant() > 0.5))
     throw Precondition_error(function, "the curve folds back, or has its normal along it, at " +
                                            internal::name_of_vertex(loop[k]));
-  return boundary_spin(m_frames.frames[first + k], frame, length(target) / length(source));
+  return boundary_spin(m_frames.frames[first + k], frame, stretch);
 }
 
 }  // namespace Conformal_geometry_processing

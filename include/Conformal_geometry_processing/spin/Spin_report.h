@@ -25,6 +25,9 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
   double reached = 1;        ///< completed share of the path to rho, in [0, 1]
   double missing_share = 0;  ///< norm of the part of rho that was left out because the surface
                              ///< would not have closed up, relative to that of rho
+  double added_share = 0;    ///< with prescribed directions around holes: norm of the rho that was
+                             ///< added so that the surface closes up, relative to that of the mean
+                             ///< curvature of a round sphere, sqrt(4 pi), for any size
   double period_defect = 0;  ///< remaining period defect, relative to the edges, sum of the steps
 
   /// with prescribed directions at a boundary: the angles between the directions of the new surface
@@ -33,6 +36,15 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     double mean = 0, max = 0;
   } direction_error;
   Boundary_fault boundary_fault = Boundary_fault::none;
+
+  /// with prescribed positions at a boundary, which no conformal surface need have: the edges need
+  /// not close up either, and the distortion of the map is what counts
+  bool has_positions = false;
+
+  /// the distances of the boundary from the prescribed positions, in lengths
+  struct Position_error {
+    double mean = 0, max = 0;
+  } position_error;
 
   /// how the intrinsic triangulation was built; over several steps the maximum, but what was
   /// measured in the first

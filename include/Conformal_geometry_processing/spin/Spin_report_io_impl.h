@@ -24,6 +24,9 @@ CGP_INLINE std::ostream& operator<<(std::ostream& out, const Spin_report& r)
   if (r.steps != 1 || r.missing_share > 0)
     out << "handles kept closed    in " << r.steps << " steps, " << 100 * r.reached
         << " % of the way, " << 100 * r.missing_share << " % of rho left out\n";
+  if (r.added_share > 0)
+    out << "added to close holes   a rho of " << 100 * r.added_share
+        << " % of the curvature of a sphere\n";
   if (r.mollification.share > 0)
     out << "mollification          " << r.mollification.thin_faces << " thin faces, "
         << r.mollification.longer_edges << " edges longer by " << r.mollification.added_length

@@ -38,7 +38,9 @@ namespace Conformal_geometry_processing {
 /// order, see `internal::closed_step()`. Where that does not reach the tolerance, it takes several
 /// steps, each from the surface found so far towards the missing curvature. The first
 /// transformation of a surface costs a second factorization, and about 10 solves for each handle;
-/// so does each further step, and a factorization of the Laplacian.
+/// so does each further step, and a factorization of the Laplacian. Prescribed directions that turn
+/// the boundary contribute periods, too: rho is then not projected, but changed by the least that
+/// closes the surface, which costs another factorization for each change (`added_share`).
 ///
 /// With mollification, triangles may be needles, caps, or of area zero. Area, centroid and
 /// certificate then refer to the `well_shaped_faces()`, which exclude the thinnest faces, at most 5
@@ -98,6 +100,12 @@ class Spin_transformation {
   /// \brief the constraints that keep the surface exact, in the frame; computed on first use.
   /// \throw Solver_error if a factorization fails, or a solve
   const internal::Exactness_constraints& exactness(Curvature_potential::On on);
+
+  /// whether the boundary has directions that need not be those of the surface
+  bool turns_directions() const
+  {
+    return system().directions() && m_options.boundary.targets.cols() > 0;
+  }
 
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   void require_potential(const Curvature_potential& rho) const;

@@ -275,6 +275,11 @@ void Spin_transformation<SolverTraits, EigensolverTraits>::judge_boundary(const 
             : Eigen::VectorXd::Constant(1, nan);
     report.direction_error = {errors.mean(), errors.maxCoeff()};
   }
+  if (const auto* positions = dirac.positions()) {
+    const Eigen::VectorXd errors = domain().unit() * positions->errors(f);
+    report.has_positions = true;
+    report.position_error = {errors.mean(), errors.maxCoeff()};
+  }
   const bool is_misfit = dirac.directions() && !dirac.is_self_adjoint();
   const double sigma = is_misfit ? report.eigenvalue * domain().unit() : 0;
   report.boundary_fault = boundary_fault(dirac.surface(), sigma, report);

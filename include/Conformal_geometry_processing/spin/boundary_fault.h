@@ -14,6 +14,11 @@ namespace Conformal_geometry_processing {
 double greatest_misfit(const Surface_ref& surface);
 
 /// \ingroup PkgSpin
+/// \brief the largest modulus of gamma, in 1/length, that the edge length explains where the exact
+/// eigenvalue is zero: it is of second order.
+double greatest_zero(const Surface_ref& surface);
+
+/// \ingroup PkgSpin
 /// \brief whether the data prescribed at the boundary can be realised.
 ///
 /// For realisable data, the singular value sigma of D - rho tends to zero with the edge length h;

@@ -19,6 +19,13 @@ CGP_INLINE double greatest_misfit(const Surface_ref& surface)
   return (std::max)(0.05, 3 * mean_edge_length(surface) / radius) / radius;
 }
 
+CGP_INLINE double greatest_zero(const Surface_ref& surface)
+{
+  const double pi = std::acos(-1.), radius = std::sqrt(face_areas(surface).sum() / pi);
+  const double h = mean_edge_length(surface) / radius;
+  return (std::max)(0.05, h) / radius;
+}
+
 CGP_INLINE Spin_report::Boundary_fault boundary_fault(const Surface_ref& surface, double sigma,
                                                       const Spin_report& report)
 {
@@ -27,7 +34,7 @@ CGP_INLINE Spin_report::Boundary_fault boundary_fault(const Surface_ref& surface
   const double closing = report.closure_residual;
   if (sigma > greatest_misfit(surface) && (closing > small_gap || sigma * radius > great_misfit))
     return Spin_report::Boundary_fault::not_realizable;
-  if (closing > (std::max)(report.limits.closure, 3 * h * h))
+  if (!report.has_positions && closing > (std::max)(report.limits.closure, 3 * h * h))
     return Spin_report::Boundary_fault::does_not_close;
   if (report.min_spin_ratio < 0.02) return Spin_report::Boundary_fault::degenerate;
   return Spin_report::Boundary_fault::none;

@@ -30,7 +30,13 @@ struct Closed_step {
 /// than a quarter of the defect: the step is then too large, or its periods lie where no rho moves
 /// them, as on isothermic surfaces, where one of the functions vanishes.
 ///
-/// Costs one numeric factorization of the Dirac matrix for each change.
+/// Where prescribed directions turn the boundary, lambda is far from 1, and the periods that come
+/// from turning are of first order. The iteration is then Newton's, with the derivative at the
+/// transformation found, and the change is the part of rho that has to be added for the surface to
+/// close.
+///
+/// Costs one numeric factorization of the Dirac matrix for each change; two, and three solves for
+/// each loop, where directions turn.
 ///
 /// \tparam Transformation a `Spin_transformation`, which keeps its surface
 /// \param rho in 1/length, one number per vertex or per face

@@ -58,6 +58,8 @@ CGP_INLINE void require_condition(const Surface_ref& surface, const Boundary_con
                is_directions ? "#direction zero or not finite" : "#position not finite",
                is_directions);
   if (!is_directions) {
+    if (!(condition.weight > 0))
+      throw Precondition_error(function, "the weight of positions must be positive");
     require_size(condition.normals, "normals", false);
     require_good(condition.normals, "#normal zero or not finite", true);
     return;

@@ -78,7 +78,7 @@ internal::Dirac_solution solve_dirac_equation(internal::Dirac_system<SolverTrait
   s.factorizations = 1;
   if (system.directions()) {
     system.set_potential(rho, s.seconds);
-    internal::Directions_search<SolverTraits>(system).solve(rho, options, s, go_further);
+    internal::Directions_search<SolverTraits>(system, rho, options).solve(s, go_further);
     return s;
   }
   if (system.positions())

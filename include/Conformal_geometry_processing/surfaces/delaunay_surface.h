@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DELAUNAY_SURFACE_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/surfaces/Jacobi_functions.h>
 
 #include <Eigen/Core>
 
@@ -17,7 +18,8 @@ namespace internal {
 ///
 /// The force along the axis is constant, x dz/ds - H x^2 = c, and du = ds/x. Therefore
 /// dz/du = c + H x^2 and (dx/du)^2 = x^2 - (dz/du)^2, hence d^2x/du^2 = (1 - 2 H c) x - 2 H^2 x^3,
-/// with the solution x = bulge dn(H bulge u).
+/// with the solution x = bulge dn(t), z = c u + bulge E(am t), where t = H bulge u and |neck| /
+/// bulge is the complementary modulus. Accurate to rounding for necks of any width.
 class Delaunay_meridian {
  public:
   /// \param neck, bulge the minimal and the maximal distance from the axis, the former negative for
@@ -36,10 +38,11 @@ class Delaunay_meridian {
   Eigen::Matrix2Xd points(int n, int count) const;
 
  private:
-  Eigen::Vector3d derivative(const Eigen::Vector3d& s) const;
-  Eigen::Vector3d after(const Eigen::Vector3d& s, double h) const;
+  /// at the share s of a period, 0 <= s <= 1/2
+  Eigen::Vector2d point(double s) const;
 
   double m_bulge, m_H, m_force, m_period;
+  Jacobi_functions m_functions;
 };
 
 }  // namespace internal

@@ -14,22 +14,6 @@
 #include <utility>
 
 namespace Conformal_geometry_processing {
-namespace internal {
-
-/// Half of the period of dn for the complementary modulus k'
-CGP_INLINE double quarter_period(double complementary)
-{
-  double a = 1, g = complementary;
-  while (std::abs(a - g) > 1e-15 * a) {
-    const double mean = (a + g) / 2;
-    g = std::sqrt(a * g);
-    a = mean;
-  }
-  return 2 * std::atan(1.) / a;
-}
-
-}  // namespace internal
-
 CGP_INLINE internal::Delaunay_meridian::Delaunay_meridian(double neck, double bulge)
     : m_bulge(bulge)
 {
@@ -40,35 +24,28 @@ CGP_INLINE internal::Delaunay_meridian::Delaunay_meridian(double neck, double bu
                                  ", wanted -bulge < neck <= bulge and neck not zero");
   m_H = 1 / (bulge + neck);
   m_force = m_H * bulge * neck;
-  m_period = 2 * internal::quarter_period(std::abs(neck) / bulge) / (m_H * bulge);
+  m_functions = Jacobi_functions(std::abs(neck) / bulge);
+  m_period = 2 * m_functions.quarter_period() / (m_H * bulge);
 }
 
+// By the symmetry of the meridian at bulges and necks.
 CGP_INLINE Eigen::Matrix2Xd internal::Delaunay_meridian::points(int n, int count) const
 {
-  const int parts = 1 + static_cast<int>(2000. / n);
-  const double h = m_period / n / parts;
-  Eigen::Vector3d state(m_bulge, 0, 0);  // x, dx/du, z
+  const double height = 2 * point(0.5).y();
   Eigen::Matrix2Xd result(2, count);
   for (int i = 0; i < count; ++i) {
-    result.col(i) << state[0], state[2];
-    for (int k = 0; k < parts; ++k) state = after(state, h);
+    const double share = static_cast<double>(i % n) / n;
+    const bool is_after_neck = share > 0.5;
+    const Eigen::Vector2d p = point(is_after_neck ? 1 - share : share);
+    result.col(i) << p.x(), (i / n) * height + (is_after_neck ? height - p.y() : p.y());
   }
   return result;
 }
 
-CGP_INLINE Eigen::Vector3d internal::Delaunay_meridian::derivative(const Eigen::Vector3d& s) const
+CGP_INLINE Eigen::Vector2d internal::Delaunay_meridian::point(double s) const
 {
-  const double x = s[0], slope = m_force + m_H * x * x;
-  return {s[1], x * (1 - 2 * m_H * slope), slope};
-}
-
-// A Runge-Kutta step: the relative error of a period is below 1e-10.
-CGP_INLINE Eigen::Vector3d internal::Delaunay_meridian::after(const Eigen::Vector3d& s,
-                                                              double h) const
-{
-  const Eigen::Vector3d a = derivative(s), b = derivative(s + h / 2 * a),
-                        c = derivative(s + h / 2 * b), d = derivative(s + h * c);
-  return s + h / 6 * (a + 2 * b + 2 * c + d);
+  const Jacobi_functions::Values f = m_functions(2 * s * m_functions.quarter_period());
+  return {m_bulge * f.dn, m_force * s * m_period + m_bulge * f.second_integral};
 }
 
 CGP_INLINE Mesh_view delaunay_surface(double neck, double bulge, int m, int n, int periods)

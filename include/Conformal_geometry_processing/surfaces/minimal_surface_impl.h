@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/mesh/mean_edge_length.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/boundary_fault.h>
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 
 #include <cmath>
@@ -17,6 +18,13 @@ CGP_INLINE double minimal_kernel_tolerance(const Mesh_view& mesh)
   const double pi = std::acos(-1.);
   return boundary_loops(mesh).size() > 1 ? 3 * mean_edge_length(mesh) * pi / face_areas(mesh).sum()
                                          : 0;
+}
+
+CGP_INLINE void internal::judge_minimality(const Mesh_view& mesh,
+                                           const Boundary_condition& condition, Spin_report& report)
+{
+  if (condition.is_self_adjoint() && std::abs(report.eigenvalue) > greatest_zero(mesh))
+    report.boundary_fault = Spin_report::Boundary_fault::not_realizable;
 }
 
 }  // namespace Conformal_geometry_processing

@@ -61,6 +61,22 @@ TYPED_TEST_SUITE(Dirichlet_solver, Models, );
 
 }  // namespace
 
+TYPED_TEST(Dirichlet_solver, attaches_unknowns_by_weights)
+{
+  typename TestFixture::Solver solver(this->matrix.shared_pattern(), given);
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(n);
+  for (const int i : given) w[i] = 1 + .5 * i;
+  solver.factorize(this->matrix, w);
+  const Eigen::MatrixXd x = real_columns(solver.solve(this->matrix, this->b, this->values));
+  Eigen::MatrixXd left = dense(this->matrix) * x - real_columns(this->b);
+  const Eigen::MatrixXd pull = x - real_columns(this->values);
+  const Eigen::Index k = left.rows() / n;
+  for (Eigen::Index i = 0; i < left.rows(); ++i) left.row(i) += w[i / k] * pull.row(i);
+  EXPECT_LE(left.cwiseAbs().maxCoeff(), 1e-12);
+  solver.factorize(this->matrix);
+  this->expect_solution(solver, this->matrix);
+}
+
 TYPED_TEST(Dirichlet_solver, solves_the_free_rows_and_keeps_the_given_ones)
 {
   typename TestFixture::Solver solver(this->pattern, given);

@@ -23,6 +23,9 @@ namespace internal {
 /// Replaces rows and columns of the prescribed unknowns by those of the identity, so that the
 /// pattern does not change and the analysis can be shared with other matrices of the mesh. Every
 /// function throws `Solver_error` if the solver fails.
+///
+/// Instead, unknowns can be attached to their values by weights: x then minimises
+/// <x, A x>/2 - <b, x> + sum w_i |x_i - v_i|^2/2, and A must be positive definite together with w.
 /// \tparam Scalar numbers or quaternions
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class Scalar, class SolverTraits = Default_solver_traits>
@@ -50,6 +53,9 @@ class Dirichlet_solver {
   /// \pre A is positive definite on the rows that are not given
   void factorize(const Matrix& A);
 
+  /// \brief Factors A + w, with w >= 0 on all rows: attaches unknowns instead of prescribing them.
+  void factorize(const Matrix& A, Eigen::VectorXd w);
+
   /// \brief Returns x with A x = b on the free rows and x = values on the others, for all columns.
   /// \param A the matrix that was factorized
   /// \param b, values all rows; only the free rows of `b` and the other rows of `values` are used
@@ -61,6 +67,7 @@ class Dirichlet_solver {
 
   Matrix m_matrix;
   std::vector<char> m_is_given;
+  Eigen::VectorXd m_weights;  // empty: unknowns are prescribed
   Solver m_solver;
 };
 

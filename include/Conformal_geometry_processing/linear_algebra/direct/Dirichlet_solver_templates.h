@@ -31,7 +31,15 @@ void internal::Dirichlet_solver<Scalar, SolverTraits>::factorize(const Matrix& A
     const bool is_free = !is_given(i) && !is_given(j);
     m_matrix.value(k++) = is_free ? a : internal::Scalar_traits<Scalar>::from_real(i == j ? 1 : 0);
   });
+  m_weights.resize(0);
   check("factorization", m_solver.factorize(m_matrix, {}));
+}
+
+template <class Scalar, class SolverTraits>
+void internal::Dirichlet_solver<Scalar, SolverTraits>::factorize(const Matrix& A, Eigen::VectorXd w)
+{
+  m_weights = std::move(w);
+  check("factorization", m_solver.factorize(A, m_weights));
 }
 
 template <class Scalar, class SolverTraits>
@@ -39,6 +47,13 @@ Block<Scalar> internal::Dirichlet_solver<Scalar, SolverTraits>::solve(
     const Matrix& A, const Block<Scalar>& b, const Block<Scalar>& values) const
 {
   Block<Scalar> known = values, x;
+  if (m_weights.size() > 0) {
+    for (int i = 0; i < A.size(); ++i)
+      for (Eigen::Index c = 0; c < b.cols(); ++c)
+        known(i, c) = b(i, c) + m_weights[i] * values(i, c);
+    check("solution", m_solver.solve(known, x));
+    return x;
+  }
   for (int i = 0; i < A.size(); ++i)
     if (!is_given(i)) known.row(i).setConstant(Scalar{});
   Block<Scalar> right = b - block_operator(A)(known);
