@@ -53,7 +53,7 @@ CGP_INLINE internal::Snap_report internal::Conformal_class::snap(Points& f,
     if (is_new) m_equations.factorize(state.f), ++report.factorizations;
     ++report.iterations;
     has_factor = is_new ? advance(state, 1, 8) : advance(state, fast, 0);
-    if (is_new && !has_factor) break;
+    if (is_new && !has_factor && !m_equations.damp()) break;
     report.residual = state.residuals.lpNorm<Eigen::Infinity>();
   }
   report.converged = report.residual <= options.tolerance;

@@ -19,8 +19,8 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-constexpr double snap_regularization = 1e-7;  // eps
-constexpr double snap_scale_weight = .01;     // of |du|^2 in G
+constexpr double snap_scale_weight = .01;  // of |du|^2 in G
+constexpr double largest_snap_eps = 1e-3;
 
 inline void require_snap(Solver_status status)
 {
@@ -65,27 +65,43 @@ CGP_INLINE void internal::Snap_equations::add_edge(int i, int j, int k, double w
   }
 }
 
+CGP_INLINE bool internal::Snap_equations::damp()
+{
+  if (m_eps >= largest_snap_eps) return false;
+  m_eps *= 10;
+  return true;
+}
+
 CGP_INLINE void internal::Snap_equations::factorize(const Points& f)
 {
   m_is_factorized = false;
+  Solver_status status;
+  do {
+    assemble(f);
+    status = m_solver.factorize(m_matrix, {});
+  } while (status == Solver_status::not_positive_definite && damp());
+  require_snap(status);
+  m_is_factorized = true;
+}
+
+CGP_INLINE void internal::Snap_equations::assemble(const Points& f)
+{
   m_matrix.set_zero();
   m_directions.resize(3, static_cast<Eigen::Index>(m_ends.size()));
   for (int k = 0; k < m_directions.cols(); ++k) {
     const auto [i, j] = m_ends[static_cast<std::size_t>(k)];
     const Eigen::Vector3d e = f.col(j) - f.col(i);
     m_directions.col(k) = e / e.squaredNorm();
-    add_edge(i, j, k, snap_regularization / e.squaredNorm());
+    add_edge(i, j, k, m_eps / e.squaredNorm());
   }
   int components = 0;
   for (int v = 0; v < f.cols(); ++v) {
-    entry(v, 0, 3, 3) += snap_regularization * snap_scale_weight;
+    entry(v, 0, 3, 3) += m_eps * snap_scale_weight;
     if (m_components[static_cast<std::size_t>(v)] < components) continue;
     ++components;
     const double held = entry(v, 0, 0, 0) + entry(v, 0, 1, 1) + entry(v, 0, 2, 2);
     for (int c = 0; c < 3; ++c) entry(v, 0, c, c) += held;
   }
-  require_snap(m_solver.factorize(m_matrix, {}));
-  m_is_factorized = true;
 }
 
 CGP_INLINE void internal::Snap_equations::solve(const Eigen::VectorXd& c, Points& df,
