@@ -39,7 +39,7 @@ TEST(Snap_equations, minimize_the_change_and_the_linear_residuals)
   const Mesh_view mesh = perturbed(icosphere(1), .2);
   const int n = mesh.size_of_vertices(), edges = mesh.size_of_edges();
   const Eigen::VectorXd c = .1 * random_numbers(edges, 3);
-  const double root = std::sqrt(1e-7);
+  const double root = std::sqrt(1e-6);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(4 * edges + n, 4 * n);
   for (int k = 0; k < edges; ++k) {
     const auto [i, j] = mesh.ends(k);

@@ -49,7 +49,7 @@ CGP_INLINE void internal::Class_keeper::take(Points moved, Points& f) const
 CGP_INLINE std::optional<Points> internal::Class_keeper::smoothed(
     const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better)
 {
-  const double weakest = 1e-2;  // where a single vertex moves by about a hundredth of a ring
+  const double weakest = 1e-2;
   for (int trial = 0; trial < 3; ++trial) {
     Points f;
     if (try_smoothing(mesh, is_better, f)) {

@@ -184,6 +184,7 @@ class Conformal_willmore_flow {
   /// Moves the last surface of a run to its class to rounding, and measures the map.
   void finish(Flow_report& report);
   void polish();
+  double type_change() const;
 
   /// In a frame of unit size, where areas neither vanish nor overflow.
   static Conformality map_to(const Mesh_view& measured, const Points& positions);

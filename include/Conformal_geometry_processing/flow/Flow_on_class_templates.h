@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -107,8 +108,19 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::finish
   report.conformality_of_faces =
       m_class ? map_to(m_input, m_mesh.positions()) : report.conformality;
   if (m_steps > 0 && !m_options.mollification && boundary_loops(m_mesh).empty())
-    report.conformal_type_change = internal::conformal_type_distance(
-        internal::harmonic_energies(m_initial), internal::harmonic_energies(m_mesh));
+    report.conformal_type_change = type_change();
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::type_change() const
+{
+  try {
+    return internal::conformal_type_distance(internal::harmonic_energies(in_frame(m_initial)),
+                                             internal::harmonic_energies(in_frame(m_mesh)));
+  } catch (const Solver_error& error) {
+    if (is_out_of_memory(error)) throw;
+    return HUGE_VAL;  // a Laplacian that cannot be factored has no harmonic forms to compare
+  }
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
