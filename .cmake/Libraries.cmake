@@ -38,7 +38,7 @@ cgp_headers(CGP_LINEAR_ALGEBRA_HEADERS "(algebra/|linear_algebra/|config|excepti
 list(REMOVE_ITEM CGP_LINEAR_ALGEBRA_HEADERS ${CGP_CHOLMOD_HEADERS} ${CGP_METIS_HEADERS}
      ${CGP_SLEPC_HEADERS})
 cgp_headers(CGP_KERNELS_HEADERS
-            "((mesh|operators|forms|measure|painting|spin|flow|parameterization|surfaces|curves)/|templates)")
+            "((mesh|operators|conformal_class|forms|measure|painting|spin|flow|parameterization|surfaces|curves)/|templates)")
 cgp_headers(CGP_CORE_HEADERS "(core/|[^/]*$)")
 list(REMOVE_ITEM CGP_CORE_HEADERS ${CGP_LINEAR_ALGEBRA_HEADERS} ${CGP_KERNELS_HEADERS})
 

@@ -165,15 +165,24 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, writes_points_to_a_map)
   }
 }
 
+TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, is_smoothed_within_its_class_unless_not_wanted)
+{
+  CGP::Flow_options options;
+  options.max_steps = 3;
+  options.fairing = false;
+  EXPECT_EQ(flown(params::number_of_iterations(3).fairing(false)), expected(options));
+}
+
 TEST_F(Conformal_willmore_flow_of_a_Surface_mesh,
        has_made_the_last_complete_step_when_it_is_stopped)
 {
   Visitor visitor;
   visitor.stop_after = 1;
-  const CGP::Flow_report report =
-      CGP::conformal_willmore_flow(mesh, params::visitor(std::ref(visitor)));
+  const CGP::Flow_report report = CGP::conformal_willmore_flow(
+      mesh, params::visitor(std::ref(visitor)).exact_conformal_class(false));
   EXPECT_EQ(report.stop, CGP::Flow_step_report::Stop::cancelled);
   CGP::Flow_options options;
+  options.exact_conformal_class = false;
   options.max_steps = 1;
   EXPECT_EQ(view_of(mesh).positions(), expected(options));
 }

@@ -38,6 +38,9 @@ Flow_options flow_options(const NamedParameters& np)
       choose_parameter(get_parameter(np, internal_np::filter_order), o.filter_order));
   o.balance = choose_parameter(get_parameter(np, internal_np::balance), o.balance);
   o.balancing = choose_parameter(get_parameter(np, internal_np::balancing), o.balancing);
+  o.exact_conformal_class = choose_parameter(get_parameter(np, internal_np::exact_conformal_class),
+                                             o.exact_conformal_class);
+  o.fairing = choose_parameter(get_parameter(np, internal_np::fairing), o.fairing);
   o.dirac.random_seed = static_cast<unsigned>(
       choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.dirac.random_seed));
   return o;
@@ -77,6 +80,7 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
           internal_np::tolerance_t, internal_np::filter_weight_t, internal_np::filter_order_t,
           internal_np::balance_t, internal_np::balancing_t, internal_np::vertex_target_area_map_t,
           internal_np::exactness_t, internal_np::maximum_period_defect_t,
+          internal_np::exact_conformal_class_t, internal_np::fairing_t,
           internal_np::mollification_t, internal_np::curvature_direction_t,
           internal_np::boundary_direction_t, internal_np::boundary_direction_map_t>,
       "conformal_willmore_flow(): unknown named parameter, see the manual for those it accepts");
@@ -105,13 +109,20 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 /// \brief makes a surface as smooth as its conformal class allows, in a few large steps that
 /// preserve angles, and thus textures and the shapes of triangles [CGP 6.4].
 ///
-/// Each step is a spin transformation by rho = -tau H; spheres become round, tori become tori of
-/// Clifford type. Surfaces of any genus stay closed. Area and centroid are preserved. The energy,
-/// the integral of H^2, decreases in every step: a step that would increase it is repeated with
-/// half of tau.
+/// Each step smooths the surface within its conformal class, and then applies a spin transformation
+/// by rho = -tau H; spheres become round, tori become tori of Clifford type. Surfaces of any genus
+/// stay closed. Area and centroid are preserved. The energy, the integral of H^2, decreases in
+/// every step: a step that would increase it is repeated with half of tau.
 ///
-/// The flow is not suitable for noise at the scale of the mesh, which hardly changes, or for long
-/// thin limbs, which would have to shrink to nothing: it then stops and reports the reason.
+/// Closed surfaces stay on the discrete conformal class of their intrinsic Delaunay triangulation:
+/// its length cross-ratios are kept to 1e-10 where double precision allows. So errors of the steps
+/// do not add up, and surfaces with handles keep their conformal type.
+/// `exact_conformal_class(false)` is the flow of the thesis, without this and without smoothing.
+/// Surfaces with boundary always flow like that.
+///
+/// Long thin limbs would have to shrink to nothing: where that is beyond the limits of a conformal
+/// map, or no step is possible, the flow stops with the last surface within them, and reports the
+/// reason.
 ///
 /// Computes in double precision for every kernel. Each step factors a sparse quaternionic matrix on
 /// the vertices (two if there are handles); orderings and symbolic factorizations are computed
@@ -125,8 +136,8 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{time_step}
-///     \cgalParamDescription{tau in rho = -tau H: stable below 2 on every mesh; 1 removes high
-///                           frequencies in one step}
+///     \cgalParamDescription{the largest tau in rho = -tau H: stable below 2 on every mesh; 1
+///                           removes high frequencies in one step}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1}
 ///   \cgalParamNEnd
@@ -180,6 +191,18 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
 ///                    nonzero vector as value}
 ///     \cgalParamDefault{the initial direction}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{exact_conformal_class}
+///     \cgalParamDescription{whether closed surfaces stay on their exact discrete conformal class;
+///                           without effect with `mollification`}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{fairing}
+///     \cgalParamDescription{whether each step on the exact class begins with smoothing within it;
+///                           without effect with a filter, or a direction that has no energy}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exactness}
 ///     \cgalParamDescription{how surfaces are kept closed around handles and holes}
@@ -241,8 +264,8 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 /// \cgalNamedParamsEnd
 ///
 /// \returns the report, which contains the reason to stop, and converts to `true` if the flow has
-/// converged or made the requested number of steps. In every case the points are those of the last
-/// complete step.
+/// converged or made the requested number of steps, and is conformal from start to end. In every
+/// case the points are those of the last complete step, which is within `Flow_options::limits`.
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
 /// finite coordinates and positive areas, or a parameter is out of its range; the message names the
 /// offending element

@@ -69,6 +69,7 @@ TEST(Conformal_willmore_flow_of_archetypes, needs_no_more_than_the_concepts_offe
   CGP::Flow_options options;
   options.time_step = .5;
   options.max_steps = 2;
+  options.exact_conformal_class = false;
   options.balance = CGP::Flow_options::Balance::prescribed;
   options.target_areas = random_numbers(view.size_of_vertices(), 1).array() + 2;
   EXPECT_TRUE(CGP::conformal_willmore_flow(
@@ -77,6 +78,7 @@ TEST(Conformal_willmore_flow_of_archetypes, needs_no_more_than_the_concepts_offe
                 .geom_traits(Geometry_traits_archetype(archetype_unit))
                 .vertex_target_area_map(Area_map(options.target_areas))
                 .number_of_iterations(2)
+                .exact_conformal_class(false)
                 .curvature_direction(Direction(.5))
                 .visitor(std::ref(visitor))
                 .sparse_solver(Sparse_hermitian_solver_traits_archetype())

@@ -12,13 +12,14 @@ namespace cgp_test {
 
 namespace CGP = Conformal_geometry_processing;
 
-/// steps of one size that are taken whatever the energy does, and no other reason to stop
+/// steps of one size that are taken whatever the energy does, without correction, and no other
+/// reason to stop
 inline CGP::Flow_options plain_steps(double time_step, int steps)
 {
   CGP::Flow_options options;
   options.time_step = time_step;
   options.max_steps = steps;
-  options.backtracking = false;
+  options.exact_conformal_class = options.backtracking = false;
   options.energy_tolerance = options.direction_tolerance = 0;
   return options;
 }

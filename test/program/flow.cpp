@@ -75,7 +75,7 @@ TEST_F(Flow, takes_faces_of_area_zero_with_mollify_also_on_surfaces_with_handles
 TEST_F(Flow, report_has_a_step_for_each_step_with_falling_energies)
 {
   write("a.off", off(cgp_test::bumpy_sphere(3)));
-  ASSERT_EQ(run("flow -q a.off --steps 3 --time-step 0.5 -o b.ply --json b.json").code, 0);
+  ASSERT_EQ(run("flow -q a.off --plain --steps 3 --time-step 0.5 -o b.ply --json b.json").code, 0);
   const auto report = json("b.json");
   EXPECT_EQ(report["command"], "flow");
   EXPECT_TRUE(report["verified"]);
@@ -167,8 +167,8 @@ TEST_F(Flow, balance_brings_areas_back)
 TEST_F(Flow, snapshots_are_the_surfaces_on_the_way)
 {
   write("a.off", off(cgp_test::bumpy_sphere(2)));
-  ASSERT_EQ(run("flow -q a.off --steps 5 --time-step 0.2 --every 2 -o b.ply").code, 0);
-  ASSERT_EQ(run("flow -q a.off --steps 2 --time-step 0.2 -o c.ply").code, 0);
+  ASSERT_EQ(run("flow -q a.off --plain --steps 5 --time-step 0.2 --every 2 -o b.ply").code, 0);
+  ASSERT_EQ(run("flow -q a.off --plain --steps 2 --time-step 0.2 -o c.ply").code, 0);
   EXPECT_EQ(content(path("b_0002.ply")), content(path("c.ply")));
   EXPECT_TRUE(has("b_0004.ply"));
   for (const char* name : {"b_0000.ply", "b_0001.ply", "b_0003.ply", "b_0005.ply"})
@@ -204,20 +204,48 @@ TEST_F(Flow, what_does_not_verify_is_written_only_by_force)
   write("a.off", off(cgp_test::bumpy_sphere(2)));
   const std::string flow =
       "flow a.off --steps 2 --every 1 -o b.ply --json b.json --max-quasi-conformal 1.0001";
-  const Program_run r = run(flow);
-  EXPECT_TRUE(fails(r, 1, "mean quasi-conformal error is"));
-  EXPECT_NE(r.err.find("b_0001.ply is not written"), std::string::npos) << r.err;
+  EXPECT_TRUE(fails(run(flow), 1, "stopped after 0 of 2 steps: the limits of distortion"));
   EXPECT_FALSE(has("b.ply") || has("b_0001.ply") || has("b_0002.ply"));
   EXPECT_FALSE(json("b.json")["verified"]);
-  EXPECT_EQ(json("b.json")["steps"].size(), 2u);
   EXPECT_EQ(run(flow + " --force").code, 0);
-  EXPECT_TRUE(has("b.ply") && has("b_0001.ply"));
+  EXPECT_TRUE(has("b.ply") && has("b_0001.ply") && has("b_0002.ply"));
+}
+
+TEST_F(Flow, stops_at_the_last_step_that_verifies_writes_it_and_fails)
+{
+  write("a.off", off(cgp_test::bumpy_sphere(3)));
+  for (const std::string kind : {"", " --plain --time-step .25"}) {
+    const Program_run r =
+        run("flow a.off -o b.ply --json b.json --steps 10" + kind + " --max-quasi-conformal 1.008");
+    EXPECT_TRUE(fails(r, 1, "the limits of distortion are reached")) << r.err;
+    EXPECT_TRUE(has("b.ply"));
+    const auto report = json("b.json");
+    EXPECT_FALSE(report["verified"]);
+    EXPECT_LE(report["result"]["quasi_conformal"]["mean"], 1.008);
+    EXPECT_GT(report["steps"].size(), 0u);
+    EXPECT_LT(report["steps"].size(), 10u);
+    ASSERT_EQ(shell("rm b.ply").code, 0);
+  }
+}
+
+TEST_F(Flow, keeps_the_exact_conformal_class)
+{
+  write("a.off", off(cgp_test::irregular_torus(2, 1, 24, 12)));
+  ASSERT_EQ(run("flow -q a.off --steps 3 -o b.ply --json b.json").code, 0);
+  const auto exact = json("b.json");
+  EXPECT_LT(exact["result"]["length_cross_ratio"]["max"], 1e-10);
+  EXPECT_LT(exact["result"]["conformal_type_change"], .01);
+  EXPECT_TRUE(exact["steps"][0]["faired"]);
+  ASSERT_EQ(run("flow -q a.off --steps 3 --no-fairing -o b.ply --json b.json").code, 0);
+  EXPECT_FALSE(json("b.json")["steps"][0]["faired"]);
+  ASSERT_EQ(run("flow -q a.off --steps 3 --plain -o b.ply --json b.json").code, 0);
+  EXPECT_GT(json("b.json")["result"]["length_cross_ratio"]["max"], 1e-3);
 }
 
 TEST_F(Flow, without_a_single_step_it_fails)
 {
   write("a.off", off(cgp_test::bumpy_sphere(2)));
-  EXPECT_TRUE(fails(run("flow -q a.off --steps 2 --tolerance 1e-30 -o b.ply"), 1,
+  EXPECT_TRUE(fails(run("flow -q a.off --plain --steps 2 --tolerance 1e-30 -o b.ply"), 1,
                     "stopped after 0 of 2 steps"));
   EXPECT_FALSE(has("b.ply"));
 }

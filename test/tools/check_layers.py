@@ -12,7 +12,7 @@ LEVEL = {
     "algebra": 1,
     "linear_algebra": 2, "mesh": 2,
     "operators": 3,
-    "forms": 4, "measure": 4, "painting": 4,
+    "conformal_class": 4, "forms": 4, "measure": 4, "painting": 4,
     "spin": 5,
     "flow": 6, "parameterization": 6, "surfaces": 6, "curves": 6,
     "core": 7,

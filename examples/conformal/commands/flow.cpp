@@ -21,13 +21,16 @@ const char* const about =
     "Smooths a surface by the conformal Willmore flow: as smooth as its conformal class allows, a\n"
     "sphere where there are no handles. With a boundary that is free, or keeps its tangents, it\n"
     "becomes a minimal surface; with its binormals kept, one of constant mean curvature.\n"
-    "Area, centroid and triangle quality stay. The\n"
-    "output has the vertex property quality (quasi-conformal error against the input, 1 is\n"
-    "perfect). The flow stops early where the energy has settled, or no step lowers it.\n"
+    "Area, centroid and triangle quality stay. Closed surfaces stay on their exact discrete\n"
+    "conformal class, that of their intrinsic Delaunay triangulation, and are smoothed within it.\n"
+    "The output has the vertex property quality (quasi-conformal error against the input, 1 is\n"
+    "perfect). The flow stops early where the energy has settled. Where no step lowers it, or the\n"
+    "next one would not verify, it writes the surface after the last good step, and the exit code\n"
+    "is 1.\n"
     "When interrupted (Ctrl-C, SIGTERM), it writes the surface after the last complete step (with\n"
     "--each-component nothing), and ends with exit code 130 or 143; a second signal ends it at "
     "once.\n"
-    "A result that does not verify is not written, and the exit code is 1.\n"
+    "A result that does not verify is not written.\n"
     "Example: conformal flow bear.off -o bear_flow.ply --html bear.html";
 
 void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
@@ -52,6 +55,12 @@ void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
       ->check(CLI::Range(0, 3))
       ->needs("--filter-weight")
       ->capture_default_str();
+  command.add_flag(
+      "--plain", flow.plain,
+      "the flow of the thesis: closed surfaces drift from their conformal class by the "
+      "error of each step, and are not smoothed otherwise");
+  command.add_flag("--no-fairing", flow.no_fairing,
+                   "no smoothing within the conformal class, curvature flow only");
   add_boundary(command, flow.boundary);
   add_mollification(command, flow.mollification);
   add_period_defect(command, flow.max_period_defect);
@@ -90,28 +99,43 @@ std::string stopped_after(const CGP::Flow_report& report, const Flow_options& op
          count_of(static_cast<std::size_t>(options.steps), "step") + ": " + reason(report);
 }
 
+std::string fault_of_type(const CGP::Flow_report& report)
+{
+  if (report.conformal_type_change <= CGP::Flow_report::max_conformal_type_change) return {};
+  return "the conformal type has changed by " + text_of(report.conformal_type_change, 3) +
+         "; try: without --plain, a smaller --time-step, or a finer mesh";
+}
+
 Evidence evidence_of(const Flow_solution& solution, const CGP::Spin_report& steps,
                      const Flow_options& options)
 {
   const CGP::Flow_report& report = solution.report;
   Evidence evidence{solution.positions};
-  if (!report.steps.empty()) {
+  if (steps.steps > 0) {
     evidence.spin = steps;
     evidence.spin->conformality = report.conformality;
+  } else if (!report.steps.empty()) {
+    evidence.map = report.conformality;
   } else if (!report) {
     evidence.fault = stopped_after(report, options) + "; try: a finer mesh, or one without slivers";
   }
+  if (evidence.fault.empty()) evidence.fault = fault_of_type(report);
   return evidence;
 }
 
+/// A flow that was stopped by what it met has not done what was asked, though its last surface
+/// verifies: that is written, and the run has failed.
 void conclude(const Flow_solution& solution, const CGP::Spin_report& steps,
               const Flow_options& options, Session& session)
 {
-  const Verdict verdict =
-      judge(evidence_of(solution, steps, options), options.limits, easier_than_flow);
-  session.conclude(verdict, on_fault(options.force));
-  if (verdict.is_verified() && !solution.report && signal_received() == 0)
-    session.note(stopped_after(solution.report, options));
+  Verdict verdict = judge(evidence_of(solution, steps, options), options.limits, easier_than_flow);
+  const bool is_good = verdict.is_verified();
+  if (is_good && !solution.report.is_complete() && signal_received() == 0)
+    verdict.fault = stopped_after(solution.report, options) +
+                    "; the surface after the last of them is written; try: fewer --steps, or a "
+                    "finer mesh";
+  const On_fault write = is_good ? On_fault::fail_in_the_end : On_fault::refuse;
+  session.conclude(verdict, options.force ? On_fault::force : write);
 }
 
 void tell(const Flow_solution& solution, const CGP::Spin_report& evidence,

@@ -24,6 +24,8 @@ struct Flow_options {
   std::optional<double> mollification;      ///< share of the mean edge; none or 0: no triangulation
   std::optional<double> max_period_defect;  ///< in each step, as for `Spin_options`
   int every = 0;                            ///< steps from a snapshot to the next; none if zero
+  bool plain = false;                       ///< as in the thesis: off the exact class, no fairing
+  bool no_fairing = false;
   bool force = false;
   Verification_limits limits;
 };

@@ -42,6 +42,8 @@ void report_step(const CGP::Flow_step_report& step, const std::string& place, Re
   report.set(place + "/step", step.step);
   report.set(place + "/energy", step.energy);
   report.set(place + "/time_step", step.time_step);
+  report.set(place + "/faired", step.faired);
+  report.set(place + "/length_cross_ratio", step.length_cross_ratio);
   report.set(place + "/trials", step.trials);
   report.set(place + "/gamma", step.spin.eigenvalue);
   report.set(place + "/residual", step.spin.residual);
@@ -80,6 +82,22 @@ void tell_shape(const Flow_solution& solution, const CGP::Mesh_view& initial, Re
   report.tell("result/radius/deviation", "radius, deviation / mean", r.deviation);
 }
 
+void tell_class(const CGP::Flow_report& flow, const CGP::Mesh_view& initial, Report& report)
+{
+  const CGP::Conformality& faces = flow.conformality_of_faces;
+  if (faces.quasi_conformal.max != flow.conformality.quasi_conformal.max) {
+    report_distribution(faces.quasi_conformal, "result/faces/quasi_conformal", report);
+    report.set("result/faces/flipped_faces", faces.flipped_faces);
+    report.show("measured on", "the intrinsic Delaunay triangulation; on the faces Q is " +
+                                   text_of(faces.quasi_conformal.mean, 5) + ", largest " +
+                                   text_of(faces.quasi_conformal.max, 4) + ", " +
+                                   count_of(static_cast<std::size_t>(faces.flipped_faces), "flip"));
+  }
+  if (CGP::topology(initial).genus > 0)
+    report.tell("result/conformal_type_change", "change of conformal type",
+                flow.conformal_type_change, 3);
+}
+
 }  // namespace
 
 std::string reason(const CGP::Flow_report& report)
@@ -105,6 +123,7 @@ void tell_flow(const Flow_solution& solution, const CGP::Mesh_view& initial,
   report.tell("result/closure_residual", "closure residual, worst", evidence.closure_residual, 3);
   report.set("result/period_defect", evidence.period_defect);
   tell_conformality(flow.conformality, measured_faces(evidence, initial.size_of_faces()), report);
+  tell_class(flow, initial, report);
   tell_mollification(evidence.mollification, report);
   report.set("steps", Report::Value(std::vector<double>()));
   for (std::size_t i = 0; i < flow.steps.size(); ++i)

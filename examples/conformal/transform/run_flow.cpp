@@ -6,7 +6,7 @@
 
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 
-#include <algorithm>
+#include <cmath>
 
 namespace conformal {
 namespace {
@@ -24,6 +24,13 @@ CGP::Flow_options::Balance balance_of(Balance_choice choice)
   return CGP::Flow_options::Balance::none;
 }
 
+/// with --force there are none
+CGP::Conformality::Limits limits_of(const Flow_options& options)
+{
+  if (options.force) return {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  return {options.limits.quasi_conformal, options.limits.flipped, options.limits.collapsed};
+}
+
 CGP::Flow_options options_of(const Flow_options& options, const Common_options& common)
 {
   CGP::Flow_options flow;
@@ -35,6 +42,9 @@ CGP::Flow_options options_of(const Flow_options& options, const Common_options& 
   flow.boundary = kept_boundary(options.boundary);
   if (options.mollification.value_or(0) > 0) flow.mollification = options.mollification;
   flow.max_period_defect = options.max_period_defect;
+  flow.exact_conformal_class = !options.plain;
+  flow.fairing = !options.no_fairing;
+  flow.limits = limits_of(options);
   flow.dirac.tolerance = common.tolerance;
   flow.dirac.random_seed = common.seed;
   return flow;

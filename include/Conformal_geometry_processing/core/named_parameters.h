@@ -44,6 +44,8 @@
   X(tolerance)                                          \
   X(eigenproblem)                                       \
   X(exactness)                                          \
+  X(exact_conformal_class)                              \
+  X(fairing)                                            \
   X(maximum_period_defect)                              \
   X(limits)                                             \
   X(eigenvalue_solver)                                  \
@@ -70,7 +72,8 @@
   X(geom_traits, geom_traits)                            \
   X(number_of_iterations, number_of_iterations)          \
   X(random_seed, random_seed)                            \
-  X(visitor, visitor)
+  X(visitor, visitor)                                    \
+  X(use_delaunay_triangulation, use_delaunay_triangulation)
 
 namespace Conformal_geometry_processing {
 

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONFORMAL_WILLMORE_FLOW_H
 
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/flow/Class_keeper.h>
 #include <Conformal_geometry_processing/flow/Constrained_direction.h>
 #include <Conformal_geometry_processing/flow/Flow_balance.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
@@ -42,6 +43,11 @@ namespace Conformal_geometry_processing {
 /// curvature. On surfaces with handles or holes, the edges must close up around them. Area and
 /// centroid are preserved.
 ///
+/// Closed surfaces stay on the exact discrete conformal class of the initial one: each step is
+/// smoothing within the class, then a spin transformation, and ends with the nearest surface of the
+/// class, see `Flow_options::exact_conformal_class`. A step that would leave
+/// `Flow_options::limits` ends the flow. Without that, as in the thesis, and with a boundary:
+///
 /// The conformal class of a surface with handles is kept but for two errors. The periods of a step
 /// are of second order in tau: left alone they add up to O(tau); `Flow_options::max_period_defect`
 /// bounds them. The other is the mesh's: D - rho has four equations per face for four unknowns per
@@ -57,7 +63,8 @@ namespace Conformal_geometry_processing {
 ///
 /// Ordering and symbolic factorization are computed once, in the constructor. A trial costs one
 /// numeric factorization of the Dirac matrix and about ten solves with it; one more of each if its
-/// edges have to be closed.
+/// edges have to be closed. The way back to the class costs one to three factorizations of about
+/// twice its operations in the beginning, and solves only where a step changes little.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 /// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
@@ -75,10 +82,11 @@ class Conformal_willmore_flow {
                                    Direction direction = {},
                                    std::string function = "Conformal_willmore_flow");
 
-  /// the surface after the last complete step
+  /// the surface after the last complete step; on the exact conformal class, its faces are those of
+  /// the intrinsic Delaunay triangulation of the initial surface
   const Mesh_view& mesh() const { return m_mesh; }
 
-  /// the initial surface of the flow
+  /// the initial surface of the flow, of the same connectivity
   const Mesh_view& initial_mesh() const { return m_initial; }
 
   /// the energy of the direction, or the Willmore energy if it has none
@@ -99,21 +107,21 @@ class Conformal_willmore_flow {
     Flow_step_report report;
     report.step = m_steps + 1;
     report.energy_before = report.energy = m_energy;
+    const Points before = m_mesh.positions();
     try {
-      const auto direction = m_direction(m_mesh);
-      report.direction_norm = direction.norm;
-      report.remaining_share = direction.share;
-      if (direction.has_vanished(m_options.direction_tolerance) && !is_turning())
-        report.stop = Flow_step_report::Stop::direction_vanished;
-      else
-        find_time_step(direction.v, report, [&](const Eigensolver_progress& progress) {
-          visitor.on_iteration(progress);
-          return visitor.go_further();
-        });
+      take_step(report, [&](const Eigensolver_progress& progress) {
+        visitor.on_iteration(progress);
+        return visitor.go_further();
+      });
+      if (!report.accepted) restore(before, report.energy_before);
     } catch (const Solver_error& error) {
+      restore(before, report.energy_before);
       if (is_out_of_memory(error)) throw;  // a smaller step needs as much memory
       report.message = error.what();
       report.stop = Flow_step_report::Stop::step_failed;
+    } catch (...) {
+      restore(before, report.energy_before);
+      throw;
     }
     report.seconds = watch.lap();
     return report;
@@ -135,16 +143,14 @@ class Conformal_willmore_flow {
       else if (append(report, step(visitor)))
         visitor.on_step_end(report.steps.back(), m_mesh);
     }
-    report.energy = m_energy;
-    const Points normals = neighbourhood_normals(measured(), m_mesh.positions());
-    report.conformality = conformality(measured(), m_mesh.positions(), normals);
+    finish(report);
     report.seconds = watch.lap();
     return report;
   }
 
  private:
   /// the result of a trial
-  enum class Verdict { good, rises_slightly, bad, cancelled };
+  enum class Verdict { good, rises_slightly, bad, out_of_limits, cancelled };
 
   double energy_of(const Mesh_view& mesh) const;
   static Mesh_view in_frame(const Mesh_view& mesh);  ///< of unit size
@@ -153,8 +159,35 @@ class Conformal_willmore_flow {
   /// the part of the initial mesh on which distortion is measured
   const Mesh_view& measured() const { return m_well_shaped ? m_well_shaped->mesh : m_initial; }
 
+  /// the surface on which the flow computes: with the connectivity of the exact class, if it is
+  /// kept
+  static Mesh_view on_class(const Mesh_view& mesh, const Flow_options& options,
+                            const std::string& function);
+  static bool keeps_class(const Mesh_view& mesh, const Flow_options& options);
+  bool fairs() const;
+
   // A single type for all visitors, so that the eigensolver is compiled only once.
   using Go_further = std::function<bool(const Eigensolver_progress&)>;
+
+  /// Smooths the surface, transforms it, and accepts the step if one of the two succeeded.
+  void take_step(Flow_step_report& report, const Go_further& go_further);
+
+  /// Smooths the surface within its class; \returns whether that lowered the energy.
+  bool fair(Flow_step_report& report);
+
+  /// Accepts a step of which only the smoothing succeeded; the flow goes on if that was enough.
+  void settle_for_fairing(Flow_step_report& report);
+
+  /// Returns to the surface before an incomplete step.
+  void restore(const Points& before, double energy);
+
+  /// Moves the last surface of a run to its class to rounding, and measures the map.
+  void finish(Flow_report& report);
+  void polish();
+  double type_change() const;
+
+  /// In a frame of unit size, where areas neither vanish nor overflow.
+  static Conformality map_to(const Mesh_view& measured, const Points& positions);
 
   /// Tries time steps until one is accepted or none is left.
   void find_time_step(const Eigen::VectorXd& v, Flow_step_report& report,
@@ -183,14 +216,18 @@ class Conformal_willmore_flow {
   /// whether a change of the energy is below the tolerance, extrapolated to a time of 1
   bool is_small(double change, double time) const;
 
-  /// Adopts the step. Performs all operations that may fail before the first change.
-  Verdict move_on(double energy, Flow_step_report& report);
+  /// Adopts the next surface if the map to it is within the limits. Performs all operations that
+  /// may fail before the first change.
+  Verdict move_on(double energy, const Conformality::Limits& limits, Flow_step_report& report);
+  Conformality::Limits spin_limits() const;
   void accept(Flow_step_report& report);
 
   std::string m_function;
   Flow_options m_options;
-  Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
+  Mesh_view m_input;                    // with its own faces
   Mesh_view m_initial, m_mesh, m_next;  // m_next: workspace for trials
+  Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
+  std::optional<internal::Class_keeper> m_class;  // if the exact class is kept
   std::optional<internal::Well_shaped_faces>
       m_well_shaped;  // of the initial mesh, with mollification
   internal::Constrained_direction<SolverTraits, EigensolverTraits, Direction> m_direction;

@@ -5,8 +5,8 @@
 
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/flow/Constrained_direction_templates.h>
+#include <Conformal_geometry_processing/flow/Flow_on_class_templates.h>
 #include <Conformal_geometry_processing/flow/step_fault.h>
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
 #include <Conformal_geometry_processing/spin/closed_step_templates.h>
 
 #include <Eigen/Core>
@@ -23,15 +23,21 @@ Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::Conformal_w
     const Mesh_view& mesh, const Flow_options& options, Direction direction, std::string function)
     : m_function(std::move(function)),
       m_options(checked(options, m_function)),
-      m_transformation(mesh, transformation_options(options), m_function),
-      m_initial(mesh),
-      m_mesh(mesh),
-      m_next(mesh),
+      m_input(mesh),
+      m_initial(on_class(mesh, options, m_function)),
+      m_mesh(m_initial),
+      m_next(m_initial),
+      m_transformation(m_initial, transformation_options(options), m_function),
       m_direction(m_transformation, std::move(direction), options, m_function),
-      m_balance(mesh, options, m_transformation, m_function),
-      m_energy(energy_of(mesh)),
-      m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step))
+      m_balance(m_initial, options, m_transformation, m_function),
+      m_energy(energy_of(m_initial)),
+      m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step),
+                  keeps_class(mesh, options)
+                      ? (std::max)(options.time_step / 4,
+                                   (std::min)(options.min_time_step, options.time_step))
+                      : options.time_step)
 {
+  if (keeps_class(mesh, options)) m_class.emplace(m_initial);
   if (!options.mollification) return;
   m_well_shaped = well_shaped_faces(in_frame(m_initial));
   m_well_shaped->mesh.set_positions(m_initial.positions());
@@ -82,6 +88,8 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::find_t
       report.stop = Flow_step_report::Stop::cancelled;
     else if (verdict == Verdict::good)
       accept(report);
+    else if (verdict == Verdict::out_of_limits)
+      report.stop = Flow_step_report::Stop::limits_reached;
     else if (!m_options.backtracking)
       report.stop = Flow_step_report::Stop::step_failed;
     else if (slight_rises == 2)  // halving the step does not help: this is the minimum
@@ -113,8 +121,10 @@ template <class SolverTraits, class EigensolverTraits, class Direction>
 auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::judge(
     Spin_result result, Flow_step_report& report) -> Verdict
 {
-  const std::string fault = step_fault(result.report, is_turning(), m_options);
+  const std::string fault = step_fault(result.report, is_turning(), m_class.has_value(), m_options);
   if (!fault.empty()) return reject(fault, report);
+  if (m_class && !m_class->snap(result.positions))
+    return reject("the conformal class is not reached", report);
   m_next.set_positions(std::move(result.positions));
   const double energy = energy_of(m_next), rise = energy - m_energy;
   if (!std::isfinite(energy)) return reject("the energy is not finite", report);
@@ -122,7 +132,7 @@ auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::judge(
     (void)reject("the energy rises by " + std::to_string(rise / m_energy) + " of it", report);
     return is_small(rise, report.time_step) ? Verdict::rises_slightly : Verdict::bad;
   }
-  return move_on(balanced(energy), report);
+  return move_on(balanced(energy), spin_limits(), report);
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
@@ -174,9 +184,16 @@ bool Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::is_sma
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
 auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::move_on(
-    double energy, Flow_step_report& report) -> Verdict
+    double energy, const Conformality::Limits& limits, Flow_step_report& report) -> Verdict
 {
-  report.quasi_conformal = quasi_conformal_error(measured(), m_next.positions());
+  const Conformality map = map_to(measured(), m_next.positions());
+  const auto fault = m_options.backtracking ? map.fault(limits) : Conformality::Fault::none;
+  if (fault != Conformality::Fault::none) {
+    (void)reject(std::string("from the initial surface, ") + to_string(fault), report);
+    return Verdict::out_of_limits;
+  }
+  report.quasi_conformal = map.quasi_conformal;
+  report.length_cross_ratio = map.length_cross_ratio.max;
   try {
     m_transformation.set_positions(m_next.positions());
   } catch (const Precondition_error& error) {
@@ -184,7 +201,6 @@ auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::move_o
   }
   std::swap(m_mesh, m_next);
   m_energy = energy;
-  ++m_steps;
   return Verdict::good;
 }
 
@@ -192,12 +208,13 @@ template <class SolverTraits, class EigensolverTraits, class Direction>
 void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::accept(
     Flow_step_report& report)
 {
+  ++m_steps;
   report.accepted = true;
   report.energy = m_energy;
   report.message.clear();
   m_time_step.grow();
   const double change = report.energy - report.energy_before;
-  if (internal::Has_energy<Direction>::value && is_small(change, report.time_step))
+  if (internal::Has_energy<Direction>::value && is_small(change, fairs() ? 1 : report.time_step))
     report.stop = Flow_step_report::Stop::energy_settled;
 }
 

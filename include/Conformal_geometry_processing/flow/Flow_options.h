@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/exactness_functions.h>
+#include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
@@ -45,8 +46,30 @@ struct Flow_options {
   /// whether a step that increases the energy, distorts too much, or does not close up, is repeated
   /// with half of tau; after a success tau grows by half, up to `time_step`
   bool backtracking = true;
-  double max_step_distortion = 1.5;  ///< mean quasi-conformal error of one step
-  double max_step_closure = 0.1;     ///< closure residual of one step
+  /// mean quasi-conformal error of one step; none: 1.15 on the exact conformal class, which is
+  /// reached only from nearby, otherwise 1.5
+  std::optional<double> max_step_distortion = std::nullopt;
+  double max_step_closure = 0.1;  ///< closure residual of one step
+
+  /// whether closed surfaces stay on the exact discrete conformal class of the initial one: every
+  /// step ends with the nearest surface of the class. Otherwise they drift by the discretisation
+  /// error, also in their conformal type [CGP 6.4]. The connectivity is then that of the intrinsic
+  /// Delaunay triangulation of the initial surface; time steps begin with a quarter of `time_step`.
+  /// Without effect on surfaces with boundary, and with mollification
+  bool exact_conformal_class = true;
+
+  /// whether each step on the exact class begins with smoothing within it, see
+  /// `internal::Fairing`. Without effect with a filter, which is to keep the shape, with directions
+  /// that have no energy, and without backtracking
+  bool fairing = true;
+
+  /// mean quasi-conformal error of the map from the initial surface up to which surfaces on the
+  /// exact class are transformed; beyond it they are smoothed only, which distorts them less
+  double max_spin_distortion = 1.3;
+
+  /// what the map from the initial surface must not exceed: the flow stops at the last step within
+  /// the limits
+  Conformality::Limits limits;
 
   /// stop if the energy changes by less than this share of it in a time of 1; if it tends to zero,
   /// of a hundredth of the initial energy

@@ -22,6 +22,7 @@ struct [[nodiscard]] Flow_step_report {
     steps_done,           ///< the requested number of steps is done
     cancelled,            ///< the visitor cancelled
     time_step_too_small,  ///< no step of at least `min_time_step` is acceptable
+    limits_reached,       ///< the next step would exceed `Flow_options::limits`
     step_failed           ///< no step could be computed, or a step was rejected and backtracking is
                           ///< off
   };
@@ -32,13 +33,15 @@ struct [[nodiscard]] Flow_step_report {
   std::string message;     ///< why the last trial was rejected, if it was
 
   double energy_before = 0, energy = 0;  ///< of the direction; Willmore energy if it has none
-  double time_step = 0;                  ///< tau of the last trial
+  bool faired = false;                   ///< the surface was smoothed within its conformal class
+  double time_step = 0;                  ///< tau of the last trial; zero if only fairing succeeded
   int trials = 0;                        ///< how many time steps were tried
   double direction_norm = 0;             ///< root of the integral of v^2, after projection
   double remaining_share = 0;            ///< of the direction, after projection
   double period_defect = 0;  ///< harmonic part of the new edges, relative; zero without loops
   Spin_report spin;          ///< the spin transformation of the step, with its distortion
   internal::Distribution quasi_conformal;  ///< from the initial surface to the present one
+  double length_cross_ratio = 0;           ///< largest change of the logarithms, likewise
   double seconds = 0;                      ///< wall clock, all trials together
 };
 
@@ -54,17 +57,31 @@ struct [[nodiscard]] Flow_report {
   std::vector<Flow_step_report> steps;  ///< the accepted ones
   double initial_energy = 0, energy = 0;
   Conformality conformality;  ///< of the map from the initial surface to the last one
-  double seconds = 0;         ///< wall clock
+
+  /// likewise, on the faces of the input; differs on the exact conformal class, where these may be
+  /// slivers that the intrinsic Delaunay triangulation does not have
+  Conformality conformality_of_faces;
+
+  /// change of the conformal type of a closed surface with handles, measured by its harmonic forms,
+  /// see `internal::conformal_type_distance()`
+  double conformal_type_change = 0;
+  double seconds = 0;  ///< wall clock
+
+  /// beyond this change of type the surfaces are not called conformally equivalent
+  static constexpr double max_conformal_type_change = 0.1;
 
   /// whether the flow has converged
   bool converged() const;
 
-  /// whether it has converged, or made the requested number of steps, and is conformal from start
-  /// to end, see `Conformality::fault()`
+  /// whether it did what was asked: it has converged, or made the requested number of steps
+  bool is_complete() const { return converged() || stop == Flow_step_report::Stop::steps_done; }
+
+  /// whether it is complete, conformal from start to end, see `Conformality::fault()`, and of the
+  /// same conformal type
   explicit operator bool() const
   {
-    return (converged() || stop == Flow_step_report::Stop::steps_done) &&
-           conformality.fault({}) == Conformality::Fault::none;
+    return is_complete() && conformality.fault({}) == Conformality::Fault::none &&
+           conformal_type_change <= max_conformal_type_change;
   }
 };
 

@@ -25,6 +25,8 @@ CGP_INLINE const char* to_string(Flow_step_report::Stop stop)
       return "cancelled";
     case Flow_step_report::Stop::time_step_too_small:
       return "the time step became too small";
+    case Flow_step_report::Stop::limits_reached:
+      return "the limits of distortion are reached";
     case Flow_step_report::Stop::step_failed:
       return "the step failed";
   }

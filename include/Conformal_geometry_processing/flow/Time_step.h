@@ -12,12 +12,13 @@ namespace internal {
 /// \ingroup PkgFlow
 /// \brief the time step of a flow with backtracking: shrinks after failures and grows again.
 ///
-/// The largest step is tried first. Growth by a smaller factor than halving undoes prevents a flow
+/// Growth by a smaller factor than halving undoes prevents a flow
 /// with a limited step from failing in every other trial.
 class Time_step {
  public:
-  /// \pre 0 < smallest <= largest
-  Time_step(double largest, double smallest);
+  /// \param first tried first
+  /// \pre 0 < smallest <= first <= largest
+  Time_step(double largest, double smallest, double first);
 
   double value() const { return m_value; }
 

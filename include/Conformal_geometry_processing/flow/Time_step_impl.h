@@ -8,8 +8,8 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE internal::Time_step::Time_step(double largest, double smallest)
-    : m_largest(largest), m_smallest(smallest), m_value(largest)
+CGP_INLINE internal::Time_step::Time_step(double largest, double smallest, double first)
+    : m_largest(largest), m_smallest(smallest), m_value(first)
 {}
 
 CGP_INLINE bool internal::Time_step::halve()

@@ -16,7 +16,9 @@ namespace Conformal_geometry_processing {
 /// \param report of the spin transformation of the step
 /// \param is_turning whether the boundary has not yet reached the prescribed directions. Tangents
 /// that are merely kept need not be realizable: if they are not planar, no curvature is.
-std::string step_fault(const Spin_report& report, bool is_turning, const Flow_options& options);
+/// \param is_exact whether the surface is to stay on its exact conformal class
+std::string step_fault(const Spin_report& report, bool is_turning, bool is_exact,
+                       const Flow_options& options);
 
 }  // namespace Conformal_geometry_processing
 

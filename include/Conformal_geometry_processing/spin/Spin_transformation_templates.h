@@ -148,15 +148,14 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
     const Curvature_potential& rho, const Dirac_options& options,
     const internal::Go_further& go_further)
 {
-  const bool closes = m_options.exactness && has_loops();
-  const auto* const constraints = closes ? &exactness(rho.on) : nullptr;
+  const auto* const closing = m_options.exactness && has_loops() ? &exactness(rho.on) : nullptr;
   internal::Scale_search<SolverTraits, EigensolverTraits> search(
-      system(), {rho.on, rho.values * domain().unit()}, m_options.scales, constraints);
+      system(), {rho.on, rho.values * domain().unit()}, m_options.scales, closing);
   Spin_result result = in_units(search.run(options, go_further));
   if (result.report.cancelled) return result;
-  if (closes)
+  if (closing)
     result.report.period_defect =
-        constraints->period_defect(transformed_edges(system().surface(), result.lambda));
+        closing->period_defect(transformed_edges(system().surface(), result.lambda));
   reconstruct(result);
   result.report.scales = search.scales();
   return result;

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_CONFORMAL_CLASS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_CONFORMAL_CLASS_H
+
+#include <Conformal_geometry_processing/conformal_class/Edge_scales.h>
+#include <Conformal_geometry_processing/conformal_class/Snap_equations.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgConformalClass
+/// When a snap ends
+struct Snap_options {
+  /// of the largest residual; a change of log length cross-ratios sums four of them
+  double tolerance = 2.5e-11;
+  int max_iterations = 40;
+  /// whether to begin with the factor of the last snap, which suffices near its surface; the result
+  /// then depends on the calls before
+  bool keep_factor = false;
+};
+
+/// \ingroup PkgConformalClass
+/// The numbers that verify a snap
+struct Snap_report {
+  bool converged = false;                     ///< `residual` is within the tolerance
+  double initial_residual = 0, residual = 0;  ///< the largest, absolute, of `Edge_scales`
+  int iterations = 0, factorizations = 0;
+};
+
+/// \ingroup PkgConformalClass
+/// \brief The discrete conformal class of a mesh: all surfaces of its connectivity whose edge
+/// lengths differ from its own by factors at the vertices, that is, which have its length
+/// cross-ratios [Luo 2004; Springborn, Schroeder and Pinkall 2008]. Moebius transformations keep
+/// it.
+///
+/// Any genus, with or without boundary, in one component or more.
+class Conformal_class {
+ public:
+  /// \pre no edge of the mesh has length zero
+  /// \throw Solver_error if the analysis fails
+  explicit Conformal_class(const Mesh_view& mesh);
+
+  /// \brief Moves a surface into the class by Gauss-Newton steps of least change, see
+  /// `Snap_equations`; a step that does not lower the residuals is halved.
+  ///
+  /// A factor is used as long as the residuals fall by four fifths in each step; near the class
+  /// that is to the end. Commutes with motions and scalings of f. Each factorization costs about
+  /// twice that of the complex Dirac matrix.
+  /// \param f 3 x |V|; unchanged where the residual is within the tolerance from the start. Without
+  /// convergence, the nearest surface found
+  /// \throw Solver_error if a factorization fails, or an edge of f has length zero
+  Snap_report snap(Points& f, const Snap_options& options = {});
+
+ private:
+  /// a surface, its log scales, and the residuals of both
+  struct State {
+    Points f;
+    Eigen::VectorXd u, residuals;
+  };
+
+  Conformal_class(const Mesh_view& mesh, const std::shared_ptr<const Sparse_pattern>& graph);
+
+  /// \brief Takes a step with the last factor, of which at most `halvings` halves are tried.
+  /// \returns whether the norm of the residuals fell below the multiple `factor` of itself; the
+  /// state is unchanged otherwise
+  bool advance(State& state, double factor, int halvings) const;
+
+  Edge_scales m_scales;
+  Snap_equations m_equations;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/conformal_class/Conformal_class_impl.h>
+#endif
+
+#endif

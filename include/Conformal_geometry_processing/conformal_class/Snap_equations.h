@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_SNAP_EQUATIONS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_SNAP_EQUATIONS_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgConformalClass
+/// \brief The smallest change (df, du) of a surface and its log scales that removes given residuals
+/// of `Edge_scales`, to first order.
+///
+/// Minimizes eps G(d) + |c + J d|^2, with G(d) = sum |df_j - df_i|^2 / |f_j - f_i|^2 + .01 |du|^2.
+/// Real, 4|V| x 4|V|, with blocks of 4 x 4 numbers on the vertex graph, ordered like it. G does not
+/// see translations: the first vertex of each component is held, which changes the solution by a
+/// translation only.
+///
+/// On isothermic surfaces, such as spheres, J loses rank, and a large eps converges slowly. Where
+/// edges differ in length by many orders of magnitude, a small one drowns in rounding.
+class Snap_equations {
+ public:
+  /// \param graph the `vertex_graph()` of the mesh
+  Snap_equations(const Mesh_view& mesh, const Sparse_pattern& graph);
+
+  /// \brief Linearizes at f and factors the matrix, damped until it is positive definite.
+  /// \throw Solver_error if that fails, or an edge has no length
+  void factorize(const Points& f);
+
+  bool is_factorized() const { return m_is_factorized; }
+
+  /// \brief Multiplies eps by ten for later factorizations.
+  /// \returns false if it is as large as makes sense
+  bool damp();
+
+  /// \brief Solves with the last factor and the J of that surface.
+  /// \param c |E| residuals
+  /// \param df 3 x |V|, mean zero on each component; du |V|
+  /// \throw Solver_error if the solution is not finite
+  void solve(const Eigen::VectorXd& c, Points& df, Eigen::VectorXd& du) const;
+
+ private:
+  using Row = Eigen::Vector4d;  // what an end of an edge has in a row of J: three for f, one for u
+
+  void assemble(const Points& f);
+  void add_edge(int i, int j, int k, double weight);
+  double& entry(int block_column, int block, int row, int column);
+  void center(Points& df) const;
+
+  const std::vector<std::array<int, 2>> m_ends;
+  const Sparse_pattern m_graph;
+  std::vector<int> m_components;  // of the vertices
+  Hermitian_sparse_matrix<double> m_matrix;
+  Supernodal_cholesky<double> m_solver;
+  Points m_directions;  // (f_j - f_i) / |f_j - f_i|^2, 3 x |E|
+  double m_eps = 1e-6;
+  bool m_is_factorized = false;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/conformal_class/Snap_equations_impl.h>
+#endif
+
+#endif

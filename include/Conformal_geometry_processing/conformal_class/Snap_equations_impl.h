@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_SNAP_EQUATIONS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_SNAP_EQUATIONS_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/conformal_class/Snap_equations.h>
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/expanded_graph.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <memory>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+constexpr double snap_scale_weight = .01;  // of |du|^2 in G
+constexpr double largest_snap_eps = 1e-3;
+
+inline void require_snap(Solver_status status)
+{
+  if (status != Solver_status::success)
+    throw Solver_error("snap to the conformal class", to_string(status));
+}
+
+}  // namespace internal
+
+CGP_INLINE internal::Snap_equations::Snap_equations(const Mesh_view& mesh,
+                                                    const Sparse_pattern& graph)
+    : m_ends(mesh.ends()),
+      m_graph(graph),
+      m_components(connected_components(mesh)),
+      m_matrix(std::make_shared<const Sparse_pattern>(expanded_pattern(graph, 4)))
+{
+  const int factorizations = 10;  // a few for each snap, and flows have many
+  const Ordering order = choose_ordering(graph, &mesh.positions(), factorizations);
+  require_snap(m_solver.analyze(m_matrix.pattern(), expanded_ordering(order, 4)));
+}
+
+// Entry (row, column) of a block of a column of blocks, 0 for the diagonal one.
+CGP_INLINE double& internal::Snap_equations::entry(int block_column, int block, int row, int column)
+{
+  const auto& offsets = m_matrix.pattern().offsets;
+  const int first = offsets[static_cast<std::size_t>(4 * block_column + column)] - column;
+  return m_matrix.value(first + 4 * block + row);
+}
+
+CGP_INLINE void internal::Snap_equations::add_edge(int i, int j, int k, double weight)
+{
+  Row at_j, at_i;
+  at_j << m_directions.col(k), -.5;
+  at_i << -m_directions.col(k), -.5;
+  const int block = m_graph.find(j, i) - m_graph.offsets[static_cast<std::size_t>(i)];
+  for (int c = 0; c < 4; ++c) {
+    const double g = c < 3 ? weight : 0;
+    entry(i, 0, c, c) += g, entry(j, 0, c, c) += g, entry(i, block, c, c) -= g;
+    for (int r = c; r < 4; ++r)
+      entry(i, 0, r, c) += at_i[r] * at_i[c], entry(j, 0, r, c) += at_j[r] * at_j[c];
+    for (int r = 0; r < 4; ++r) entry(i, block, r, c) += at_j[r] * at_i[c];
+  }
+}
+
+CGP_INLINE bool internal::Snap_equations::damp()
+{
+  if (m_eps >= largest_snap_eps) return false;
+  m_eps *= 10;
+  return true;
+}
+
+CGP_INLINE void internal::Snap_equations::factorize(const Points& f)
+{
+  m_is_factorized = false;
+  Solver_status status;
+  do {
+    assemble(f);
+    status = m_solver.factorize(m_matrix, {});
+  } while (status == Solver_status::not_positive_definite && damp());
+  require_snap(status);
+  m_is_factorized = true;
+}
+
+CGP_INLINE void internal::Snap_equations::assemble(const Points& f)
+{
+  m_matrix.set_zero();
+  m_directions.resize(3, static_cast<Eigen::Index>(m_ends.size()));
+  for (int k = 0; k < m_directions.cols(); ++k) {
+    const auto [i, j] = m_ends[static_cast<std::size_t>(k)];
+    const Eigen::Vector3d e = f.col(j) - f.col(i);
+    m_directions.col(k) = e / e.squaredNorm();
+    add_edge(i, j, k, m_eps / e.squaredNorm());
+  }
+  int components = 0;
+  for (int v = 0; v < f.cols(); ++v) {
+    entry(v, 0, 3, 3) += m_eps * snap_scale_weight;
+    if (m_components[static_cast<std::size_t>(v)] < components) continue;
+    ++components;
+    const double held = entry(v, 0, 0, 0) + entry(v, 0, 1, 1) + entry(v, 0, 2, 2);
+    for (int c = 0; c < 3; ++c) entry(v, 0, c, c) += held;
+  }
+}
+
+CGP_INLINE void internal::Snap_equations::solve(const Eigen::VectorXd& c, Points& df,
+                                                Eigen::VectorXd& du) const
+{
+  Block<double> b = Block<double>::Zero(m_matrix.size(), 1), d;
+  for (int k = 0; k < c.size(); ++k) {
+    const auto [i, j] = m_ends[static_cast<std::size_t>(k)];
+    b.block<3, 1>(4 * i, 0) += c[k] * m_directions.col(k);
+    b.block<3, 1>(4 * j, 0) -= c[k] * m_directions.col(k);
+    for (const int v : {i, j}) b(4 * v + 3, 0) += c[k] / 2;
+  }
+  require_snap(m_solver.solve(b, d));
+  const auto at_vertices = d.col(0).reshaped(4, d.rows() / 4);
+  df = at_vertices.topRows<3>();
+  du = at_vertices.row(3);
+  center(df);
+}
+
+CGP_INLINE void internal::Snap_equations::center(Points& df) const
+{
+  int components = 0;
+  for (const int c : m_components) components = (std::max)(components, c + 1);
+  Points sum = Points::Zero(3, components);
+  Eigen::VectorXd count = Eigen::VectorXd::Zero(components);
+  for (int v = 0; v < df.cols(); ++v) {
+    sum.col(m_components[static_cast<std::size_t>(v)]) += df.col(v);
+    ++count[m_components[static_cast<std::size_t>(v)]];
+  }
+  for (int v = 0; v < df.cols(); ++v) {
+    const int component = m_components[static_cast<std::size_t>(v)];
+    df.col(v) -= sum.col(component) / count[component];
+  }
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLASS_KEEPER_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLASS_KEEPER_H
+
+#include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
+#include <Conformal_geometry_processing/flow/Fairing.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <functional>
+#include <optional>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgFlow
+/// \brief keeps a flow on the discrete conformal class of its initial surface, and smooths surfaces
+/// within it.
+///
+/// The error of a spin transformation is O(h) of the step; those of many steps add up to a drift
+/// away from the class. Area and centroid are those of the initial surface.
+class Class_keeper {
+ public:
+  /// \param initial closed; a copy is kept
+  /// \throw Solver_error if an analysis fails
+  explicit Class_keeper(const Mesh_view& initial);
+
+  /// \brief moves positions into the class, up to changes of log length cross-ratios of 1e-3.
+  /// \returns whether it is reached
+  /// \throw Solver_error if a factorization fails
+  bool snap(Points& f);
+
+  /// \brief moves positions, which a snap has reached, to 1e-10, or as near as rounding allows.
+  /// \throw Solver_error if a factorization fails
+  void polish(Points& f);
+
+  /// \brief a smoother surface of the class that is better; the strength is quartered until it is,
+  /// at most twice, and doubled for the next call.
+  /// \param is_better whether a surface is to be taken
+  /// \throw Solver_error if memory runs out; other failures count as a surface that is not better
+  std::optional<Points> smoothed(const Mesh_view& mesh,
+                                 const std::function<bool(const Points&)>& is_better);
+
+ private:
+  void take(Points moved, Points& f) const;
+  bool try_smoothing(const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better,
+                     Points& f);
+
+  double m_unit;        // of a frame, so that logarithms of lengths do not depend on the scale
+  Mesh_view m_initial;  // in the frame, as the class
+  Conformal_class m_class;
+  Fairing m_fairing;
+  double m_strength = 2;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Class_keeper_impl.h>
+#endif
+
+#endif

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLASS_KEEPER_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLASS_KEEPER_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/flow/Class_keeper.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/spin/restore_area.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE internal::Class_keeper::Class_keeper(const Mesh_view& initial)
+    : m_unit(Normalized_frame(initial.positions()).unit()),
+      m_initial(initial.positions() / m_unit, initial.corners()),
+      m_class(m_initial),
+      m_fairing(initial)
+{}
+
+// A quarter of the limit on length cross-ratios, which sum four residuals. The factor of the last
+// snap is kept: late in a flow its steps converge without another one.
+CGP_INLINE bool internal::Class_keeper::snap(Points& f)
+{
+  Points moved = f / m_unit;
+  if (!m_class.snap(moved, {2.5e-4, 12, true}).converged) return false;
+  take(std::move(moved), f);
+  return true;
+}
+
+CGP_INLINE void internal::Class_keeper::polish(Points& f)
+{
+  Points moved = f / m_unit;
+  const Snap_report report = m_class.snap(moved);
+  if (!(report.residual < report.initial_residual)) return;
+  take(std::move(moved), f);
+}
+
+CGP_INLINE void internal::Class_keeper::take(Points moved, Points& f) const
+{
+  Quaternion_vector<double> no_spins;
+  restore_area(m_initial, moved, no_spins);
+  f = m_unit * moved;
+}
+
+CGP_INLINE std::optional<Points> internal::Class_keeper::smoothed(
+    const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better)
+{
+  const double weakest = 1e-2;
+  for (int trial = 0; trial < 3; ++trial) {
+    Points f;
+    if (try_smoothing(mesh, is_better, f)) {
+      m_strength *= 2;
+      return f;
+    }
+    m_strength = (std::max)(m_strength / 4, weakest);
+  }
+  return std::nullopt;
+}
+
+CGP_INLINE bool internal::Class_keeper::try_smoothing(
+    const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better, Points& f)
+{
+  try {
+    f = m_fairing(mesh, m_strength);
+    return snap(f) && is_better(f);
+  } catch (const Solver_error& error) {
+    if (is_out_of_memory(error)) throw;
+    return false;
+  }
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

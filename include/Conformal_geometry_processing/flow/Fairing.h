@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FAIRING_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FAIRING_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgFlow
+/// \brief smooths surfaces within about the conformal class of an initial one: f <- f - (1 - A)^2 f
+/// with A = (M + s L_0)^-1 M.
+///
+/// L_0 is the Laplacian of the *initial* surface, which is that of each conformally equivalent one
+/// [Kazhdan, Solomon and Ben-Chen 2012]. (1 - A)^2 takes the high frequencies away, and leaves low
+/// ones to second order: a single 1 - A would shrink the surface. M is the geometric mean of the
+/// vertex areas of the initial and of the present surface: with those of the present one, even a
+/// small s would be a large step wherever it has shrunk by orders of magnitude; with those of the
+/// initial one, parts that have grown would hardly move. s is a multiple of the mean of M.
+///
+/// The ordering is computed once. One factorization of a real matrix on the vertices, and two
+/// solves of three columns.
+class Fairing {
+ public:
+  /// \param initial the initial surface, closed
+  /// \throw Solver_error if the analysis fails
+  explicit Fairing(const Mesh_view& initial);
+
+  /// \param mesh a surface of the connectivity of the initial one
+  /// \param strength s by the mean of M
+  /// \throw Solver_error if the factorization fails
+  Points operator()(const Mesh_view& mesh, double strength);
+
+ private:
+  Hermitian_sparse_matrix<double> m_laplacian, m_matrix;
+  Eigen::VectorXd m_areas;  // of the vertices, of the initial surface
+  Supernodal_cholesky<double> m_solver;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Fairing_impl.h>
+#endif
+
+#endif

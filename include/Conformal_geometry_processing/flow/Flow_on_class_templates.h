@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_ON_CLASS_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FLOW_ON_CLASS_TEMPLATES_H
+
+// The steps of `Conformal_willmore_flow` on the exact conformal class, and what is measured of it.
+
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+#include <Conformal_geometry_processing/forms/conformal_type.h>
+#include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/mesh/simple_delaunay.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+bool Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::keeps_class(
+    const Mesh_view& mesh, const Flow_options& options)
+{
+  return options.exact_conformal_class && !options.mollification && boundary_loops(mesh).empty();
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+Mesh_view Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::on_class(
+    const Mesh_view& mesh, const Flow_options& options, const std::string& function)
+{
+  if (options.mollification) return mesh;
+  require_surface(mesh, function);
+  return keeps_class(mesh, options) ? internal::simple_delaunay(mesh) : mesh;
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+bool Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::fairs() const
+{
+  return m_class && m_options.fairing && m_options.backtracking && m_options.filter_weight == 0 &&
+         internal::Has_energy<Direction>::value;
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::take_step(
+    Flow_step_report& report, const Go_further& go_further)
+{
+  report.faired = fairs() && fair(report);
+  const auto direction = m_direction(m_mesh);
+  report.direction_norm = direction.norm;
+  report.remaining_share = direction.share;
+  if (direction.has_vanished(m_options.direction_tolerance) && !is_turning())
+    report.stop = Flow_step_report::Stop::direction_vanished;
+  else
+    find_time_step(direction.v, report, go_further);
+  const bool is_cancelled = report.stop == Flow_step_report::Stop::cancelled;
+  if (report.faired && !report.accepted && !is_cancelled) settle_for_fairing(report);
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+bool Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::fair(
+    Flow_step_report& report)
+{
+  double energy = m_energy;
+  const auto is_better = [&](const Points& f) {
+    m_next.set_positions(f);
+    energy = energy_of(m_next);
+    return energy < m_energy && move_on(energy, m_options.limits, report) == Verdict::good;
+  };
+  return m_class->smoothed(m_mesh, is_better).has_value();
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::settle_for_fairing(
+    Flow_step_report& report)
+{
+  const bool was_enough = !is_small(report.energy_before - m_energy, 1);
+  if (was_enough) {
+    report.stop = Flow_step_report::Stop::none;
+    report.message.clear();
+  }
+  report.accepted = true;
+  report.energy = m_energy;
+  report.time_step = 0;
+  report.spin = {};
+  ++m_steps;
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::restore(
+    const Points& before, double energy)
+{
+  if (m_mesh.positions() == before) return;
+  m_mesh.set_positions(before);
+  m_transformation.set_positions(before);
+  m_energy = energy;
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::finish(
+    Flow_report& report)
+{
+  if (m_class && m_steps > 0 && report.stop != Flow_step_report::Stop::cancelled) polish();
+  report.energy = m_energy;
+  report.conformality = map_to(measured(), m_mesh.positions());
+  report.conformality_of_faces =
+      m_class ? map_to(m_input, m_mesh.positions()) : report.conformality;
+  if (m_steps > 0 && !m_options.mollification && boundary_loops(m_mesh).empty())
+    report.conformal_type_change = type_change();
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::type_change() const
+{
+  try {
+    return internal::conformal_type_distance(internal::harmonic_energies(in_frame(m_initial)),
+                                             internal::harmonic_energies(in_frame(m_mesh)));
+  } catch (const Solver_error& error) {
+    if (is_out_of_memory(error)) throw;
+    return HUGE_VAL;  // a Laplacian that cannot be factored has no harmonic forms to compare
+  }
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::polish()
+{
+  Points f = m_mesh.positions();
+  try {
+    m_class->polish(f);
+    m_transformation.set_positions(f);
+  } catch (const Error&) {
+    return;  // the surface is in its class to the tolerance of the steps
+  }
+  m_mesh.set_positions(std::move(f));
+  m_energy = energy_of(m_mesh);
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+Conformality Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::map_to(
+    const Mesh_view& measured, const Points& positions)
+{
+  const double unit = internal::Normalized_frame(measured.positions()).unit();
+  const Mesh_view before(measured.positions() / unit, measured.corners());
+  const Points after = positions / unit;
+  return conformality(before, after, neighbourhood_normals(before, after));
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+Conformality::Limits
+Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::spin_limits() const
+{
+  Conformality::Limits limits = m_options.limits;
+  if (m_class)
+    limits.quasi_conformal = (std::min)(limits.quasi_conformal, m_options.max_spin_distortion);
+  return limits;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

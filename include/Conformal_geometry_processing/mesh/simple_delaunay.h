@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_SIMPLE_DELAUNAY_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_SIMPLE_DELAUNAY_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgMesh
+/// \brief The mesh with the connectivity of its intrinsic Delaunay triangulation, as a mesh whose
+/// edges are chords: its faces are well shaped where those of the input are slivers.
+///
+/// Flips that would join two vertices twice are left out, so every edge is determined by its ends,
+/// and so are those that would give a face without area. The vertices, their numbers and the
+/// boundary stay. A mesh that is Delaunay already is returned unchanged.
+/// \param mesh an oriented manifold without edges of length zero, with or without boundary
+Mesh_view simple_delaunay(const Mesh_view& mesh);
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/simple_delaunay_impl.h>
+#endif
+
+#endif

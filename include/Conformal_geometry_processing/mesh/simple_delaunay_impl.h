@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_SIMPLE_DELAUNAY_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_SIMPLE_DELAUNAY_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/Intrinsic_triangulation.h>
+#include <Conformal_geometry_processing/mesh/intrinsic_delaunay.h>
+#include <Conformal_geometry_processing/mesh/mollified_lengths.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/mesh/simple_delaunay.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgMesh
+/// The pairs of vertices that the edges of a triangulation join
+class Joined_vertices {
+ public:
+  explicit Joined_vertices(const Mesh_view& mesh) : m_pairs(mesh.ends().begin(), mesh.ends().end())
+  {}
+
+  bool contain(int a, int b) const { return m_pairs.count({(std::min)(a, b), (std::max)(a, b)}); }
+
+  void flip(const Intrinsic_triangulation& triangles, int h)
+  {
+    const auto pair = [](int a, int b) {
+      return std::array<int, 2>{(std::min)(a, b), (std::max)(a, b)};
+    };
+    m_pairs.erase(pair(triangles.from(h), triangles.to(h)));
+    m_pairs.insert(pair(triangles.apex(h), triangles.apex(triangles.twin(h))));
+  }
+
+ private:
+  std::set<std::array<int, 2>> m_pairs;
+};
+
+// Whether the chords of the two faces after a flip enclose an area.
+inline bool has_area_when_flipped(const Mesh_view& mesh, const Intrinsic_triangulation& triangles,
+                                  int h)
+{
+  const int k = triangles.apex(h), l = triangles.apex(triangles.twin(h));
+  for (const int v : {triangles.from(h), triangles.to(h)}) {
+    const Mesh_view face(
+        (Points(3, 3) << mesh.position(k), mesh.position(l), mesh.position(v)).finished(),
+        {{0, 1, 2}});
+    if (has_area_zero(face, 0)) return false;
+  }
+  return true;
+}
+
+}  // namespace internal
+
+CGP_INLINE Mesh_view internal::simple_delaunay(const Mesh_view& mesh)
+{
+  Intrinsic_triangulation triangles(mesh, edge_lengths(mesh));
+  Joined_vertices joined(mesh);
+  const auto may_flip = [&](int h) {
+    const int k = triangles.apex(h), l = triangles.apex(triangles.twin(h));
+    return k != l && !joined.contain(k, l) && has_area_when_flipped(mesh, triangles, h);
+  };
+  const int flips =
+      flip_to_delaunay(triangles, may_flip, [&](int h) { joined.flip(triangles, h); });
+  if (flips == 0) return mesh;
+  Mesh_view::Corners corners(static_cast<std::size_t>(mesh.size_of_faces()));
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    corners[static_cast<std::size_t>(f)] = {triangles.apex(3 * f), triangles.apex(3 * f + 1),
+                                            triangles.apex(3 * f + 2)};
+  return {mesh.positions(), std::move(corners)};
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SNAP_TO_CONFORMAL_CLASS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SNAP_TO_CONFORMAL_CLASS_H
+
+#include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/geometry_traits.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/core/write_points.h>
+#include <Conformal_geometry_processing/measure/length_cross_ratio.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/mesh/simple_delaunay.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgConformalClass
+/// \brief The numbers that verify `snap_to_conformal_class()`.
+struct [[nodiscard]] Class_snap_report {
+  bool converged = false;
+  int iterations = 0, factorizations = 0;
+  /// changes of log length cross-ratios from the reference, in the end of the positions as written
+  Length_cross_ratio_change initial_length_cross_ratio, length_cross_ratio;
+  double displacement = 0;  ///< root mean square over the vertices, by the diagonal of the mesh
+
+  /// whether the surface is in the class; if not, nothing was written
+  explicit operator bool() const { return converged; }
+};
+
+inline void require_edge_lengths(const Mesh_view& mesh, const std::string& function)
+{
+  require_manifold_components(mesh, function);
+  refuse_if_any(
+      mesh.size_of_edges(),
+      [&](int k) { return mesh.position(mesh.ends(k)[0]) == mesh.position(mesh.ends(k)[1]); },
+      [&](int k) { return name_of_edge(mesh, k); }, function, "#edge of length zero",
+      "its ends have to be different points");
+}
+
+/// Moves the positions, 3 x |V|, into the class of the reference
+inline Class_snap_report snap_to_class(const Mesh_view& reference, Points& positions,
+                                       const Snap_options& options)
+{
+  const Normalized_frame frame(positions);
+  Points f = frame.to_frame(positions);
+  Conformal_class conformal_class(reference);
+  const Snap_report snap = conformal_class.snap(f, options);
+  Class_snap_report report;
+  report.converged = snap.converged;
+  report.iterations = snap.iterations;
+  report.factorizations = snap.factorizations;
+  report.initial_length_cross_ratio = length_cross_ratio_change(reference, positions);
+  Points moved = snap.iterations == 0 ? positions : frame.from_frame(std::move(f));
+  const double diagonal = (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).norm();
+  report.displacement = (moved - positions).norm() / std::sqrt(double(positions.cols())) / diagonal;
+  report.length_cross_ratio = length_cross_ratio_change(reference, moved);
+  positions = std::move(moved);
+  return report;
+}
+
+}  // namespace internal
+
+/// \ingroup PkgEntryPoints
+/// \brief moves a surface, by as little as possible, to one that is discretely conformally
+/// equivalent to a reference: to exactly its length cross-ratios, up to rounding.
+///
+/// Edge lengths then differ by factors at the vertices, l~_ij = l_ij exp((u_i + u_j) / 2)
+/// [Springborn, Schroeder and Pinkall 2008]. To be used after any deformation that is nearly
+/// conformal, such as a spin transformation, whose length cross-ratios are right up to the
+/// discretization error. Any genus, with or without boundary, in one component or more.
+///
+/// Gauss-Newton steps of least change in the scale-invariant sense sum |df_j - df_i|^2 / |f_j -
+/// f_i|^2. Typically one or two factorizations of a real symmetric matrix with blocks of 4 x 4
+/// numbers on the vertices.
+///
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
+/// \tparam PointMap a model of `ReadablePropertyMap` with the vertex descriptor as key
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the surface; its points are overwritten
+/// \param reference_points the points of the reference, which has the connectivity of the mesh
+/// \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{use_delaunay_triangulation}
+///     \cgalParamDescription{whether the class is that of the intrinsic Delaunay triangulation of
+///                           the reference, with the distances of its vertices in space as lengths.
+///                           Slivers of the faces then have no part in it}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tolerance}
+///     \cgalParamDescription{of the logarithms of length cross-ratios}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-10}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{maximum number of steps}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{40}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices; read, and written unless
+///                           `output_vertex_point_map` is given}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{output_vertex_point_map}
+///     \cgalParamDescription{receives the new points}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{the vertex point map}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
+///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the report, which converts to `true` if the surface is in the class. Otherwise nothing
+/// has been written: the surface is too far from the class, or its scales from the precision of
+/// its coordinates.
+/// \throw Precondition_error if the mesh is not an oriented manifold triangle mesh with finite
+/// coordinates, or an edge of the mesh or of the reference has length zero
+/// \throw Solver_error if a factorization fails
+template <class TriangleMesh, class PointMap,
+          class NamedParameters = parameters::Default_named_parameters>
+internal::Class_snap_report snap_to_conformal_class(
+    TriangleMesh& mesh, PointMap reference_points,
+    const NamedParameters& np = parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  static_assert(
+      internal::only_known_parameters<
+          NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
+          CGAL::internal_np::number_of_iterations_t, internal_np::output_vertex_point_map_t,
+          CGAL::internal_np::use_delaunay_triangulation_t, internal_np::tolerance_t>,
+      "snap_to_conformal_class(): unknown named parameter, see the manual for those it accepts");
+  const std::string function = "snap_to_conformal_class";
+  const Graph_view<TriangleMesh> graph(mesh, np, function);
+  const Graph_view<TriangleMesh> reference(mesh, reference_points,
+                                           internal::geometry_traits<TriangleMesh>(np), function);
+  internal::require_edge_lengths(graph.view(), function);
+  internal::require_edge_lengths(reference.view(), function);
+  internal::Snap_options options;
+  options.tolerance =
+      choose_parameter(get_parameter(np, internal_np::tolerance), 4 * options.tolerance) / 4;
+  options.max_iterations = static_cast<int>(choose_parameter(
+      get_parameter(np, CGAL::internal_np::number_of_iterations), options.max_iterations));
+  const bool on_delaunay =
+      choose_parameter(get_parameter(np, CGAL::internal_np::use_delaunay_triangulation), false);
+  Points positions = graph.view().positions();
+  const auto report = internal::snap_to_class(
+      on_delaunay ? internal::simple_delaunay(reference.view()) : reference.view(), positions,
+      options);
+  if (report) internal::write_points(mesh, graph, positions, np);
+  return report;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,162 @@
+// Tests include/Conformal_geometry_processing/conformal_class/Conformal_class.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
+#include <Conformal_geometry_processing/measure/length_cross_ratio.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <vector>
+
+#include "support/meshes.h"
+#include "support/moebius.h"
+#include "support/random.h"
+#include "support/tori.h"
+
+namespace CGP = Conformal_geometry_processing;
+using namespace cgp_test;
+using CGP::internal::Conformal_class;
+
+namespace {
+
+std::vector<Mesh_view> surfaces()
+{
+  return {icosphere(2),
+          bumpy_sphere(3),
+          torus(2, 1, 20, 10),
+          irregular_torus(2, 1, 24, 12),
+          disk(5),
+          perturbed(icosphere(1), .3)};
+}
+
+double change(const Mesh_view& mesh, const Points& f)
+{
+  return CGP::length_cross_ratio_change(mesh, f).max;
+}
+
+Points stretched(const Mesh_view& mesh, double factor)
+{
+  Points f = mesh.positions();
+  f.row(0) *= factor;
+  return f;
+}
+
+Points snapped(const Mesh_view& mesh, Points f)
+{
+  EXPECT_TRUE(Conformal_class(mesh).snap(f).converged);
+  return f;
+}
+
+}  // namespace
+
+TEST(Conformal_class, contains_the_moebius_images_of_a_surface_which_do_not_move)
+{
+  for (const Mesh_view& mesh : surfaces()) {
+    const Points image = inverted(mesh, {.3, .1, 2.5}).positions();
+    Points f = image;
+    const auto report = Conformal_class(mesh).snap(f);
+    EXPECT_TRUE(report.converged);
+    EXPECT_EQ(report.iterations, 0);
+    EXPECT_EQ(f, image);
+  }
+}
+
+TEST(Conformal_class, is_reached_from_stretched_and_from_perturbed_surfaces)
+{
+  for (const Mesh_view& mesh : surfaces())
+    for (const Points& f : {stretched(mesh, 1.3), perturbed(mesh, .05).positions(),
+                            perturbed(inverted(mesh, {.3, .1, 3.5}), .02).positions()}) {
+      EXPECT_GT(change(mesh, f), .05);
+      EXPECT_LT(change(mesh, snapped(mesh, f)), 1e-10);
+    }
+}
+
+TEST(Conformal_class, of_a_bumpy_sphere_has_one_next_to_a_round_one)
+{
+  const Mesh_view round = icosphere(4), bumpy = bumpy_sphere(4);
+  const Points f = snapped(bumpy, round.positions());
+  EXPECT_LT(change(bumpy, f), 1e-10);
+  EXPECT_LT((f.colwise().norm().array() - 1).abs().maxCoeff(), .05);
+}
+
+TEST(Conformal_class, is_reached_by_a_displacement_of_the_order_of_the_distance)
+{
+  const Mesh_view mesh = bumpy_sphere(3);
+  std::vector<double> moved;
+  for (const double amount : {1e-2, 1e-3, 1e-4}) {
+    const Points f = perturbed(mesh, amount).positions();
+    moved.push_back((snapped(mesh, f) - f).norm());
+  }
+  EXPECT_NEAR(moved[0] / moved[1], 10, 2);
+  EXPECT_NEAR(moved[1] / moved[2], 10, .2);
+}
+
+TEST(Conformal_class, is_reached_alike_from_moved_and_scaled_surfaces)
+{
+  const Mesh_view mesh = bumpy_sphere(3);
+  const Points f = perturbed(mesh, .05).positions();
+  const Eigen::Matrix3d turn =
+      7 * Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const Points image = (turn * f).colwise() + Eigen::Vector3d(1, -2, 3);
+  const Points expected = (turn * snapped(mesh, f)).colwise() + Eigen::Vector3d(1, -2, 3);
+  EXPECT_LT((snapped(mesh, image) - expected).cwiseAbs().maxCoeff(), 1e-8);
+}
+
+TEST(Conformal_class, does_not_depend_on_the_scale_of_the_reference)
+{
+  const Mesh_view mesh = disk(5);
+  const Points f = stretched(mesh, 1.2);
+  EXPECT_LT((snapped(scaled(mesh, 1e3), f) - snapped(mesh, f)).cwiseAbs().maxCoeff(), 1e-8);
+}
+
+TEST(Conformal_class, keeps_each_component_in_its_place_and_those_that_belong_to_it_unmoved)
+{
+  const Mesh_view a = bumpy_sphere(2), b = torus(2, 1, 20, 10);
+  const Mesh_view both = disjoint_union(a, b, {5, 0, 0});
+  const int n = a.size_of_vertices(), m = b.size_of_vertices();
+  Points f = both.positions();
+  f.leftCols(n) = perturbed(a, .03).positions();
+  const Points after = snapped(both, f);
+  EXPECT_LT(change(both, after), 1e-10);
+  EXPECT_LT((after.rightCols(m) - f.rightCols(m)).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_LT((after.leftCols(n).rowwise().mean() - f.leftCols(n).rowwise().mean()).norm(), 1e-12);
+}
+
+TEST(Conformal_class, is_reached_again_with_the_factor_at_hand)
+{
+  const Mesh_view mesh = bumpy_sphere(3);
+  Conformal_class conformal_class(mesh);
+  CGP::internal::Snap_options options;
+  options.keep_factor = true;
+  Points f = perturbed(mesh, .01, 1).positions(), g = perturbed(mesh, .001, 2).positions();
+  EXPECT_GT(conformal_class.snap(f, options).factorizations, 0);
+  const auto again = conformal_class.snap(g, options);
+  EXPECT_TRUE(again.converged);
+  EXPECT_EQ(again.factorizations, 0);
+  EXPECT_LT(change(mesh, g), 1e-10);
+}
+
+TEST(Conformal_class, needs_no_more_steps_than_the_tolerance_asks_for)
+{
+  const Mesh_view mesh = bumpy_sphere(3);
+  CGP::internal::Snap_options options;
+  options.tolerance = 1e-3;
+  Points f = stretched(mesh, 1.1);
+  const auto report = Conformal_class(mesh).snap(f, options);
+  EXPECT_LE(report.residual, 1e-3);
+  EXPECT_LE(change(mesh, f), 4e-3);
+  options.max_iterations = 1;
+  options.tolerance = 0;
+  f = stretched(mesh, 1.1);
+  EXPECT_FALSE(Conformal_class(mesh).snap(f, options).converged);
+}
+
+TEST(Conformal_class, is_not_reached_from_a_surface_that_has_collapsed)
+{
+  const Mesh_view mesh = icosphere(1);
+  Points f = Points::Zero(3, mesh.size_of_vertices());
+  EXPECT_THROW((void)Conformal_class(mesh).snap(f), CGP::Solver_error);
+}

@@ -1,0 +1,147 @@
+// Tests include/Conformal_geometry_processing/flow/Flow_on_class_templates.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+#include <Conformal_geometry_processing/forms/conformal_type.h>
+#include <Conformal_geometry_processing/mesh/simple_delaunay.h>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "flow_tools.h"
+#include "support/handlebodies.h"
+#include "support/moebius.h"
+#include "support/random.h"
+#include "support/tori.h"
+
+/// Laws of the flow on the exact discrete conformal class, its default on closed surfaces.
+namespace {
+
+using namespace cgp_test;
+using Flow = CGP::Conformal_willmore_flow<>;
+using Stop = CGP::Flow_step_report::Stop;
+
+Mesh_view stretched(const Mesh_view& mesh, double factor)
+{
+  return mapped(mesh, [&](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(factor * p.x(), p.y(), p.z());
+  });
+}
+
+CGP::Flow_options steps(int count)
+{
+  CGP::Flow_options options;
+  options.max_steps = count;
+  options.energy_tolerance = 0;
+  return options;
+}
+
+/// closed surfaces of genus 0 and 1, irregular, noisy, and with slivers
+std::vector<Mesh_view> surfaces()
+{
+  return {bumpy_sphere(3), perturbed(icosphere(3), .03), stretched(bumpy_sphere(3), 4),
+          perturbed(irregular_torus(2, 1, 32, 16), .02), stretched(torus(2, 1, 40, 20), 1.5)};
+}
+
+}  // namespace
+
+TEST(Flow_on_class, keeps_length_cross_ratios_in_every_step_and_exactly_in_the_end)
+{
+  for (const Mesh_view& mesh : surfaces()) {
+    Flow flow(mesh, steps(4));
+    const CGP::Flow_report report = flow.run();
+    EXPECT_EQ(report.steps.size(), 4U);
+    for (const CGP::Flow_step_report& step : report.steps) {
+      EXPECT_LE(step.length_cross_ratio, 1e-3);
+      EXPECT_LT(step.energy, step.energy_before);
+    }
+    EXPECT_LT(report.conformality.length_cross_ratio.max, 1e-10);
+    EXPECT_TRUE(report) << to_string(report.stop) << ' ' << report.message;
+  }
+}
+
+TEST(Flow_on_class, has_the_connectivity_of_the_delaunay_triangulation)
+{
+  const Mesh_view mesh = stretched(bumpy_sphere(3), 4);
+  Flow flow(mesh, steps(2));
+  EXPECT_NE(flow.mesh().corners(), mesh.corners());
+  EXPECT_EQ(flow.mesh().corners(), CGP::internal::simple_delaunay(mesh).corners());
+  EXPECT_EQ(flow.initial_mesh().positions(), mesh.positions());
+  const CGP::Flow_report report = flow.run();
+  EXPECT_NE(report.conformality.quasi_conformal.max,
+            report.conformality_of_faces.quasi_conformal.max);
+}
+
+TEST(Flow_on_class, makes_an_ellipsoid_a_round_sphere)
+{
+  Flow flow(stretched(icosphere(4), 2));
+  const CGP::Flow_report report = flow.run();
+  EXPECT_TRUE(report) << to_string(report.stop) << ' ' << report.message;
+  EXPECT_LT(report.energy, 1.005 * CGP::willmore_energy(icosphere(4)));
+  EXPECT_LT(radius_deviation(flow.mesh()), .01);
+  EXPECT_LT(report.conformality.quasi_conformal.mean, 1.03);
+}
+
+TEST(Flow_on_class, keeps_the_conformal_type_where_the_plain_flow_drifts)
+{
+  const Mesh_view mesh = stretched(irregular_torus(2, 1, 32, 16), 2);
+  CGP::Flow_options options = steps(8);
+  Flow exact(mesh, options);
+  options.exact_conformal_class = false;
+  Flow plain(mesh, options);
+  const double on_class = exact.run().conformal_type_change,
+               off_class = plain.run().conformal_type_change;
+  EXPECT_LT(on_class, .02);
+  EXPECT_GT(off_class, 2 * on_class);
+}
+
+TEST(Flow_on_class, takes_noise_away_that_the_plain_flow_leaves)
+{
+  const Mesh_view mesh = radially_perturbed(icosphere(4), .01);
+  CGP::Flow_options options = steps(3);
+  Flow faired(mesh, options);
+  options.fairing = false;
+  Flow unfaired(mesh, options);
+  (void)faired.run();
+  (void)unfaired.run();
+  EXPECT_LT(faired.energy() - 4 * pi, .5 * (unfaired.energy() - 4 * pi));
+}
+
+TEST(Flow_on_class, lowers_the_energy_of_surfaces_of_higher_genus)
+{
+  for (const int genus : {2, 3}) {
+    const Mesh_view mesh = smooth_handlebody(genus, 1);
+    Flow flow(mesh, steps(5));
+    const CGP::Flow_report report = flow.run();
+    EXPECT_LT(report.energy, .9 * report.initial_energy);
+    EXPECT_LT(report.conformality.length_cross_ratio.max, 1e-10);
+    EXPECT_EQ(report.conformality.fault({}), CGP::Conformality::Fault::none);
+  }
+}
+
+TEST(Flow_on_class, stops_at_the_last_step_within_its_limits)
+{
+  const Mesh_view mesh = stretched(irregular_torus(2, 1, 32, 16), 2);
+  CGP::Flow_options options = steps(20);
+  options.limits.quasi_conformal = 1.01;
+  for (const bool is_exact : {true, false}) {
+    options.exact_conformal_class = is_exact;
+    Flow flow(mesh, options);
+    const CGP::Flow_report report = flow.run();
+    EXPECT_EQ(report.stop, Stop::limits_reached);
+    EXPECT_FALSE(report.is_complete());
+    EXPECT_FALSE(report);
+    EXPECT_LE(report.conformality.quasi_conformal.mean, 1.01);
+    EXPECT_NE(report.message.find("not conformal"), std::string::npos) << report.message;
+  }
+}
+
+TEST(Flow_on_class, keeps_area_and_centroid_at_any_scale)
+{
+  const Mesh_view mesh = scaled(perturbed(irregular_torus(2, 1, 24, 12), .02), 1e3);
+  Flow flow(mesh, steps(3));
+  (void)flow.run();
+  EXPECT_NEAR(area(flow.mesh()), area(flow.initial_mesh()), 1e-9 * area(flow.initial_mesh()));
+  EXPECT_LT((centroid(flow.mesh()) - centroid(flow.initial_mesh())).norm(), 1e-6);
+}

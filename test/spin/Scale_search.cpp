@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Scale_search.h
+// Tests include/Conformal_geometry_processing/spin/Scale_control.h
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/spin/Scale_control.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "support/limbs.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+using CGP::Curvature_potential;
+
+CGP::Spin_transformation_options bounded_by(std::optional<double> bound)
+{
+  CGP::Spin_transformation_options options;
+  options.scales.bound = bound;
+  return options;
+}
+
+CGP::Spin_result transformed(const Mesh_view& mesh, const Eigen::VectorXd& rho,
+                             const CGP::Spin_transformation_options& options)
+{
+  CGP::Spin_transformation<> transformation(mesh, options);
+  return transformation.transform(Curvature_potential::on_vertices(rho));
+}
+
+}  // namespace
+
+TEST(Scale_search, keeps_limbs_within_the_bound)
+{
+  const Mesh_view mesh = dumbbell(4);
+  for (const double frequency : {3., 8.}) {
+    const Eigen::VectorXd rho = rings(mesh, 3, frequency);
+    const CGP::Spin_result plain = transformed(mesh, rho, bounded_by(100));
+    const CGP::Spin_result r = transformed(mesh, rho, bounded_by(2));
+    EXPECT_TRUE(r.report) << to_string(r.report.fault());
+    const auto& scales = r.report.scales;
+    if (frequency == 3.) EXPECT_GT(plain.report.scales.high / plain.report.scales.low, 5);
+    EXPECT_GE(scales.low, .5);
+    EXPECT_LE(scales.high, 2);
+    EXPECT_LE(r.report.conformality.quasi_conformal.mean,
+              plain.report.conformality.quasi_conformal.mean + 1e-3);
+    EXPECT_GE(scales.kept_correlation, frequency > 5 ? .9 : .65);
+    EXPECT_EQ(r.report.conformality.flipped_faces, 0);
+    EXPECT_EQ(r.report.conformality.scale.collapsed_share, 0);
+  }
+}
+
+TEST(Scale_search, leaves_alone_what_is_within_the_bound)
+{
+  const Mesh_view mesh = dumbbell(3);
+  const Eigen::VectorXd rho = rings(mesh, .2, 3);
+  const CGP::Spin_result plain = transformed(mesh, rho, bounded_by(std::nullopt));
+  const CGP::Spin_result r = transformed(mesh, rho, bounded_by(2));
+  EXPECT_EQ(r.positions, plain.positions);
+  EXPECT_EQ(r.report.scales.weight, 0);
+  EXPECT_EQ(r.report.scales.kept_norm, 1);
+  EXPECT_GT(r.report.scales.high, 1);
+  EXPECT_EQ(plain.report.scales.bound, 0);
+}
+
+TEST(Scale_search, with_a_smaller_bound_keeps_less)
+{
+  const Mesh_view mesh = dumbbell(3);
+  const Eigen::VectorXd rho = rings(mesh, 2, 5);
+  double kept = 1;
+  for (const double bound : {3., 1.5, 1.1}) {
+    const CGP::Spin_result r = transformed(mesh, rho, bounded_by(bound));
+    EXPECT_TRUE(r.report) << to_string(r.report.fault());
+    EXPECT_LE(r.report.scales.excess(), 1 + 1e-9);
+    EXPECT_LT(r.report.scales.kept_norm, kept + 1e-9);
+    kept = r.report.scales.kept_norm;
+  }
+}
+
+// Powers of two are exact, and constants have no effect.
+TEST(Scale_search, depends_neither_on_the_unit_nor_on_constants)
+{
+  const Mesh_view mesh = dumbbell(3), large = scaled(mesh, 16);
+  const Eigen::VectorXd rho = rings(mesh, 2, 4);
+  const CGP::Spin_result r = transformed(mesh, rho, bounded_by(1.5));
+  const CGP::Spin_result of_large = transformed(large, rho / 16, bounded_by(1.5));
+  EXPECT_EQ(of_large.positions, 16 * r.positions);
+  const Eigen::VectorXd shifted = rho.array() + 1;
+  const CGP::Spin_result other = transformed(mesh, shifted, bounded_by(1.5));
+  EXPECT_NEAR(other.report.scales.kept_norm, r.report.scales.kept_norm, .02);
+}
+
+TEST(Scale_search, makes_a_part_larger)
+{
+  const Mesh_view mesh = dumbbell(4);
+  CGP::Spin_transformation_options options = bounded_by(1.3);
+  options.scales.factors.resize(mesh.size_of_vertices());
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    options.scales.factors[v] = mesh.position(v).y() > 0 ? 2 : 1;
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(mesh.size_of_vertices());
+  const CGP::Spin_result r = transformed(mesh, none, options);
+  EXPECT_TRUE(r.report) << to_string(r.report.fault());
+  const auto radius = [](const Points& p, bool upper) {
+    const Eigen::VectorXd y = (upper ? 1 : -1) * p.row(1).transpose();
+    const double end = y.maxCoeff();
+    double largest = 0;  // distance from the axis in the outer ball
+    for (Eigen::Index v = 0; v < y.size(); ++v)
+      if (y[v] > .3 * end) largest = std::max(largest, std::hypot(p(0, v), p(2, v)));
+    return largest;
+  };
+  EXPECT_GT(radius(r.positions, true) / radius(r.positions, false), 1.4);
+}
+
+TEST(Scale_search, ignores_places_without_weight)
+{
+  const Mesh_view mesh = dumbbell(3);
+  const Eigen::VectorXd rho = rings(mesh, 2, 3);
+  CGP::Spin_transformation_options options = bounded_by(1.5);
+  const CGP::Spin_result all = transformed(mesh, rho, options);
+  options.scales.weights.resize(mesh.size_of_vertices());
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    options.scales.weights[v] = mesh.position(v).y() > 0;
+  const CGP::Spin_result half = transformed(mesh, rho, options);
+  EXPECT_TRUE(half.report);
+  EXPECT_GE(half.report.scales.kept_norm, all.report.scales.kept_norm - 1e-3);
+}
+
+TEST(Scale_search, keeps_handles_closed)
+{
+  const Mesh_view mesh = btorus(24);
+  const CGP::Spin_result r = transformed(mesh, rings(mesh, 3, 4), bounded_by(1.5));
+  EXPECT_TRUE(r.report) << to_string(r.report.fault());
+  EXPECT_LE(r.report.scales.excess(), 1 + 1e-9);
+  EXPECT_LT(r.report.period_defect, 1e-3);
+}
+
+TEST(Scale_search, bounds_disks)
+{
+  const Mesh_view mesh = scaled(jittered_disk(16, .2), 3);
+  Eigen::VectorXd rho(mesh.size_of_vertices());
+  for (int v = 0; v < rho.size(); ++v) rho[v] = 1.5 * std::sin(2 * mesh.position(v).x());
+  for (const auto& condition :
+       {CGP::Boundary_condition::free(), CGP::Boundary_condition::tangents()}) {
+    CGP::Spin_transformation_options options = bounded_by(1.2);
+    options.boundary = condition;
+    const CGP::Spin_result r = transformed(mesh, rho, options);
+    EXPECT_TRUE(r.report) << to_string(r.report.fault());
+    EXPECT_LE(r.report.scales.excess(), 1 + 1e-9);
+  }
+}
+
+TEST(Scale_control, rejects_what_makes_no_sense)
+{
+  const Mesh_view mesh = icosphere(1);
+  const int n = mesh.size_of_vertices();
+  const auto make = [&](const CGP::Spin_transformation_options& options) {
+    CGP::Spin_transformation<> transformation(mesh, options);
+  };
+  for (const double bound : {1., 0., -2., std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(make(bounded_by(bound)), CGP::Precondition_error) << bound;
+  CGP::Spin_transformation_options options = bounded_by(2);
+  options.scales.factors = Eigen::VectorXd::Ones(n - 1);
+  EXPECT_THROW(make(options), CGP::Precondition_error);
+  options.scales.factors = Eigen::VectorXd::Ones(n);
+  options.scales.factors[7] = 0;
+  try {
+    make(options);
+    FAIL();
+  } catch (const CGP::Precondition_error& e) {
+    EXPECT_NE(std::string(e.what()).find("vertex 7"), std::string::npos) << e.what();
+  }
+  options.scales.factors.resize(0);
+  options.scales.weights = Eigen::VectorXd::Zero(n);
+  EXPECT_THROW(make(options), CGP::Precondition_error);
+  options.scales.weights[3] = -1;
+  EXPECT_THROW(make(options), CGP::Precondition_error);
+}
+
+TEST(Scale_control, measures_lengths_at_unchanged_area)
+{
+  const Mesh_view mesh = icosphere(2);
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  Quaternion_vector<double> lambda =
+      Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {0, 3, 0, 0});
+  auto scales = CGP::internal::measured_scales(lambda, areas, {2., {}, {}});
+  EXPECT_NEAR(scales.low, 1, 1e-12);  // a constant is a similarity
+  EXPECT_NEAR(scales.max, 1, 1e-12);
+  lambda[0] = lambda[0] * std::sqrt(5.);
+  scales = CGP::internal::measured_scales(lambda, areas, {2., {}, {}});
+  const double growth = (areas.sum() + 24 * areas[0]) / areas.sum();
+  EXPECT_NEAR(scales.max, 5 / std::sqrt(growth), 1e-12);
+  EXPECT_NEAR(scales.high, 1 / std::sqrt(growth), 1e-12);  // one vertex is less than 1 %
+}
