@@ -24,7 +24,7 @@ TEST(Scale_parameters, reach_the_transformation)
 {
   const Mesh_view view = dumbbell(3);
   const Eigen::VectorXd values = rings(view, 2, 3);
-  Mesh mesh = to_cgal<Mesh>(view);
+  Mesh mesh = to_cgal_mesh<Mesh>(view);
   auto rho = mesh.add_property_map<Mesh::Vertex_index, double>("v:rho").first;
   auto weight = mesh.add_property_map<Mesh::Vertex_index, double>("v:weight", 1).first;
   auto factor = mesh.add_property_map<Mesh::Vertex_index, double>("v:factor", 3).first;
@@ -44,7 +44,7 @@ TEST(Scale_parameters, reach_the_transformation)
 
 TEST(Scale_parameters, are_none_by_default)
 {
-  Mesh mesh = to_cgal<Mesh>(icosphere(1));
+  Mesh mesh = to_cgal_mesh<Mesh>(icosphere(1));
   auto rho = mesh.add_property_map<Mesh::Vertex_index, double>("v:rho", 0).first;
   const CGP::Spin_report report = CGP::spin_transform(mesh, rho);
   EXPECT_EQ(report.scales.bound, 0);

@@ -61,8 +61,8 @@ class Potential_search {
   /// the present rho'
   const Candidate& present() const { return m_now; }
 
-  /// goes to another rho', or back to one
-  void set_present(Candidate candidate) { m_now = std::move(candidate); }
+  /// starts again from rho' = 0, for another rho
+  void restart(Curvature_potential rho);
 
   /// \brief what all evaluations have cost, and whether they were cancelled
   const Dirac_evidence& costs() const { return m_costs; }

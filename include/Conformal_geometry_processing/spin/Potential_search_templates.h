@@ -28,8 +28,17 @@ Potential_search<SolverTraits, EigensolverTraits>::Potential_search(
       m_constraints(std::move(constraints)),
       m_areas(curvature_areas(system.surface(), m_rho.on))
 {
+  restart(m_rho);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Potential_search<SolverTraits, EigensolverTraits>::restart(Curvature_potential rho)
+{
+  m_rho = std::move(rho);
+  m_now = Candidate();
   m_now.rho = {m_rho.on, Eigen::VectorXd::Zero(m_rho.values.size())};
-  m_now.solution.lambda = Spins::Constant(system.areas().size(), {1, 0, 0, 0});
+  m_now.solution.lambda = Spins::Constant(m_system.areas().size(), {1, 0, 0, 0});
+  m_penalty = 0;
 }
 
 template <class SolverTraits, class EigensolverTraits>

@@ -38,7 +38,7 @@ class Scale_search {
   Scale_search(Dirac_system<SolverTraits>& system, Curvature_potential rho,
                const Scale_control& control, const Exactness_constraints* exactness);
 
-  /// \brief searches w, from `first_weight` in both directions.
+  /// \brief searches w; where no w will do, for a half, a quarter, an eighth of rho.
   /// \returns the solution for rho', with the costs of the whole search; that nearest to the bound
   /// if none is within it
   Dirac_solution run(const Dirac_options& options, const Go_further& go_further);
@@ -47,16 +47,19 @@ class Scale_search {
   Spin_report::Scales scales() const;
 
  private:
+  /// tries weights, from 10 in both directions, until the lengths are within the bound
+  void search_weight(const Dirac_options& options, const Go_further& go_further);
+
   /// minimises for w and takes the result if it is better
   /// \returns whether the minimum was reached
   bool try_weight(double w, const Dirac_options& options, const Go_further& go_further);
 
+  const Surface_ref m_surface;
+  const Curvature_potential m_rho;
   Scale_residual m_scales;
   std::optional<Period_residual> m_periods;
   Search m_search;
   const Scale_control& m_control;
-  const Curvature_potential m_rho;
-  const Surface_ref m_surface;
   Eigen::VectorXd m_areas;
   double m_unit;        // the square of the radius of the sphere of the same area
   double m_weight = 0;  // best w, times m_unit

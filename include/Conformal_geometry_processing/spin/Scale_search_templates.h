@@ -26,28 +26,54 @@ inline Eigen::VectorXd wanted_log_scales(const Eigen::VectorXd& areas, const Sca
   return control.factors.array().log();
 }
 
+/// without its mean, where that has no effect
+inline Curvature_potential effective(Curvature_potential rho, const Surface_ref& surface,
+                                     bool is_closed)
+{
+  if (is_closed) rho.values.array() -= mean(surface, rho);
+  return rho;
+}
+
 template <class SolverTraits, class EigensolverTraits>
 Scale_search<SolverTraits, EigensolverTraits>::Scale_search(Dirac_system<SolverTraits>& system,
                                                             Curvature_potential rho,
                                                             const Scale_control& control,
                                                             const Exactness_constraints* exactness)
-    : m_scales(scale_masses(system.areas(), control), wanted_log_scales(system.areas(), control)),
+    : m_surface(system.surface()),
+      m_rho(effective(std::move(rho), m_surface, system.is_closed())),
+      m_scales(scale_masses(system.areas(), control), wanted_log_scales(system.areas(), control)),
       m_periods(exactness ? std::optional<Period_residual>({system.surface(), *exactness})
                           : std::nullopt),
       m_search(
-          system, rho, {&m_scales},
+          system, m_rho, {&m_scales},
           exactness ? std::vector<Spin_residual*>{&*m_periods} : std::vector<Spin_residual*>{}),
       m_control(control),
-      m_rho(std::move(rho)),
-      m_surface(system.surface()),
       m_areas(system.areas()),
       m_unit(1 / system.unit()),
       m_best_excess(std::numeric_limits<double>::infinity())
 {}
 
-// The range shrinks slowly with w, like a small power of it.
 template <class SolverTraits, class EigensolverTraits>
 Dirac_solution Scale_search<SolverTraits, EigensolverTraits>::run(const Dirac_options& options,
+                                                                  const Go_further& go_further)
+{
+  const double least_share = 1. / 8;
+  for (double share = 1; share >= least_share && m_best_excess > 1; share /= 2) {
+    if (m_search.costs().cancelled) break;
+    m_search.restart({m_rho.on, share * m_rho.values});
+    search_weight(options, go_further);
+  }
+  Dirac_solution s = m_best.solution;
+  s.cancelled = m_search.costs().cancelled;
+  s.iterations = m_search.costs().iterations;
+  s.factorizations = m_search.costs().factorizations;
+  s.solves = m_search.costs().solves;
+  return s;
+}
+
+// The range shrinks slowly with w, like a small power of it.
+template <class SolverTraits, class EigensolverTraits>
+void Scale_search<SolverTraits, EigensolverTraits>::search_weight(const Dirac_options& options,
                                                                   const Go_further& go_further)
 {
   const double first_weight = 10, factor = 4, near_bound = 0.8;
@@ -61,12 +87,6 @@ Dirac_solution Scale_search<SolverTraits, EigensolverTraits>::run(const Dirac_op
     w = is_within ? w / factor : w * factor;
     is_minimal = try_weight(w, options, go_further);
   }
-  Dirac_solution s = m_best.solution;
-  s.cancelled = m_search.costs().cancelled;
-  s.iterations = m_search.costs().iterations;
-  s.factorizations = m_search.costs().factorizations;
-  s.solves = m_search.costs().solves;
-  return s;
 }
 
 template <class SolverTraits, class EigensolverTraits>

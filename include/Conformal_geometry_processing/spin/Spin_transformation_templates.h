@@ -153,9 +153,8 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
       system(), {rho.on, rho.values * domain().unit()}, m_options.scales, closing);
   Spin_result result = in_units(search.run(options, go_further));
   if (result.report.cancelled) return result;
-  if (closing)
-    result.report.period_defect =
-        closing->period_defect(transformed_edges(system().surface(), result.lambda));
+  const auto edges = transformed_edges(system().surface(), result.lambda);
+  if (closing) result.report.period_defect = closing->period_defect(edges);
   reconstruct(result);
   result.report.scales = search.scales();
   return result;
