@@ -10,16 +10,15 @@
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 #include <Conformal_geometry_processing/templates.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <exception>
-#include <functional>
 #include <string>
 #include <utility>
 
 #include "support/Off_file.h"
 #include "support/Record.h"
+#include "support/potentials.h"
 
 namespace {
 
@@ -28,39 +27,6 @@ using CGP::Quaternion;
 using CGP::Quaternion_vector;
 using System = CGP::internal::Dirac_system<>;
 using Rho = CGP::Curvature_potential;
-
-const double pi = std::acos(-1.);
-
-/// of area 4 pi, around the origin
-CGP::Mesh_view normalized(CGP::Mesh_view mesh)
-{
-  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
-  const Eigen::Vector3d center = mesh.positions() * areas / areas.sum();
-  mesh.set_positions((mesh.positions().colwise() - center) * std::sqrt(4 * pi / areas.sum()));
-  return mesh;
-}
-
-struct Potential {
-  const char* name;
-  std::function<double(const Eigen::Vector3d&, double height)> value;  // height in [0, 1]
-};
-
-const std::array<Potential, 3> potentials = {{
-    {"bands", [](const Eigen::Vector3d& p, double) { return std::sin(5 * p.y()); }},
-    {"rings", [](const Eigen::Vector3d&, double h) { return std::sin(12 * pi * h); }},
-    {"waves", [](const Eigen::Vector3d& p,
-                 double) { return std::sin(3 * p.x() + 1) * std::cos(4 * p.z()) + p.y() / 2; }},
-}};
-
-Rho sampled(const CGP::Mesh_view& mesh, const Potential& potential, double amplitude)
-{
-  const auto y = mesh.positions().row(1);
-  const double low = y.minCoeff(), height = y.maxCoeff() - low;
-  Eigen::VectorXd rho(mesh.size_of_vertices());
-  for (int v = 0; v < mesh.size_of_vertices(); ++v)
-    rho[v] = amplitude * potential.value(mesh.position(v), (y[v] - low) / height);
-  return Rho::on_vertices(std::move(rho));
-}
 
 Rho scaled(const Rho& rho, double t, double sigma)
 {

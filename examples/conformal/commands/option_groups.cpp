@@ -170,14 +170,12 @@ void add_boundary(CLI::App& command, Boundary_choice& boundary)
              "its binormals, which point out of the surface");
 }
 
-void add_scale_bound(CLI::App& command, std::optional<double>& max_scale)
+void add_scale_control(CLI::App& command, Scale_options& scales)
 {
-  max_scale = 2;
-  const auto read = [&max_scale](const std::string& text) {
-    if (text == "none")
-      max_scale.reset();
-    else
-      max_scale = std::strtod(text.c_str(), nullptr);
+  scales.bound = 2;
+  const auto read = [&scales](const std::string& text) {
+    scales.bound.reset();
+    if (text != "none") scales.bound = std::strtod(text.c_str(), nullptr);
   };
   const auto is_bound = [](const std::string& text) {
     char* end = nullptr;
@@ -192,6 +190,24 @@ void add_scale_bound(CLI::App& command, std::optional<double>& max_scale)
           "is applied as it is, whatever collapses")
       ->check(CLI::Validator(is_bound, "FLOAT > 1 or none"))
       ->default_str("2");
+  auto* target = command.add_option_group("wanted sizes", "factors of lengths, one of");
+  target
+      ->add_option("--target-scale-expression", scales.target_expression,
+                   "formula: factors by which lengths should change, to which --max-scale is "
+                   "relative; with --rho-expression 0, a change of sizes alone")
+      ->check(formula);
+  target
+      ->add_option("--target-scale-property", scales.target_property,
+                   "vertex property with these factors")
+      ->check(not_empty);
+  auto* lock = command.add_option_group("locked sizes", "where sizes have to stay, one of");
+  lock->add_option("--lock-expression", scales.lock_expression,
+                   "formula: where it is 1, the change of sizes counts 100 times as much as where "
+                   "it is 0")
+      ->check(formula);
+  lock->add_option("--lock-property", scales.lock_property, "vertex property with these numbers")
+      ->check(not_empty);
+  for (CLI::Option_group* group : {target, lock}) group->require_option(0, 1);
 }
 
 void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect)

@@ -66,8 +66,8 @@ inline constexpr const char* tried_otherwise =
 /// \param otherwise what happens without this option, as the end of a sentence
 void add_mollification(CLI::App& command, std::optional<double>& mollification,
                        const std::string& otherwise = "");
-/// with a bound of 2 by default
-void add_scale_bound(CLI::App& command, std::optional<double>& max_scale);
+/// `--max-scale`, 2 by default, and what it refers to
+void add_scale_control(CLI::App& command, Scale_options& scales);
 void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect);
 void add_boundary(CLI::App& command, Boundary_choice& boundary);
 void add_eigenvector(CLI::App& command, Common_options& common);

@@ -47,7 +47,7 @@ void add_options(CLI::App& command, Spin_options& spin, Common_options& common)
   add_boundary(command, spin.boundary);
   add_lambda(command, spin.lambda);
   add_solver(command, spin.solver);
-  add_scale_bound(command, spin.max_scale);
+  add_scale_control(command, spin.scales);
   add_period_defect(command, spin.max_period_defect);
   add_mollification(command, spin.mollification, tried_otherwise);
   add_choice(command, "--problem", spin.problem, {"standard", "generalized"},
@@ -65,6 +65,33 @@ Files files(const Spin_options& spin)
           {"--paint", spin.rho.image}};
 }
 
+/// numbers of the vertices from a formula or a property, none if both are empty
+Eigen::VectorXd vertex_numbers(const Surface_input& input, const std::string& expression,
+                               const std::string& property)
+{
+  Rho_options source;
+  source.expression = expression;
+  source.property = property;
+  source.on_faces = false;
+  if (!expression.empty()) return rho_from_expression(input, source).values;
+  if (!property.empty()) return rho_from_property(input, source).values;
+  return {};
+}
+
+/// on the whole surface
+CGP::internal::Scale_control scale_control(const Surface_input& input, const Scale_options& scales)
+{
+  CGP::internal::Scale_control control;
+  control.factors = vertex_numbers(input, scales.target_expression, scales.target_property);
+  control.weights = vertex_numbers(input, scales.lock_expression, scales.lock_property);
+  const bool is_used = control.factors.size() > 0 || control.weights.size() > 0;
+  if (is_used && !scales.bound)
+    throw Failure(Exit_code::usage,
+                  "wanted and locked sizes are for a bound; try: without --max-scale none");
+  control.weights = 99 * control.weights.array() + 1;  // of locked places 100
+  return control;
+}
+
 void require_possible(const Surface_input& input, const Spin_options& spin)
 {
   require_boundary_to_keep(input, spin.boundary);
@@ -76,7 +103,7 @@ void require_possible(const Surface_input& input, const Spin_options& spin)
 std::string easier(const Spin_options& spin)
 {
   const bool is_mollified = spin.mollification.value_or(1) > 0;
-  const std::string bound = spin.max_scale ? "" : "--max-scale 2, ";
+  const std::string bound = spin.scales.bound ? "" : "--max-scale 2, ";
   return bound + (is_mollified ? "a weaker rho" : "a weaker rho, --mollify for thin faces");
 }
 
@@ -87,7 +114,7 @@ Spin_problem problem_of(CGP::Curvature_potential rho, const Spin_options& spin)
     throw Failure(Exit_code::usage, "--problem generalized wants rho on faces; try: --on faces");
   Spin_problem problem;
   problem.rho = std::move(rho);
-  problem.max_scale = spin.max_scale;
+  problem.scales.bound = spin.scales.bound;
   problem.boundary = kept_boundary(spin.boundary);
   problem.closes_loops = !spin.open_handles;
   problem.mollification = spin.mollification.value_or(0);
@@ -103,11 +130,13 @@ void spin(const Spin_options& options, Session& session)
   if (!session.options().each_component) require_possible(input, options);
   Transformed_surface surface = Transformed_surface::unchanged(input.mesh);
   surface.rho = read_rho(input, options.rho);
+  const CGP::internal::Scale_control scales = scale_control(input, options.scales);
   const double unit = User_frame(input.mesh).unit();
   each_component(input, session, [&](const Component& component, Session& own) {
     require_possible(component.input, options);
-    const Spin_problem problem =
-        problem_of(on_component(surface.rho, component, 1 / unit), options);
+    Spin_problem problem = problem_of(on_component(surface.rho, component, 1 / unit), options);
+    if (scales.factors.size() > 0) problem.scales.factors = scales.factors(component.vertices);
+    if (scales.weights.size() > 0) problem.scales.weights = scales.weights(component.vertices);
     surface.set(component, deform(component.input, problem, options, easier(options), own));
   });
   write_result(input, surface, session, options.lambda);

@@ -14,6 +14,13 @@ namespace conformal {
 
 enum class Eigenproblem { standard, generalized };
 
+/// Control of scale: at most one of each pair of sources is not empty
+struct Scale_options {
+  std::optional<double> bound;  ///< on factors of lengths; none: rho is applied as it is
+  std::string target_expression, target_property;  ///< wanted factors
+  std::string lock_expression, lock_property;      ///< positive where sizes have to stay
+};
+
 struct Spin_options {
   std::string input;
   Rho_options rho;
@@ -24,8 +31,8 @@ struct Spin_options {
   std::optional<double> mollification;  ///< share of the mean edge; 0: never, none: where it helps
   bool open_handles = false;  ///< rho is applied as it is, though it opens handles and holes
   std::optional<double> max_period_defect;  ///< of handles and holes; none: by the edge length
-  std::optional<double> max_scale;          ///< bound on factors of lengths; none: rho as it is
-  std::string solver = "native";            // or cholmod, eigen
+  Scale_options scales;
+  std::string solver = "native";  // or cholmod, eigen
   Verification_limits limits;
 };
 

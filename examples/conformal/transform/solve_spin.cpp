@@ -27,7 +27,7 @@ Spin_solution solve_by(const CGP::Mesh_view& mesh, const Spin_problem& problem,
 {
   CGP::Spin_transformation_options own{problem.boundary};
   own.max_period_defect = max_period_defect;
-  own.scales.bound = problem.max_scale;
+  own.scales = problem.scales;
   if (!problem.closes_loops) own.exactness.reset();
   if (problem.mollification > 0) own.mollification = problem.mollification;
   CGP::Spin_result result = problem.minimal

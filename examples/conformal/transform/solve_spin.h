@@ -12,6 +12,7 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
+#include <Conformal_geometry_processing/spin/Scale_control.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
 
 #include <functional>
@@ -36,8 +37,8 @@ struct Spin_problem {
   bool minimal = false;      ///< rho is -H, and gamma has to be zero
   double mollification = 0;  ///< if not 0, on the intrinsic Delaunay triangulation
   double second_try = 0;     ///< the mollification where a result without does not verify; 0: none
-  std::optional<double> max_scale;  ///< bound on factors of lengths
-  bool closes_loops = true;         ///< in as many steps as it takes; leaves out what opens them
+  CGP::internal::Scale_control scales = {};
+  bool closes_loops = true;  ///< in as many steps as it takes; leaves out what opens them
 };
 
 /// Calls the library's `Spin_transformation`, or `spin_to_minimal_surface()`, with the solver that

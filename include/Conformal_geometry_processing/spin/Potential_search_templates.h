@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_TEMPLATES_H
 
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 #include <Conformal_geometry_processing/spin/Linear_constraints.h>
 #include <Conformal_geometry_processing/spin/Potential_search.h>
@@ -53,11 +54,13 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
   limited.max_iterations = (std::min)(options.max_iterations, 40);
   m_last_length = 1;
   m_now = evaluate(m_now.rho.values, m_now.solution, limited, go_further);
-  for (int i = 0; i < max_steps && !m_costs.cancelled; ++i) {
-    const Step step = best_step();
-    if (step.gain <= least_gain * m_now.sum && m_now.constraints.norm() <= tolerance) return true;
-    if (!take(step, limited, go_further)) return false;
-  }
+  for (int i = 0; i < max_steps && !m_costs.cancelled; ++i) try {
+      const Step step = best_step();
+      if (step.gain <= least_gain * m_now.sum && m_now.constraints.norm() <= tolerance) return true;
+      if (!take(step, limited, go_further)) return false;
+    } catch (const Solver_error&) {
+      return false;  // with directions, lambda need not be the smallest eigenvector
+    }
   return false;
 }
 

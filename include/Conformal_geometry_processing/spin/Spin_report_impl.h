@@ -77,6 +77,7 @@ CGP_INLINE Spin_report::Fault Spin_report::fault() const
   if (boundary_fault != Boundary_fault::none && !is_open) return Fault::boundary;
   if (!(direction_error.mean <= limits.direction_error)) return Fault::directions;
   if (!(realised_share() >= limits.realised_share)) return Fault::left_out;
+  if (!(scales.kept_norm >= limits.realised_share)) return Fault::left_out;
   if (!has_positions && !(closure_residual <= limits.closure)) return Fault::open;
   const double rounding = 1e-9;
   if (!(scales.excess() <= 1 + rounding)) return Fault::scales;

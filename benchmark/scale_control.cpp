@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// How much of rho is kept with a bound of 2 on the factors of lengths, what that costs, and what
+// happens without it? Prints a line of JSON for each closed mesh, potential and amplitude.
+//
+// usage: benchmark_scale_control NAME.off ...
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/templates.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "support/Off_file.h"
+#include "support/Record.h"
+#include "support/potentials.h"
+
+namespace {
+
+using namespace cgp_benchmark;
+using Rho = CGP::Curvature_potential;
+
+CGP::Spin_report transformed(const CGP::Mesh_view& mesh, const Rho& rho, double bound)
+{
+  CGP::Spin_transformation_options options;
+  options.scales.bound = bound;
+  CGP::Spin_transformation<> transformation(mesh, options);
+  return transformation.transform(rho).report;
+}
+
+void add(const CGP::Spin_report& report, const std::string& prefix, Record& record)
+{
+  record.add(prefix + "verified", report ? 1 : 0)
+      .add(prefix + "fault", to_string(report.fault()))
+      .add(prefix + "low", report.scales.low)
+      .add(prefix + "high", report.scales.high)
+      .add(prefix + "Q", report.conformality.quasi_conformal.mean)
+      .add(prefix + "collapsed", report.conformality.scale.collapsed_share)
+      .add(prefix + "factorizations", report.factorizations)
+      .add(prefix + "solves", report.solves);
+}
+
+void survey(const std::string& path)
+{
+  const CGP::Mesh_view mesh = normalized(read_off(path));
+  CGP::require_surface(mesh, "benchmark_scale_control");
+  CGP::require_closed(mesh, "benchmark_scale_control");
+  const int chi = mesh.size_of_vertices() - mesh.size_of_edges() + mesh.size_of_faces();
+  const double no_bound = 1e300, bound = 2;
+  for (const Potential& potential : potentials)
+    for (const double amplitude : {.75, 1.5, 3.}) {
+      const Rho rho = sampled(mesh, potential, amplitude);
+      Record record;
+      record.add("mesh", path.substr(path.find_last_of('/') + 1))
+          .add("faces", mesh.size_of_faces())
+          .add("genus", 1 - chi / 2)
+          .add("potential", potential.name)
+          .add("amplitude", amplitude);
+      add(transformed(mesh, rho, no_bound), "plain_", record);
+      const CGP::Spin_report report = transformed(mesh, rho, bound);
+      add(report, "", record);
+      record.add("weight", report.scales.weight)
+          .add("kept_norm", report.scales.kept_norm)
+          .add("kept_correlation", report.scales.kept_correlation)
+          .add("period_defect", report.period_defect);
+      record.print();
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  for (int k = 1; k < argc; ++k) try {
+      survey(argv[k]);
+    } catch (const std::exception& e) {
+      std::fprintf(stderr, "%s: left out: %s\n", argv[k], e.what());
+    }
+}
