@@ -19,7 +19,9 @@ using Suggested_factor = Program;
 TEST_F(Suggested_factor, is_told_by_the_amplitude_with_which_a_refused_result_verifies)
 {
   write("a.off", off(cgp_test::icosphere(3)));
-  const std::string spin = "spin -q a.off --rho-expression 'sin(3*y)' --json b.json -o b.ply ";
+  const std::string spin =
+      "spin -q a.off --rho-expression 'sin(3*y)' --max-scale none "
+      "--json b.json -o b.ply ";
   const Program_run r = run(spin + "--amplitude 4 --max-quasi-conformal 1.05");
   EXPECT_EQ(r.code, 1);
   const auto json = nlohmann::json::parse(content(path("b.json")));
