@@ -4,7 +4,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
-#include "support/limbs.h"
 #include "support/spheres.h"
 #include "support/thin_faces.h"
 #include "support/tori.h"
@@ -51,39 +50,6 @@ TEST_F(Spin, constant_rho_changes_nothing_but_the_numbering_stays)
   EXPECT_EQ(a.polygons.corners, b.polygons.corners);
   for (std::size_t v = 0; v < a.points.size(); ++v)
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a.points[v][i], b.points[v][i], 2e-2);
-}
-
-TEST_F(Spin, lengths_stay_within_a_bound_of_two)
-{
-  write("a.off", off(cgp_test::dumbbell(3)));
-  const std::string rho = "spin a.off --rho-expression '6*sin(4*y+.4)' --force ";
-  ASSERT_EQ(run(rho + "-o b.ply --json b.json").code, 0);
-  const auto bounded = nlohmann::json::parse(content(path("b.json")))["result"];
-  EXPECT_GE(bounded["scale_control"]["low"], .5);
-  EXPECT_LE(bounded["scale_control"]["high"], 2);
-  EXPECT_GT(bounded["scale_control"]["weight"], 0);
-  EXPECT_LT(bounded["scale_control"]["kept_norm"], 1);
-  ASSERT_EQ(run(rho + "--max-scale none -o c.ply --json c.json").code, 0);
-  const auto plain = nlohmann::json::parse(content(path("c.json")))["result"];
-  EXPECT_FALSE(plain.contains("scale_control"));
-  EXPECT_LT(plain["scale"]["min"], .5);
-}
-
-TEST_F(Spin, sizes_can_be_wanted_and_locked)
-{
-  write("a.off", off(cgp_test::dumbbell(3)));
-  const Program_run r =
-      run("spin a.off --rho-expression 0 --max-scale 1.3 -o b.ply --json b.json "
-          "--target-scale-expression 'exp(.35*tanh(4*y))' --lock-expression 'y<0'");
-  ASSERT_EQ(r.code, 0) << r.err;
-  const auto scale = nlohmann::json::parse(content(path("b.json")))["result"]["scale"];
-  EXPECT_GT(scale["max"].get<double>() / scale["min"].get<double>(), 1.4);
-  EXPECT_TRUE(fails(run("spin a.off --rho-expression 0 -o c.ply --max-scale none "
-                        "--lock-expression 1"),
-                    2, "without --max-scale none"));
-  EXPECT_TRUE(fails(run("spin a.off --rho-expression 0 -o c.ply --max-scale 1"), 2, "above 1"));
-  EXPECT_TRUE(fails(run("spin a.off --rho-expression 0 -o c.ply --target-scale-expression y"), 4,
-                    "factors of lengths"));
 }
 
 TEST_F(Spin, handles_stay_closed_unless_they_may_open)
