@@ -154,11 +154,11 @@ CGP_INLINE bool Isometric_curve_flow::leave_saddle()
 
 CGP_INLINE bool Isometric_curve_flow::falls_below(double energy, double amplitude)
 {
-  const double gain = 1e-4, small = 0.25;
+  const double gain = 1e-4, slight = 0.25;
   m_energy = std::numeric_limits<double>::infinity();  // the bent curve may have more
   for (int trial = 0; trial < max_saddle_steps; ++trial) {
     Curve_step_report report;
-    report.time_step = trial == 0 ? amplitude : small;
+    report.time_step = trial == 0 ? amplitude : slight;
     if (!try_step(report)) return false;
     (void)accept(report);
     if (m_energy < (1 - gain) * energy) return true;

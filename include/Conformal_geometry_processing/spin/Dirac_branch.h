@@ -49,9 +49,9 @@ class Dirac_branch {
 
   /// \brief finds the eigenpair near an approximate one instead, without following the branch from
   /// 1: one factorization, as a rule.
-  /// \param near spins, eigenvalue and gaps; converged only if the result overlaps with its spins
+  /// \param guess spins, eigenvalue and gaps; converged only if the result overlaps with its spins
   /// by `same_vector`
-  void correct(const Dirac_solution& near);
+  void correct(const Dirac_solution& guess);
 
  private:
   /// least overlap of two approximations of one eigenvector

@@ -72,18 +72,18 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::solve()
 }
 
 template <class SolverTraits, class EigensolverTraits>
-void Dirac_branch<SolverTraits, EigensolverTraits>::correct(const Dirac_solution& near)
+void Dirac_branch<SolverTraits, EigensolverTraits>::correct(const Dirac_solution& guess)
 {
   Branch_point p;
   p.t = 1;
-  p.gamma = near.eigenvalue;
-  if (near.gap > 0) p.gap = near.gap;
-  if (near.branch_gap > 0) p.least_gap = near.branch_gap;
-  m_s.lambda = near.lambda;
+  p.gamma = guess.eigenvalue;
+  if (guess.gap > 0) p.gap = guess.gap;
+  if (guess.branch_gap > 0) p.least_gap = guess.branch_gap;
+  m_s.lambda = guess.lambda;
   place_pole(1, p.gamma);
   refine(p, m_options.tolerance);
   conclude(p);
-  if (m_system.overlap(m_s.lambda, near.lambda) < same_vector) m_s.converged = false;
+  if (m_system.overlap(m_s.lambda, guess.lambda) < same_vector) m_s.converged = false;
 }
 
 template <class SolverTraits, class EigensolverTraits>

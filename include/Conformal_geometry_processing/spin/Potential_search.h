@@ -78,8 +78,8 @@ class Potential_search {
     double gamma = 0, gain = 0;
   };
 
-  /// \param near predicted solution
-  Candidate evaluate(Eigen::VectorXd rho, const Dirac_solution& near, const Dirac_options& options,
+  /// \param guess predicted solution
+  Candidate evaluate(Eigen::VectorXd rho, const Dirac_solution& guess, const Dirac_options& options,
                      const Go_further& go_further);
 
   /// from the present rho', which was evaluated last

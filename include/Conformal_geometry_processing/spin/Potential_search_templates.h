@@ -95,9 +95,9 @@ auto Potential_search<SolverTraits, EigensolverTraits>::moved(const Step& step, 
     -> Candidate
 {
   const double least_overlap = 0.98;
-  const Dirac_solution near = predicted(step, t);
-  Candidate next = evaluate(m_now.rho.values + t * step.change, near, options, go_further);
-  if (m_system.overlap(next.solution.lambda, near.lambda) < least_overlap)
+  const Dirac_solution guess = predicted(step, t);
+  Candidate next = evaluate(m_now.rho.values + t * step.change, guess, options, go_further);
+  if (m_system.overlap(next.solution.lambda, guess.lambda) < least_overlap)
     next.solution.converged = false;
   return next;
 }
@@ -106,15 +106,15 @@ template <class SolverTraits, class EigensolverTraits>
 Dirac_solution Potential_search<SolverTraits, EigensolverTraits>::predicted(const Step& step,
                                                                             double t) const
 {
-  Dirac_solution near = m_now.solution;
-  components(near.lambda) += t * components(step.lambda);
-  near.eigenvalue += t * step.gamma;
-  return near;
+  Dirac_solution guess = m_now.solution;
+  components(guess.lambda) += t * components(step.lambda);
+  guess.eigenvalue += t * step.gamma;
+  return guess;
 }
 
 template <class SolverTraits, class EigensolverTraits>
 auto Potential_search<SolverTraits, EigensolverTraits>::evaluate(Eigen::VectorXd rho,
-                                                                 const Dirac_solution& near,
+                                                                 const Dirac_solution& guess,
                                                                  const Dirac_options& options,
                                                                  const Go_further& go_further)
     -> Candidate
@@ -132,7 +132,7 @@ auto Potential_search<SolverTraits, EigensolverTraits>::evaluate(Eigen::VectorXd
   Candidate c;
   c.rho = {m_rho.on, std::move(rho)};
   c.solution =
-      correct_dirac_solution<EigensolverTraits>(m_system, c.rho, near, options, go_further);
+      correct_dirac_solution<EigensolverTraits>(m_system, c.rho, guess, options, go_further);
   m_costs.cancelled = c.solution.cancelled;
   m_costs.iterations += c.solution.iterations;
   m_costs.factorizations += c.solution.factorizations;

@@ -50,10 +50,10 @@ namespace internal {
 ///
 /// On closed surfaces corrects an approximate solution, which costs one factorization as a rule; it
 /// has converged only if the corrected spins are near it. Otherwise calls `solve_dirac_equation()`.
-/// \param near spins and eigenvalue predicted for rho, gaps of the known solution
+/// \param guess spins and eigenvalue predicted for rho, gaps of the known solution
 template <class EigensolverTraits = Lobpcg_eigensolver_traits, class SolverTraits>
 Dirac_solution correct_dirac_solution(Dirac_system<SolverTraits>& system,
-                                      const Curvature_potential& rho, const Dirac_solution& near,
+                                      const Curvature_potential& rho, const Dirac_solution& guess,
                                       const Dirac_options& options = {},
                                       const Go_further& go_further = Always_go_further());
 

@@ -95,14 +95,14 @@ internal::Dirac_solution solve_dirac_equation(internal::Dirac_system<SolverTrait
 template <class EigensolverTraits, class SolverTraits>
 internal::Dirac_solution internal::correct_dirac_solution(Dirac_system<SolverTraits>& system,
                                                           const Curvature_potential& rho,
-                                                          const Dirac_solution& near,
+                                                          const Dirac_solution& guess,
                                                           const Dirac_options& options,
                                                           const Go_further& go_further)
 {
   if (!system.is_closed())
     return solve_dirac_equation<EigensolverTraits>(system, rho, options, go_further);
   Dirac_solution s;
-  Dirac_branch<SolverTraits, EigensolverTraits>(system, rho, options, s, go_further).correct(near);
+  Dirac_branch<SolverTraits, EigensolverTraits>(system, rho, options, s, go_further).correct(guess);
   return s;
 }
 
