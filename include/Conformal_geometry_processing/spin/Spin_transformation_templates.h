@@ -118,9 +118,9 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
   Spin_result result = transform_exactly(rho, options, go_further);
   Spin_report& r = result.report;
   if (!m_options.scales.bound || r.cancelled) return result;
+  if (!r.converged) return bound_scales(rho, options, go_further);  // lambda may not be finite
   r.scales = internal::measured_scales(result.lambda, system().areas(), m_options.scales);
-  const bool is_within = r.converged && r.reached == 1 && r.scales.excess() <= 1;
-  return is_within ? result : bound_scales(rho, options, go_further);
+  return r.reached == 1 && r.scales.excess() <= 1 ? result : bound_scales(rho, options, go_further);
 }
 
 template <class SolverTraits, class EigensolverTraits>
