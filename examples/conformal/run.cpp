@@ -9,6 +9,7 @@
 #include "conformal/io/file/io_errors.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
+#include "conformal/process/text.h"
 #include "conformal/process/threads.h"
 #include "conformal/report/Report_files.h"
 #include "conformal/report/Session.h"
@@ -82,7 +83,7 @@ void flush_output()
 // Also what a command has told before it failed.
 void print_tables(Session& session)
 {
-  const std::string text = session.report().text();
+  const std::string text = printable(session.report().text());
   if (!session.options().quiet) std::fwrite(text.data(), 1, text.size(), stdout);
   flush_output();
 }
@@ -127,14 +128,6 @@ Ending parse_and_run(int argc, const char* const* argv)
   });
 }
 
-// A message is one line whatever the name of a file is.
-std::string on_one_line(std::string text)
-{
-  for (char& c : text)
-    if (c == '\n' || c == '\r') c = ' ';
-  return text;
-}
-
 // Allocates nothing.
 int tell_that_memory_is_out()
 {
@@ -164,7 +157,7 @@ int run(int argc, const char* const* argv)
   try {
     const Ending ending = parse_and_run(argc, argv);
     if (ending.code != Exit_code::done)
-      std::fprintf(stderr, "conformal: error: %s\n", on_one_line(ending.error).c_str());
+      std::fprintf(stderr, "conformal: error: %s\n", printable_line(ending.error).c_str());
     return static_cast<int>(ending.code);
   } catch (const std::bad_alloc&) {  // before, or while, there is an outcome
     return tell_that_memory_is_out();

@@ -45,6 +45,9 @@ TEST_F(Command_line, nonsense_is_a_usage_error_of_one_line)
   EXPECT_TRUE(
       fails(run("spin a.off -o b.ply --rho-expression x --max-period-defect 0"), 2, "above 0"));
   EXPECT_TRUE(fails(run("spin a.off -o b.ply --rho-expression x --amplitude inf"), 2, "finite"));
+  for (const std::string name : {"a b", "", "$(printf 'a\\nproperty float b')"})
+    EXPECT_TRUE(
+        fails(run("spin a.off -o b.ply --rho-expression x --lambda \"" + name + '"'), 2, "word"));
   EXPECT_TRUE(
       fails(run("spin a.off -o b.ply --rho-expression x --projection w"), 2, "{uv,x,y,z,sphere}"));
 }
@@ -119,6 +122,22 @@ TEST_F(Command_line, repair_takes_faces_that_have_a_corner_twice)
   const Program_run r = run("info a.off --repair");
   EXPECT_EQ(r.code, 0);
   EXPECT_NE(r.err.find("1 face removed"), std::string::npos) << r.err;
+}
+
+TEST_F(Command_line, names_in_a_file_cannot_steer_the_terminal)
+{
+  const std::string name = "\x1b[31m\xc2\x9b\xc3\xa9";  // two ways to begin a colour, and a letter
+  const std::string vertices = "0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n";
+  write("a.ply",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float " +
+            name + "\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n" +
+            vertices + "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const Program_run noted = run("split a.ply -o b.off");
+  EXPECT_EQ(noted.code, 0);
+  EXPECT_NE(noted.err.find("property \\x1b[31m\\xc2\\x9b\xc3\xa9 is not"), std::string::npos)
+      << noted.err;
+  EXPECT_TRUE(fails(run("spin a.ply --rho-property none -o b.ply"), 4, "\\x1b[31m"));
 }
 
 TEST_F(Command_line, standard_input_and_odd_names_are_read)

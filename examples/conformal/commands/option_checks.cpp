@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "option_checks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -55,6 +56,13 @@ std::string formula(const std::string& text)
 std::string not_empty(const std::string& text)
 {
   return text.empty() ? "wanted a name" : "";
+}
+
+std::string property_name(const std::string& text)
+{
+  const auto is_part = [](char c) { return c > ' ' && c != '\x7f'; };
+  const bool is_word = !text.empty() && std::all_of(text.begin(), text.end(), is_part);
+  return is_word ? "" : "wanted one word of letters, digits and the like";
 }
 
 }  // namespace conformal

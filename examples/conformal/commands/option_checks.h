@@ -16,6 +16,7 @@ std::string finite(const std::string& text);
 std::string file_name(const std::string& text);  // of an output: standard output has none
 std::string formula(const std::string& text);
 std::string not_empty(const std::string& text);
+std::string property_name(const std::string& text);  // of a PLY header: one printable word
 
 }  // namespace conformal
 

@@ -134,8 +134,10 @@ void add_filter(CLI::App& command, Filter_request& filter)
 
 void add_lambda(CLI::App& command, std::string& lambda)
 {
-  command.add_option("--lambda", lambda,
-                     "write the quaternions lambda as vertex properties NAME_w to NAME_z");
+  command
+      .add_option("--lambda", lambda,
+                  "write the quaternions lambda as vertex properties NAME_w to NAME_z")
+      ->check(property_name);
 }
 
 void add_solver(CLI::App& command, std::string& solver)

@@ -140,6 +140,7 @@ Surface_input read_surface_input(const std::string& path, bool is_repaired)
     notes = repaired->notes();
   }
   notes.insert(notes.begin(), file.notes.begin(), file.notes.end());
+  file.notes.clear();  // those of a writer follow
   Surface_input input = prepare(std::move(file));
   input.repair = std::move(repaired);
   input.notes.insert(input.notes.begin(), notes.begin(), notes.end());

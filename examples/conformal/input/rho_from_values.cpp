@@ -32,12 +32,6 @@ std::string names_of(const Element& element)
   return names.empty() ? "none" : names;
 }
 
-const Property* find_number(const Element& element, const std::string& name)
-{
-  const Property* property = find_property(element, name);
-  return property != nullptr && !property->is_list() ? property : nullptr;
-}
-
 std::vector<double> read_numbers(const std::string& path)
 {
   std::vector<double> numbers;
@@ -62,7 +56,7 @@ CGP::Curvature_potential rho_from_property(const Surface_input& input, const Rho
   for (const On on : {On::vertices, On::faces}) {
     if (options.on_faces.value_or(on == On::faces) != (on == On::faces)) continue;
     const Element& element = on == On::faces ? file.faces : file.vertices;
-    const Property* property = find_number(element, options.property);
+    const Property* property = find_numbers(element, options.property);
     if (property == nullptr) continue;
     std::vector<double> values;
     for (std::size_t i = 0; i < property->rows(); ++i) values.push_back(property->value(i));

@@ -4,6 +4,7 @@
 
 #include "detect_format.h"
 
+#include "conformal/io/file/Temporary_file.h"
 #include "conformal/io/file/io_errors.h"
 #include "conformal/io/glb/write_glb.h"
 #include "conformal/io/obj/write_obj.h"
@@ -12,6 +13,26 @@
 #include "conformal/io/stl/write_stl.h"
 
 namespace conformal {
+namespace {
+
+std::string encoded(const std::string& path, const Surface_file& file,
+                    std::vector<std::string>& notes)
+{
+  switch (output_format(path)) {
+    case File_format::off:
+      return encode_off(file, notes);
+    case File_format::obj:
+      return encode_obj(file, notes);
+    case File_format::glb:
+      return encode_glb(file, path, notes);
+    case File_format::stl:
+      return encode_stl(file, notes);
+    default:
+      return encode_ply(file, Ply_encoding::little_endian, notes);
+  }
+}
+
+}  // namespace
 
 File_format output_format(const std::string& path)
 {
@@ -23,18 +44,9 @@ File_format output_format(const std::string& path)
 
 std::vector<std::string> write_surface(const std::string& path, const Surface_file& file)
 {
-  switch (output_format(path)) {
-    case File_format::off:
-      return write_off(path, file);
-    case File_format::obj:
-      return write_obj(path, file);
-    case File_format::glb:
-      return write_glb(path, file);
-    case File_format::stl:
-      return write_stl(path, file);
-    default:
-      return write_ply(path, file);
-  }
+  std::vector<std::string> notes = file.notes;
+  write_file(path, encoded(path, file, notes));
+  return notes;
 }
 
 }  // namespace conformal

@@ -16,7 +16,8 @@ File_format output_format(const std::string& path);
 
 /// Writes a mesh file in the format of its extension; vertices and faces keep their order. Either
 /// the whole file appears or the old one stays; `path` may be the input file.
-/// \return data that the format does not support, one line each. \throws Write_error
+/// \return the notes of `file`, and data that the format does not support, one line each. \throws
+/// Write_error
 std::vector<std::string> write_surface(const std::string& path, const Surface_file& file);
 
 }  // namespace conformal

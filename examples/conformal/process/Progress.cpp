@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Progress.h"
 
+#include "text.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,7 +21,7 @@ void Progress::show(const std::string& stage, double fraction)
   const double share = std::isfinite(fraction) ? std::clamp(fraction, 0., 1.) : 0;
   const auto filled = static_cast<std::size_t>(std::lround(share * width));
   const std::string bar = std::string(filled, '#') + std::string(width - filled, '.');
-  std::fprintf(stderr, "\r\033[K[%s] %s", bar.c_str(), stage.c_str());
+  std::fprintf(stderr, "\r\033[K[%s] %s", bar.c_str(), printable_line(stage).c_str());
   std::fflush(stderr);
   m_has_line = true;
 }

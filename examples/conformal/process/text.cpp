@@ -6,6 +6,50 @@
 #include <charconv>
 
 namespace conformal {
+namespace {
+
+/// the bytes of the UTF-8 character that the text begins with; 0 if it is none, or controls a
+/// terminal
+std::size_t size_of_character(std::string_view text)
+{
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
+  const std::size_t size = first < 0xc2   ? 0
+                           : first < 0xe0 ? 2
+                           : first < 0xf0 ? 3
+                           : first < 0xf5 ? 4
+                                          : 0;
+  if (size > text.size()) return 0;
+  for (std::size_t i = 1; i < size; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const bool is_second_control_set = first == 0xc2 && byte(1) < 0xa0;
+  return is_second_control_set ? 0 : size;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text)
+{
+  const std::string_view digits = "0123456789abcdef";
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t size = text[0] == '\n' ? 1 : size_of_character(text);
+    const auto byte = static_cast<unsigned char>(text[0]);
+    if (size == 0) result.append("\\x") += {digits[byte / 16], digits[byte % 16]};
+    result += text.substr(0, size);
+    text.remove_prefix(size == 0 ? 1 : size);
+  }
+  return result;
+}
+
+std::string printable_line(std::string_view text)
+{
+  std::string line(text);
+  for (char& c : line)
+    if (c == '\n' || c == '\r') c = ' ';
+  return printable(line);
+}
 
 std::string text_of(double value, int digits)
 {

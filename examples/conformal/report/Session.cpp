@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Session.h"
 
+#include "conformal/process/text.h"
+
 #include <cstdio>
 #include <utility>
 
@@ -15,7 +17,7 @@ void Session::note(const std::string& text)
 {
   m_outcome.notes.push_back(text);
   if (!m_options.quiet && m_part.empty())
-    std::fprintf(stderr, "conformal: note: %s\n", text.c_str());
+    std::fprintf(stderr, "conformal: note: %s\n", printable_line(text).c_str());
 }
 
 void Session::note_all(const std::vector<std::string>& texts)

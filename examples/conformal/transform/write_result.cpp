@@ -112,7 +112,8 @@ Surface_file moved(const Surface_input& input, const CGP::Points& positions)
     const Eigen::Vector3d p = positions.col(static_cast<Eigen::Index>(v));
     file.points[static_cast<std::size_t>(input.vertex_in_file[v])] = {p.x(), p.y(), p.z()};
   }
-  remove_normals(file);
+  if (remove_normals(file))
+    file.notes.emplace_back("normals are left out, for the points have moved");
   return file;
 }
 

@@ -74,6 +74,34 @@ TEST(Property, is_replaced_where_it_stands)
   EXPECT_EQ(find_property(element, "quality"), nullptr);
 }
 
+TEST(Property, is_found_by_what_it_holds)
+{
+  Element element{"vertex", 1, {}};
+  element.properties.emplace_back("list", Value_type::uint8, Value_type::float32);
+  element.properties.back().end_list();
+  set_property(element, "number", std::vector<float>{1.0f});
+  EXPECT_EQ(find_numbers(element, "list"), nullptr);
+  EXPECT_EQ(find_list(element, "number"), nullptr);
+  EXPECT_EQ(find_list(element, "list"), find_property(element, "list"));
+  EXPECT_EQ(find_numbers(element, "number"), find_property(element, "number"));
+}
+
+TEST(Property, is_not_read_past_its_end)
+{
+  Property list("list", Value_type::uint8, Value_type::float32);
+  list.end_list();  // a row without values
+  EXPECT_EQ(list.rows(), 1u);
+  EXPECT_THROW(list.value(0), std::out_of_range);
+  EXPECT_THROW(list.bytes(0), std::out_of_range);
+}
+
+TEST(Property, has_a_name_of_one_word)
+{
+  using namespace std::string_literals;
+  for (const std::string& name : {"a b"s, "a\nproperty float q"s, "a\t"s, "a\0b"s})
+    EXPECT_THROW(Property(name, Value_type::float32), std::invalid_argument);
+}
+
 TEST(Property, of_another_size_is_refused)
 {
   Element element{"vertex", 2, {}};

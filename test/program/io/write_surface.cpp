@@ -41,6 +41,34 @@ TEST(Write_surface, may_replace_the_file_that_was_read)
   EXPECT_EQ(folder.size(), 1u);
 }
 
+/// a column of numbers, or of lists that are empty
+Property column(const char* name, bool is_list, std::size_t rows)
+{
+  Property column = is_list ? Property(name, Value_type::uint8, Value_type::float32)
+                            : Property(name, Value_type::float32);
+  for (std::size_t i = 0; i < rows; ++i) is_list ? column.end_list() : column.append(0.5);
+  return column;
+}
+
+TEST(Write_surface, takes_properties_of_every_name_with_numbers_or_lists)
+{
+  const Folder folder;
+  Surface_file file = parse_surface(fuzz::off_seeds()[0], "a.off");
+  for (const bool is_list : {true, false}) {
+    for (const char* name :
+         {"nx", "ny", "nz", "red", "green", "blue", "alpha", "texture_u", "texture_v", "s", "t",
+          "u", "v", "texcoord", "color", "attribute", "quality", "rho"}) {
+      set_property(file.vertices, column(name, is_list, file.vertices.size));
+      set_property(file.faces, column(name, !is_list, file.faces.size));
+    }
+    for (const std::string format : {"off", "obj", "ply", "glb", "stl"}) {
+      const std::string path = folder / "a." + format;
+      EXPECT_NO_THROW(write_surface(path, file)) << format;
+      EXPECT_EQ(read_surface(path).polygons.size(), file.polygons.size()) << format;
+    }
+  }
+}
+
 TEST(Write_surface, does_not_depend_on_the_locale)
 {
   const Folder folder;

@@ -31,6 +31,8 @@ constexpr std::array<Type_facts, 8> types = {
     integer_facts<std::int32_t>("int", "int32"),   integer_facts<std::uint32_t>("uint", "uint32"),
     Type_facts{"float", "float32", 4, 0, 0},       Type_facts{"double", "float64", 8, 0, 0}};
 
+constexpr std::string_view blanks(" \t\v\f\r\n\0", 7);
+
 const Type_facts& facts(Value_type type)
 {
   return types[static_cast<std::size_t>(type)];
@@ -98,6 +100,27 @@ bool fits(Value_type type, std::int64_t value)
   return value >= facts(type).lowest && value <= facts(type).highest;
 }
 
+Property::Property(std::string name, Value_type type) : m_name(std::move(name)), m_type(type)
+{
+  if (m_name.find_first_of(blanks) != std::string::npos)
+    throw std::invalid_argument("Property: the name '" + m_name + "' has blanks, wanted one word");
+}
+
+Property::Property(std::string name, Value_type count_type, Value_type type)
+    : Property(std::move(name), type)
+{
+  m_count_type = count_type;
+  m_first.assign(1, 0);
+}
+
+const unsigned char* Property::bytes(std::size_t i) const
+{
+  if (i >= values())
+    throw std::out_of_range("Property: value " + std::to_string(i) + " of " + m_name +
+                            ", wanted less than " + std::to_string(values()));
+  return m_bytes.data() + i * size_of(m_type);
+}
+
 double Property::value(std::size_t i) const
 {
   return with_type(m_type, [this, i](auto number) {
@@ -128,6 +151,18 @@ const Property* find_property(const Element& element, std::string_view name)
   for (const Property& property : element.properties)
     if (property.name() == name) return &property;
   return nullptr;
+}
+
+const Property* find_numbers(const Element& element, std::string_view name)
+{
+  const Property* property = find_property(element, name);
+  return property != nullptr && !property->is_list() ? property : nullptr;
+}
+
+const Property* find_list(const Element& element, std::string_view name)
+{
+  const Property* property = find_property(element, name);
+  return property != nullptr && property->is_list() ? property : nullptr;
 }
 
 void remove_property(Element& element, std::string_view name)

@@ -41,13 +41,13 @@ bool is_integer(Value_type type);
 /// (NaN payloads included); every value of every type is exact as a double.
 class Property {
  public:
-  /// one value per row
-  Property(std::string name, Value_type type) : m_name(std::move(name)), m_type(type) {}
+  /// \brief one value per row
+  /// \throws std::invalid_argument for a name with blanks or line ends, which a PLY header
+  /// separates
+  Property(std::string name, Value_type type);
 
   /// a list per row; `count_type` is the type its length has in a PLY file
-  Property(std::string name, Value_type count_type, Value_type type)
-      : m_name(std::move(name)), m_type(type), m_count_type(count_type), m_first(1, 0)
-  {}
+  Property(std::string name, Value_type count_type, Value_type type);
 
   const std::string& name() const { return m_name; }
   Value_type type() const { return m_type; }
@@ -69,8 +69,9 @@ class Property {
   double value(std::size_t i) const;
   std::int64_t integer(std::size_t i) const { return static_cast<std::int64_t>(value(i)); }
 
-  /// the bytes of value i in the order of this machine
-  const unsigned char* bytes(std::size_t i) const { return m_bytes.data() + i * size_of(m_type); }
+  /// \brief the bytes of value i in the order of this machine
+  /// \throws std::out_of_range unless i < values(): a list may hold fewer values than rows
+  const unsigned char* bytes(std::size_t i) const;
 
   /// appends a value converted to the type; it must be in the type's range
   void append(double value);
@@ -102,8 +103,14 @@ struct Element {
   std::vector<Property> properties;
 };
 
-/// the property of that name, or null
+/// the property of that name, be it of numbers or of lists, or null
 const Property* find_property(const Element& element, std::string_view name);
+
+/// the property of that name that has one number per row, or null
+const Property* find_numbers(const Element& element, std::string_view name);
+
+/// the property of that name that has a list per row, or null
+const Property* find_list(const Element& element, std::string_view name);
 
 /// Removes the property of that name, if there is one.
 void remove_property(Element& element, std::string_view name);

@@ -30,8 +30,8 @@ std::vector<const Property*> color_properties(const Element& element)
 {
   std::vector<const Property*> colors;
   for (const char* name : {"red", "green", "blue", "alpha"}) {
-    const Property* property = find_property(element, name);
-    if (property != nullptr && !property->is_list())
+    const Property* property = find_numbers(element, name);
+    if (property != nullptr)
       colors.push_back(property);
     else if (colors.size() < 3)
       return {};
@@ -50,11 +50,17 @@ void set_properties(Element& element, const std::vector<std::string>& names, Val
   }
 }
 
-void remove_normals(Surface_file& file)
+bool remove_normals(Surface_file& file)
 {
+  bool has_any = !file.normals.empty();
   file.normals = Corner_values();
   for (Element* element : {&file.vertices, &file.faces})
-    for (const char* name : {"nx", "ny", "nz"}) remove_property(*element, name);
+    for (const char* name : {"nx", "ny", "nz"}) {
+      if (find_numbers(*element, name) == nullptr) continue;
+      remove_property(*element, name);
+      has_any = true;
+    }
+  return has_any;
 }
 
 std::string fault_of_face(const std::int64_t* begin, const std::int64_t* end, std::size_t n,

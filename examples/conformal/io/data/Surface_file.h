@@ -72,7 +72,7 @@ struct Surface_file {
   std::vector<std::string> object_info;  // PLY `obj_info`
   std::vector<Group_line> group_lines;
 
-  std::vector<std::string> notes;  // for the user: omissions of the reader, and reasons
+  std::vector<std::string> notes;  // for the user: what was left out, and why
 };
 
 /// Whether four properties or three hold colours, in the order red, green, blue, alpha; empty if
@@ -84,7 +84,8 @@ void set_properties(Element& element, const std::vector<std::string>& names, Val
                     const std::vector<double>& values);
 
 /// Removes normals of vertices, faces and corners, which are wrong once the points have moved.
-void remove_normals(Surface_file& file);
+/// \returns whether there were any
+bool remove_normals(Surface_file& file);
 
 /// What readers do with faces that have fewer than three corners, or a corner twice: `kept` is for
 /// those who remove them.

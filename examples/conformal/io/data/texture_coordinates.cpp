@@ -72,13 +72,11 @@ Corner_values from_faces(const Surface_file& file, const Property& list)
 Corner_values texture_coordinates(const Surface_file& file)
 {
   if (!file.texture.index.empty()) return file.texture;
-  const Property* list = find_property(file.faces, list_name);
-  if (list != nullptr && list->is_list()) return from_faces(file, *list);
+  if (const Property* list = find_list(file.faces, list_name)) return from_faces(file, *list);
   for (const auto& [u_name, v_name] : vertex_names) {
-    const Property* u = find_property(file.vertices, u_name);
-    const Property* v = find_property(file.vertices, v_name);
-    if (u != nullptr && v != nullptr && !u->is_list() && !v->is_list())
-      return from_vertices(file, *u, *v);
+    const Property* u = find_numbers(file.vertices, u_name);
+    const Property* v = find_numbers(file.vertices, v_name);
+    if (u != nullptr && v != nullptr) return from_vertices(file, *u, *v);
   }
   return {};
 }
@@ -91,8 +89,8 @@ void set_texture_coordinates(Surface_file& file, Corner_values values)
         std::to_string(file.polygons.corners.size()));
   remove_property(file.faces, list_name);
   for (const auto& [u_name, v_name] : vertex_names)
-    if (find_property(file.vertices, u_name) != nullptr &&
-        find_property(file.vertices, v_name) != nullptr) {
+    if (find_numbers(file.vertices, u_name) != nullptr &&
+        find_numbers(file.vertices, v_name) != nullptr) {
       remove_property(file.vertices, u_name);
       remove_property(file.vertices, v_name);
     }
@@ -112,8 +110,8 @@ void set_texture_coordinates(Surface_file& file, const std::vector<std::array<do
 
 void list_to_corners(Surface_file& file)
 {
-  const Property* list = find_property(file.faces, list_name);
-  if (list != nullptr && list->is_list()) set_texture_coordinates(file, texture_coordinates(file));
+  if (find_list(file.faces, list_name) != nullptr)
+    set_texture_coordinates(file, texture_coordinates(file));
 }
 
 std::optional<std::vector<std::array<double, 3>>> vertex_values(const Surface_file& file,

@@ -82,11 +82,10 @@ std::vector<Point> area_normals(const Surface_file& file, const Point& middle)
 std::vector<Point> vertex_normals(const Surface_file& file, const Point& middle)
 {
   if (const auto rows = vertex_values(file, file.normals)) return *rows;
-  std::array<const Property*, 3> given = {find_property(file.vertices, "nx"),
-                                          find_property(file.vertices, "ny"),
-                                          find_property(file.vertices, "nz")};
-  const auto is_given = [](const Property* p) { return p != nullptr && !p->is_list(); };
-  if (!std::all_of(given.begin(), given.end(), is_given)) return area_normals(file, middle);
+  std::array<const Property*, 3> given = {find_numbers(file.vertices, "nx"),
+                                          find_numbers(file.vertices, "ny"),
+                                          find_numbers(file.vertices, "nz")};
+  if (std::count(given.begin(), given.end(), nullptr) > 0) return area_normals(file, middle);
   std::vector<Point> normals(file.points.size());
   for (std::size_t v = 0; v < normals.size(); ++v)
     for (std::size_t i = 0; i < 3; ++i) normals[v][i] = given[i]->value(v);

@@ -6,7 +6,6 @@
 #include "checkerboard.h"
 
 #include "conformal/io/data/encode_text.h"
-#include "conformal/io/file/Temporary_file.h"
 #include "conformal/io/file/io_errors.h"
 #include "conformal/io/file/little_endian.h"
 
@@ -184,17 +183,10 @@ std::string encode_glb(const Surface_file& file, const std::string& path,
   note_lost_properties(file.vertices,
                        {"nx", "ny", "nz", "red", "green", "blue", "alpha", "texture_u", "texture_v",
                         "s", "t", "u", "v"},
-                       "GLB", notes);
-  note_lost_properties(file.faces, {"texcoord"}, "GLB", notes);
+                       {}, "GLB", notes);
+  note_lost_properties(file.faces, {}, {"texcoord"}, "GLB", notes);
   if (!file.group_lines.empty()) notes.emplace_back("groups and materials are not written to GLB");
   return glb;
-}
-
-std::vector<std::string> write_glb(const std::string& path, const Surface_file& file)
-{
-  std::vector<std::string> notes;
-  write_file(path, encode_glb(file, path, notes));
-  return notes;
 }
 
 }  // namespace conformal

@@ -21,9 +21,6 @@ namespace conformal {
 std::string encode_glb(const Surface_file& file, const std::string& path,
                        std::vector<std::string>& notes);
 
-/// Writes a GLB file, and returns data that the format does not support. \throws Write_error
-std::vector<std::string> write_glb(const std::string& path, const Surface_file& file);
-
 }  // namespace conformal
 
 #endif

@@ -4,7 +4,6 @@
 
 #include "conformal/io/data/encode_text.h"
 #include "conformal/io/data/texture_coordinates.h"
-#include "conformal/io/file/Temporary_file.h"
 
 namespace conformal {
 namespace {
@@ -44,9 +43,9 @@ Corner_values normals_of(const Surface_file& file)
 {
   Corner_values normals = file.normals;
   normals.dimension = 3;
-  const Property* x = find_property(file.vertices, "nx");
-  const Property* y = find_property(file.vertices, "ny");
-  const Property* z = find_property(file.vertices, "nz");
+  const Property* x = find_numbers(file.vertices, "nx");
+  const Property* y = find_numbers(file.vertices, "ny");
+  const Property* z = find_numbers(file.vertices, "nz");
   if (!normals.empty() || x == nullptr || y == nullptr || z == nullptr) return normals;
   for (std::size_t v = 0; v < file.points.size(); ++v)
     normals.values.push_back({x->value(v), y->value(v), z->value(v)});
@@ -84,8 +83,8 @@ void note_losses(const Surface_file& file, std::vector<std::string>& notes)
   note_lost_properties(file.vertices,
                        {"nx", "ny", "nz", "red", "green", "blue", "alpha", "texture_u", "texture_v",
                         "s", "t", "u", "v"},
-                       "OBJ", notes);
-  note_lost_properties(file.faces, {"texcoord"}, "OBJ", notes);
+                       {}, "OBJ", notes);
+  note_lost_properties(file.faces, {}, {"texcoord"}, "OBJ", notes);
   for (const Element& element : file.other_elements)
     notes.push_back("the element " + element.name + " is not written to OBJ");
 }
@@ -105,13 +104,6 @@ std::string encode_obj(const Surface_file& file, std::vector<std::string>& notes
   append_faces(text, file, texture, normals);
   note_losses(file, notes);
   return text;
-}
-
-std::vector<std::string> write_obj(const std::string& path, const Surface_file& file)
-{
-  std::vector<std::string> notes;
-  write_file(path, encode_obj(file, notes));
-  return notes;
 }
 
 }  // namespace conformal

@@ -15,9 +15,6 @@ namespace conformal {
 /// \param notes receives data that the format does not support
 std::string encode_obj(const Surface_file& file, std::vector<std::string>& notes);
 
-/// Writes an OBJ file, and returns data that the format does not support. \throws Write_error
-std::vector<std::string> write_obj(const std::string& path, const Surface_file& file);
-
 }  // namespace conformal
 
 #endif

@@ -4,7 +4,6 @@
 
 #include "conformal/io/data/encode_text.h"
 #include "conformal/io/data/texture_coordinates.h"
-#include "conformal/io/file/Temporary_file.h"
 
 #include <optional>
 
@@ -25,8 +24,8 @@ std::vector<const Property*> normal_properties(const Element& vertices)
 {
   std::vector<const Property*> normals;
   for (const char* name : {"nx", "ny", "nz"}) {
-    const Property* property = find_property(vertices, name);
-    if (property == nullptr || property->is_list()) return {};
+    const Property* property = find_numbers(vertices, name);
+    if (property == nullptr) return {};
     normals.push_back(property);
   }
   return normals;
@@ -35,9 +34,9 @@ std::vector<const Property*> normal_properties(const Element& vertices)
 // `texture_u texture_v` are written in their own type, so that they are preserved.
 std::vector<const Property*> texture_properties(const Element& vertices)
 {
-  const Property* u = find_property(vertices, "texture_u");
-  const Property* v = find_property(vertices, "texture_v");
-  if (u == nullptr || v == nullptr || u->is_list() || v->is_list()) return {};
+  const Property* u = find_numbers(vertices, "texture_u");
+  const Property* v = find_numbers(vertices, "texture_v");
+  if (u == nullptr || v == nullptr) return {};
   return {u, v};
 }
 
@@ -75,7 +74,7 @@ void append_vertex(std::string& text, const Surface_file& file, const Off_column
 void append_faces(std::string& text, const Surface_file& file)
 {
   const auto colors = color_properties(file.faces);
-  const Property* list = find_property(file.faces, "color");
+  const Property* list = find_list(file.faces, "color");
   for (std::size_t f = 0; f < file.polygons.size(); ++f) {
     append_number(text, static_cast<std::int64_t>(file.polygons.degree(f)));
     for (std::size_t i = file.polygons.first[f]; i < file.polygons.first[f + 1]; ++i)
@@ -93,8 +92,8 @@ void note_losses(const Surface_file& file, const Off_columns& columns,
   note_lost_properties(file.vertices,
                        {"nx", "ny", "nz", "red", "green", "blue", "alpha", "texture_u", "texture_v",
                         "s", "t", "u", "v"},
-                       "OFF", notes);
-  note_lost_properties(file.faces, {"red", "green", "blue", "alpha", "color", "texcoord"}, "OFF",
+                       {}, "OFF", notes);
+  note_lost_properties(file.faces, {"red", "green", "blue", "alpha"}, {"color", "texcoord"}, "OFF",
                        notes);
   if (!columns.has_texture() && !texture_coordinates(file).empty())
     notes.push_back("texture coordinates with seams are not written to OFF");
@@ -120,13 +119,6 @@ std::string encode_off(const Surface_file& file, std::vector<std::string>& notes
   append_faces(text, file);
   note_losses(file, columns, notes);
   return text;
-}
-
-std::vector<std::string> write_off(const std::string& path, const Surface_file& file)
-{
-  std::vector<std::string> notes;
-  write_file(path, encode_off(file, notes));
-  return notes;
 }
 
 }  // namespace conformal

@@ -16,9 +16,6 @@ namespace conformal {
 /// ...)
 std::string encode_off(const Surface_file& file, std::vector<std::string>& notes);
 
-/// Writes an OFF file, and returns data that the format does not support. \throws Write_error
-std::vector<std::string> write_off(const std::string& path, const Surface_file& file);
-
 }  // namespace conformal
 
 #endif

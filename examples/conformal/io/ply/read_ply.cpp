@@ -91,8 +91,8 @@ class Ply_reader {
     m_file.points.resize(vertices.size);
     const std::array<const char*, 3> names = {"x", "y", "z"};
     for (std::size_t i = 0; i < 3; ++i) {
-      const Property* property = find_property(vertices, names[i]);
-      if (property == nullptr || property->is_list())
+      const Property* property = find_numbers(vertices, names[i]);
+      if (property == nullptr)
         fail(std::string("the vertices have no number ") + names[i] + ", wanted x, y and z");
       for (std::size_t v = 0; v < vertices.size; ++v) {
         m_file.points[v][i] = property->value(v);

@@ -4,7 +4,6 @@
 
 #include "conformal/io/data/encode_text.h"
 #include "conformal/io/data/texture_coordinates.h"
-#include "conformal/io/file/Temporary_file.h"
 #include "conformal/io/file/little_endian.h"
 
 #include <algorithm>
@@ -53,7 +52,7 @@ void use_common_types(Element& element)
     for (Property& property : bytes) set_property(element, std::move(property));
   }
   for (const char* name : {"nx", "ny", "nz", "texture_u", "texture_v"}) {
-    const Property* property = find_property(element, name);
+    const Property* property = find_numbers(element, name);
     if (property != nullptr && property->type() == Value_type::float64)
       set_property(element, converted(*property, Value_type::float32, 1.0));
   }
@@ -254,14 +253,6 @@ std::string encode_ply(const Surface_file& file, Ply_encoding encoding,
     for (std::size_t row = 0; row < element.size; ++row)
       if (!element.properties.empty()) writer.write_row(element, row);
   return writer.take();
-}
-
-std::vector<std::string> write_ply(const std::string& path, const Surface_file& file,
-                                   Ply_encoding encoding)
-{
-  std::vector<std::string> notes;
-  write_file(path, encode_ply(file, encoding, notes));
-  return notes;
 }
 
 }  // namespace conformal

@@ -22,10 +22,6 @@ namespace conformal {
 std::string encode_ply(const Surface_file& file, Ply_encoding encoding,
                        std::vector<std::string>& notes);
 
-/// Writes a PLY file, and returns data that the format does not support. \throws Write_error
-std::vector<std::string> write_ply(const std::string& path, const Surface_file& file,
-                                   Ply_encoding encoding = Ply_encoding::little_endian);
-
 }  // namespace conformal
 
 #endif

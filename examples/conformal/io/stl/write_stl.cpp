@@ -4,7 +4,6 @@
 
 #include "conformal/io/data/encode_text.h"
 #include "conformal/io/data/texture_coordinates.h"
-#include "conformal/io/file/Temporary_file.h"
 #include "conformal/io/file/little_endian.h"
 
 #include <array>
@@ -45,15 +44,14 @@ void append_facet(std::string& bytes, const Triangle& triangle, std::uint16_t at
 /// \returns the number of triangles
 std::uint32_t append_faces(std::string& bytes, const Surface_file& file)
 {
-  const Property* attributes = find_property(file.faces, "attribute");
+  const Property* attributes = find_numbers(file.faces, "attribute");
   const auto point = [&](std::size_t c) {
     return file.points[static_cast<std::size_t>(file.polygons.corners[c])];
   };
   std::uint32_t count = 0;
   for (std::size_t f = 0; f < file.polygons.size(); ++f) {
     const std::size_t begin = file.polygons.first[f], end = file.polygons.first[f + 1];
-    const bool has_attribute = attributes != nullptr && !attributes->is_list();
-    const double attribute = has_attribute ? attributes->value(f) : 0;
+    const double attribute = attributes != nullptr ? attributes->value(f) : 0;
     const bool fits = attribute >= 0 && attribute <= 0xffff;
     for (std::size_t c = begin + 2; c < end; ++c, ++count)
       append_facet(bytes, {point(begin), point(c - 1), point(c)},
@@ -65,8 +63,8 @@ std::uint32_t append_faces(std::string& bytes, const Surface_file& file)
 void note_losses(const Surface_file& file, std::vector<std::string>& notes)
 {
   notes.emplace_back("STL has no vertices: those at the same place in single precision become one");
-  note_lost_properties(file.vertices, {"nx", "ny", "nz"}, "STL", notes);
-  note_lost_properties(file.faces, {"attribute", "nx", "ny", "nz"}, "STL", notes);
+  note_lost_properties(file.vertices, {"nx", "ny", "nz"}, {}, "STL", notes);
+  note_lost_properties(file.faces, {"attribute", "nx", "ny", "nz"}, {}, "STL", notes);
   if (!file.texture.empty()) notes.emplace_back("texture coordinates are not written to STL");
   if (!file.group_lines.empty()) notes.emplace_back("groups and materials are not written to STL");
   for (const Element& element : file.other_elements)
@@ -84,13 +82,6 @@ std::string encode_stl(const Surface_file& file, std::vector<std::string>& notes
   append_little_endian(bytes, count);
   note_losses(file, notes);
   return bytes + facets;
-}
-
-std::vector<std::string> write_stl(const std::string& path, const Surface_file& file)
-{
-  std::vector<std::string> notes;
-  write_file(path, encode_stl(file, notes));
-  return notes;
 }
 
 }  // namespace conformal

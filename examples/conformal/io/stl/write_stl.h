@@ -15,9 +15,6 @@ namespace conformal {
 /// \param notes receives data that the format does not support
 std::string encode_stl(const Surface_file& file, std::vector<std::string>& notes);
 
-/// Writes a binary STL file, and returns data that the format does not support. \throws Write_error
-std::vector<std::string> write_stl(const std::string& path, const Surface_file& file);
-
 }  // namespace conformal
 
 #endif
