@@ -1,6 +1,6 @@
 // Tests examples/conformal/input/rho.cpp examples/conformal/input/rho_from_values.cpp
 // Tests examples/conformal/input/rho_from_image.cpp examples/conformal/input/Expression.cpp
-// Tests examples/conformal/input/read_gray_image.cpp examples/conformal/input/filter_rho.cpp
+// Tests examples/conformal/input/filter_rho.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/input/rho.h"
@@ -10,7 +10,7 @@
 #include "support/spheres.h"
 
 #include "conformal/input/Expression.h"
-#include "conformal/input/read_gray_image.h"
+#include "conformal/io/read_gray_image.h"
 #include "conformal/io/read_surface.h"
 #include "conformal/process/Failure.h"
 

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "filter_rho.h"
-#include "read_gray_image.h"
 #include "rho.h"
 
 #include "conformal/io/data/texture_coordinates.h"
+#include "conformal/io/read_gray_image.h"
 #include "conformal/process/Failure.h"
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
