@@ -5,6 +5,7 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Linear_constraints.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
+#include <Conformal_geometry_processing/spin/Potential_metric.h>
 #include <Conformal_geometry_processing/spin/Potential_search.h>
 #include <Conformal_geometry_processing/spin/Scale_residual.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
@@ -67,7 +68,7 @@ TEST(Potential_search, recovers_rho_from_scales)
   const Eigen::VectorXd u = CGP::internal::log_scales(wanted.lambda), areas = system.areas();
   Scale_residual scales(areas, u);
   scales.set_weight(1e4);
-  Search search(system, {rho.on, Eigen::VectorXd::Zero(areas.size())}, {&scales});
+  Search search(system, {rho.on, Eigen::VectorXd::Zero(areas.size())}, {&scales}, {}, .01);
   EXPECT_TRUE(search.minimize({}, always, 0));
   Eigen::VectorXd error = CGP::internal::log_scales(search.present().solution.lambda) - u;
   error.array() -= areas.dot(error) / areas.sum();
@@ -86,12 +87,14 @@ TEST(Potential_search, ends_where_the_sum_is_smallest)
   const Eigen::VectorXd areas = system.areas();
   Scale_residual scales(areas, Eigen::VectorXd::Zero(areas.size()));
   scales.set_weight(3);
-  Search search(system, rho, {&scales});
+  const double smoothness = .05;
+  const CGP::internal::Potential_metric<> metric(system, rho.on, smoothness / system.unit());
+  Search search(system, rho, {&scales}, {}, smoothness);
   ASSERT_TRUE(search.minimize({}, always, 0));
   const Eigen::VectorXd found = search.present().rho.values;
   const auto sum = [&](const Eigen::VectorXd& r) {
     scales.set_spins(CGP::solve_dirac_equation(system, {rho.on, r}).lambda);
-    return areas.dot((r - rho.values).cwiseAbs2()) + scales.values().squaredNorm();
+    return metric.squared_norm(r - rho.values) + scales.values().squaredNorm();
   };
   const double least = sum(found);
   for (const int seed : {1, 2, 3}) {
@@ -99,6 +102,26 @@ TEST(Potential_search, ends_where_the_sum_is_smallest)
     for (const double step : {-.1, .1}) EXPECT_GT(sum(found + step * d), least);
   }
   for (const double share : {.8, 1.2}) EXPECT_GT(sum(share * found), least);
+}
+
+// Rough changes of scale are wanted: rho' is smooth nevertheless.
+TEST(Potential_search, changes_rho_smoothly)
+{
+  const Mesh_view mesh = perturbed(icosphere(2), .02);
+  const auto roughness = [&](CGP::Curvature_potential::On on, double smoothness) {
+    CGP::internal::Dirac_system<> system(mesh);
+    const int n = mesh.size_of_vertices();
+    Scale_residual scales(system.areas(), .1 * random_numbers(n, 5));
+    scales.set_weight(300);
+    const Eigen::VectorXd areas = CGP::curvature_areas(mesh, on);
+    Search search(system, {on, Eigen::VectorXd::Zero(areas.size())}, {&scales}, {}, smoothness);
+    EXPECT_TRUE(search.minimize({}, always, 0));
+    const Eigen::VectorXd rho = search.present().rho.values;
+    const CGP::internal::Potential_metric<> both(system, on, 1 / system.unit());
+    return both.squared_norm(rho) / areas.dot(rho.cwiseAbs2()) - 1;
+  };
+  for (const auto on : {Curvature_potential::On::vertices, Curvature_potential::On::faces})
+    EXPECT_LT(roughness(on, .3), .5 * roughness(on, 0));
 }
 
 TEST(Potential_search, keeps_a_torus_closed)
@@ -144,10 +167,12 @@ TEST(Linear_constraints, are_met_by_the_shortest_step)
   Eigen::MatrixXd C(30, 4);
   for (int k = 0; k < 4; ++k) C.col(k) = random_numbers(30, k + 1);
   const Eigen::VectorXd masses = random_numbers(30, 9).cwiseAbs().array() + .1;
-  const CGP::internal::Linear_constraints constraints(C, masses);
+  const CGP::internal::Linear_constraints constraints(C, masses.cwiseInverse().asDiagonal() * C);
   const Eigen::VectorXd c = random_numbers(4, 10), v = random_numbers(30, 11);
   const Eigen::VectorXd d = constraints.least_solution(c), rest = constraints.project_out(v);
   EXPECT_LT((C.transpose() * d - c).norm(), 1e-2 * c.norm());  // damped
   EXPECT_LT((C.transpose() * rest).norm(), 1e-9 * v.norm());
   EXPECT_NEAR(d.dot(masses.cwiseProduct(rest)), 0, 1e-9 * d.norm() * v.norm());
+  EXPECT_NEAR(constraints.project_gradient(c[0] * v).dot(v), c[0] * v.dot(rest),
+              1e-9 * v.squaredNorm());
 }

@@ -13,26 +13,29 @@ namespace Conformal_geometry_processing {
 namespace internal {
 
 /// \ingroup PkgSpin
-/// \brief the constraints C^T d = c of a step d, with the inner product of masses M.
+/// \brief the constraints C^T d = c of a step d, with an inner product K.
 ///
 /// Damped least squares: a constraint that steps meet a hundred times less than others would take
 /// large ones, and is nearly left out, such as the period that does not change on an isothermic
 /// surface.
 class Linear_constraints {
  public:
-  /// \param gradients C, one column for each constraint \param masses M, positive
-  Linear_constraints(Eigen::MatrixXd gradients, Eigen::VectorXd masses);
+  /// \param gradients C, one column for each constraint
+  /// \param directions K^-1 C
+  Linear_constraints(Eigen::MatrixXd gradients, Eigen::MatrixXd directions);
 
-  /// the shortest d with C^T d = c, M^-1 C (C^T M^-1 C)^-1 c
+  /// the shortest d with C^T d = c, K^-1 C (C^T K^-1 C)^-1 c
   Eigen::VectorXd least_solution(const Eigen::VectorXd& c) const;
 
-  /// d without its part in the span of M^-1 C, orthogonally with respect to M
+  /// d without its part in the span of K^-1 C, orthogonally with respect to K
   Eigen::VectorXd project_out(Eigen::VectorXd d) const;
 
+  /// the transpose: a gradient g without its part in the span of C, of which such d know nothing
+  Eigen::VectorXd project_gradient(Eigen::VectorXd g) const;
+
  private:
-  Eigen::MatrixXd m_gradients;
-  Eigen::VectorXd m_masses;
-  Eigen::LDLT<Eigen::MatrixXd> m_gram;    // C^T M^-1 C
+  Eigen::MatrixXd m_gradients, m_directions;
+  Eigen::LDLT<Eigen::MatrixXd> m_gram;    // C^T K^-1 C
   Eigen::LDLT<Eigen::MatrixXd> m_damped;  // the same with the damping
 };
 

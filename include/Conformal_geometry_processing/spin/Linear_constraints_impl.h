@@ -13,13 +13,13 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-CGP_INLINE Linear_constraints::Linear_constraints(Eigen::MatrixXd gradients, Eigen::VectorXd masses)
-    : m_gradients(std::move(gradients)), m_masses(std::move(masses))
+CGP_INLINE Linear_constraints::Linear_constraints(Eigen::MatrixXd gradients,
+                                                  Eigen::MatrixXd directions)
+    : m_gradients(std::move(gradients)), m_directions(std::move(directions))
 {
   if (m_gradients.cols() == 0) return;
   const double damping = 0.01, rounding = 1e-12;
-  Eigen::MatrixXd gram =
-      m_gradients.transpose() * m_masses.cwiseInverse().asDiagonal() * m_gradients;
+  Eigen::MatrixXd gram = m_gradients.transpose() * m_directions;
   const double largest = gram.diagonal().maxCoeff();
   gram.diagonal().array() += rounding * largest;
   m_gram.compute(gram);
@@ -29,15 +29,20 @@ CGP_INLINE Linear_constraints::Linear_constraints(Eigen::MatrixXd gradients, Eig
 
 CGP_INLINE Eigen::VectorXd Linear_constraints::least_solution(const Eigen::VectorXd& c) const
 {
-  if (m_gradients.cols() == 0) return Eigen::VectorXd::Zero(m_masses.size());
-  return (m_gradients * m_damped.solve(c)).cwiseQuotient(m_masses);
+  if (m_gradients.cols() == 0) return Eigen::VectorXd::Zero(m_gradients.rows());
+  return m_directions * m_damped.solve(c);
 }
 
 CGP_INLINE Eigen::VectorXd Linear_constraints::project_out(Eigen::VectorXd d) const
 {
   if (m_gradients.cols() == 0) return d;
-  const Eigen::VectorXd part = m_gradients * m_gram.solve(m_gradients.transpose() * d);
-  return d - part.cwiseQuotient(m_masses);
+  return d - m_directions * m_gram.solve(m_gradients.transpose() * d);
+}
+
+CGP_INLINE Eigen::VectorXd Linear_constraints::project_gradient(Eigen::VectorXd g) const
+{
+  if (m_gradients.cols() == 0) return g;
+  return g - m_gradients * m_gram.solve(m_directions.transpose() * g);
 }
 
 }  // namespace internal

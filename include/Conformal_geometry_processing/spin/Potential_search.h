@@ -4,12 +4,15 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_H
 
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/Linear_constraints.h>
+#include <Conformal_geometry_processing/spin/Potential_metric.h>
 #include <Conformal_geometry_processing/spin/Spin_derivative.h>
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -20,12 +23,13 @@ namespace internal {
 /// \brief searches the change rho' of curvature nearest to a given rho whose transformation does
 /// what residuals ask for: minimises
 ///
-///     integral (rho' - rho)^2 + sum of r_k(lambda)^2    with c_k(lambda) = 0
+///     <rho' - rho, K (rho' - rho)> + sum of r_k(lambda)^2    with c_k(lambda) = 0
 ///
-/// by the method of Gauss and Newton with exact derivatives (`Spin_derivative`), from rho' = 0.
+/// by the method of Gauss and Newton with exact derivatives (`Spin_derivative`), from rho' = 0. K
+/// is a `Potential_metric`, so that rho' - rho is smooth; for rho = 0, rho' is.
 ///
 /// A step minimises the sum with r linearised, S its derivative, by conjugate gradients for
-/// M + S^T S preconditioned by M, among the changes that satisfy the linearised constraints. It is
+/// K + S^T S preconditioned by K, among the changes that satisfy the linearised constraints. It is
 /// shortened until it reduces the sum, if need be with a second step from there: limbs make lambda
 /// so sensitive to rho that the first step leaves the curved valley of small residuals, to which
 /// the second returns. Each evaluation corrects the spins predicted by the derivative, mostly at
@@ -46,16 +50,18 @@ class Potential_search {
   /// \param system of the surface; its matrix and factor are overwritten
   /// \param rho in 1/length of the system
   /// \param residuals, constraints must outlive the object
+  /// \param smoothness s of K in squares of the radius of the sphere of the same area: changes
+  /// that vary over less than sqrt(s) radii are avoided
   Potential_search(Dirac_system<SolverTraits>& system, Curvature_potential rho,
                    std::vector<Spin_residual*> residuals,
-                   std::vector<Spin_residual*> constraints = {});
+                   std::vector<Spin_residual*> constraints = {}, double smoothness = 0.1);
 
   /// \brief continues from the present rho' until a step would make the sum smaller by less than
   /// 1 %, and the norm of the constraints is at most `tolerance`.
   ///
   /// The residuals may have changed since the last call.
   /// \returns whether that was reached; otherwise the present rho' is the best one found
-  /// \throw Solver_error if a factorization or an iteration fails
+  /// \throw Solver_error if a factorization fails
   bool minimize(const Dirac_options& options, const Go_further& go_further, double tolerance);
 
   /// the present rho'
@@ -82,8 +88,13 @@ class Potential_search {
   Candidate evaluate(Eigen::VectorXd rho, const Dirac_solution& guess, const Dirac_options& options,
                      const Go_further& go_further);
 
-  /// from the present rho', which was evaluated last
-  Step best_step();
+  /// from the present rho', which was evaluated last; none if there is no derivative
+  std::optional<Step> best_step();
+  Step best_step(const Derivative& S);
+
+  /// \brief minimises the quadratic model, <d, (K + S^T S) d> / 2 + <g, d>, among the changes that
+  /// satisfy the linearised constraints
+  Eigen::VectorXd minimum_of_model(const Derivative& S, const Eigen::VectorXd& g) const;
 
   /// the solution after t times the step, to first order
   Dirac_solution predicted(const Step& step, double t) const;
@@ -97,10 +108,10 @@ class Potential_search {
   /// \returns whether there is one that reduces the merit
   bool take(const Step& step, const Dirac_options& options, const Go_further& go_further);
 
-  /// the gradient of <y, r> with respect to rho
-  Eigen::VectorXd gradient(const Derivative& S, const Eigen::VectorXd& y) const;
+  /// half of the gradient of the sum
+  Eigen::VectorXd gradient(const Derivative& S) const;
 
-  /// S^T S d
+  /// (K + S^T S) d
   Eigen::VectorXd curvature(const Derivative& S, const Eigen::VectorXd& d) const;
 
   /// the gradients of the constraints with respect to rho, one column each
@@ -111,7 +122,7 @@ class Potential_search {
   Dirac_system<SolverTraits>& m_system;
   Curvature_potential m_rho;
   std::vector<Spin_residual*> m_residuals, m_constraints;
-  Eigen::VectorXd m_areas;  // that belong to the values of rho
+  Potential_metric<SolverTraits> m_metric;
   Candidate m_now;
   double m_penalty = 0, m_last_length = 1;
   Dirac_evidence m_costs;

@@ -3,9 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_TEMPLATES_H
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
-#include <Conformal_geometry_processing/spin/Linear_constraints.h>
+#include <Conformal_geometry_processing/spin/Potential_metric_templates.h>
 #include <Conformal_geometry_processing/spin/Potential_search.h>
 #include <Conformal_geometry_processing/spin/Spin_derivative_templates.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
@@ -13,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,12 +22,13 @@ namespace internal {
 template <class SolverTraits, class EigensolverTraits>
 Potential_search<SolverTraits, EigensolverTraits>::Potential_search(
     Dirac_system<SolverTraits>& system, Curvature_potential rho,
-    std::vector<Spin_residual*> residuals, std::vector<Spin_residual*> constraints)
+    std::vector<Spin_residual*> residuals, std::vector<Spin_residual*> constraints,
+    double smoothness)
     : m_system(system),
       m_rho(std::move(rho)),
       m_residuals(std::move(residuals)),
       m_constraints(std::move(constraints)),
-      m_areas(curvature_areas(system.surface(), m_rho.on))
+      m_metric(system, m_rho.on, smoothness / system.unit())
 {
   restart(m_rho);
 }
@@ -54,13 +55,12 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
   limited.max_iterations = (std::min)(options.max_iterations, 40);
   m_last_length = 1;
   m_now = evaluate(m_now.rho.values, m_now.solution, limited, go_further);
-  for (int i = 0; i < max_steps && !m_costs.cancelled; ++i) try {
-      const Step step = best_step();
-      if (step.gain <= least_gain * m_now.sum && m_now.constraints.norm() <= tolerance) return true;
-      if (!take(step, limited, go_further)) return false;
-    } catch (const Solver_error&) {
-      return false;  // with directions, lambda need not be the smallest eigenvector
-    }
+  for (int i = 0; i < max_steps && !m_costs.cancelled; ++i) {
+    const std::optional<Step> step = best_step();
+    if (!step) return false;
+    if (step->gain <= least_gain * m_now.sum && m_now.constraints.norm() <= tolerance) return true;
+    if (!take(*step, limited, go_further)) return false;
+  }
   return false;
 }
 
@@ -79,7 +79,9 @@ bool Potential_search<SolverTraits, EigensolverTraits>::take(const Step& step,
       t /= 2;  // far too long
       continue;
     }
-    if (!(merit(m_now) < merit(before))) m_now = moved(best_step(), 1, options, go_further);
+    if (!(merit(m_now) < merit(before)))
+      if (const std::optional<Step> second = best_step())
+        m_now = moved(*second, 1, options, go_further);
     if (!m_now.solution.converged || !(merit(m_now) < merit(before))) continue;
     m_last_length = t;
     return true;
@@ -139,35 +141,29 @@ auto Potential_search<SolverTraits, EigensolverTraits>::evaluate(Eigen::VectorXd
   m_costs.solves += c.solution.solves;
   c.residuals = values(m_residuals, c.solution.lambda);
   c.constraints = values(m_constraints, c.solution.lambda);
-  c.sum = m_areas.dot((c.rho.values - m_rho.values).cwiseAbs2()) + c.residuals.squaredNorm();
+  c.sum = m_metric.squared_norm(c.rho.values - m_rho.values) + c.residuals.squaredNorm();
   return c;
 }
 
 template <class SolverTraits, class EigensolverTraits>
-auto Potential_search<SolverTraits, EigensolverTraits>::best_step() -> Step
+auto Potential_search<SolverTraits, EigensolverTraits>::best_step() -> std::optional<Step>
 {
-  const double derivative_tolerance = 1e-3, step_tolerance = 5e-2;
+  const double tolerance = 1e-3;
   const double gamma = m_system.is_closed() ? m_now.solution.eigenvalue : 0;
-  const Derivative S(m_system, {m_rho.on, m_now.rho.values.array() + gamma}, m_now.solution.lambda,
-                     derivative_tolerance);
-  const Linear_constraints constraints(constraint_gradients(S), m_areas);
-  const Eigen::VectorXd g =
-      m_areas.cwiseProduct(m_now.rho.values - m_rho.values) + gradient(S, m_now.residuals);
-  const auto hessian = [&](const Block<double>& d, Block<double>& y) {
-    y = m_areas.cwiseProduct(d.col(0)) + curvature(S, d.col(0));
-  };
-  const auto precondition = [&](const Block<double>& r, Block<double>& z) {
-    z = constraints.project_out(r.col(0).cwiseQuotient(m_areas));
-  };
-  const Eigen::VectorXd first = constraints.least_solution(-m_now.constraints);
-  Eigen::VectorXd b = -g;
-  if (first.squaredNorm() > 0) b -= m_areas.cwiseProduct(first) + curvature(S, first);
-  Conjugate_gradients_options options;
-  options.tolerance = step_tolerance;
-  Block<double> d;
-  conjugate_gradients(hessian, precondition, Block<double>(b), d, options);
+  try {
+    return best_step(Derivative(m_system, {m_rho.on, m_now.rho.values.array() + gamma},
+                                m_now.solution.lambda, tolerance));
+  } catch (const No_derivative&) {
+    return std::nullopt;
+  }
+}
+
+template <class SolverTraits, class EigensolverTraits>
+auto Potential_search<SolverTraits, EigensolverTraits>::best_step(const Derivative& S) -> Step
+{
+  const Eigen::VectorXd g = gradient(S);
   Step step;
-  step.change = first + d.col(0);
+  step.change = minimum_of_model(S, g);
   step.lambda = S.apply(step.change).col(0);
   step.gamma = S.gamma_change(step.change)[0];
   step.gain = -g.dot(step.change);
@@ -179,17 +175,33 @@ auto Potential_search<SolverTraits, EigensolverTraits>::best_step() -> Step
 }
 
 template <class SolverTraits, class EigensolverTraits>
+Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::minimum_of_model(
+    const Derivative& S, const Eigen::VectorXd& g) const
+{
+  const double tolerance = 5e-2;
+  const Eigen::MatrixXd gradients = constraint_gradients(S);
+  const Linear_constraints constraints(gradients, m_metric.solve(gradients));
+  const auto hessian = [&](const Block<double>& d, Block<double>& y) { y = curvature(S, d); };
+  const auto precondition = [&](const Block<double>& r, Block<double>& z) {
+    z = constraints.project_out(m_metric.solve(r));
+  };
+  const Eigen::VectorXd first = constraints.least_solution(-m_now.constraints);
+  // Near the minimum nearly all of g is in the span of the constraints, and would be rounding.
+  Block<double> b = -constraints.project_gradient(g), d;
+  if (first.squaredNorm() > 0) b -= curvature(S, first);
+  Conjugate_gradients_options options;
+  options.tolerance = tolerance;
+  conjugate_gradients(hessian, precondition, b, d, options);
+  return first + d.col(0);
+}
+
+template <class SolverTraits, class EigensolverTraits>
 Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::gradient(
-    const Derivative& S, const Eigen::VectorXd& y) const
+    const Derivative& S) const
 {
   Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(S.lambda().size(), 1, {});
-  Eigen::Index first = 0;
-  for (const Spin_residual* r : m_residuals) {
-    const Eigen::Index n = r->values().size();
-    q.col(0) += r->gradient(y.segment(first, n));
-    first += n;
-  }
-  return S.apply_transpose(q);
+  for (const Spin_residual* r : m_residuals) q.col(0) += r->gradient(r->values());
+  return m_metric.apply(m_now.rho.values - m_rho.values) + S.apply_transpose(q);
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -199,7 +211,7 @@ Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::curvature(
   const Spins dlambda = S.apply(d).col(0);
   Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(dlambda.size(), 1, {});
   for (const Spin_residual* r : m_residuals) q.col(0) += r->gradient(r->change(dlambda));
-  return S.apply_transpose(q);
+  return m_metric.apply(d) + S.apply_transpose(q);
 }
 
 template <class SolverTraits, class EigensolverTraits>

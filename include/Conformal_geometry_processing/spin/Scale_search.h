@@ -22,11 +22,11 @@ namespace internal {
 /// \brief finds the rho' nearest to rho whose transformation changes lengths by no more than a
 /// bound, relative to wanted factors: minimises
 ///
-///     integral (rho' - rho)^2 + w integral weight u^2,    u the log of the factor
+///     <rho' - rho, K (rho' - rho)> + w integral weight u^2,    u the log of the factor
 ///
-/// for the smallest w with which 98 % of the area are within the bound. What is wide against the
-/// limbs *is* scale, and is reduced; what is narrow survives.
-/// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
+/// with the inner product K of `Potential_search`, for the smallest w with which 98 % of the area
+/// are within the bound. What is wide against the limbs *is* scale, and is reduced; what is narrow
+/// survives. \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
 template <class SolverTraits, class EigensolverTraits>
 class Scale_search {
  public:

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_DERIVATIVE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_DERIVATIVE_H
 
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 
 #include <Eigen/Core>
@@ -10,6 +11,14 @@
 namespace Conformal_geometry_processing {
 
 namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief the spins have no derivative by rho that can be computed, because lambda is not the
+/// smallest eigenvector, which prescribed directions do not imply, or because eigenvalues cross
+class No_derivative : public Solver_error {
+ public:
+  using Solver_error::Solver_error;
+};
 
 /// \ingroup PkgSpin
 /// \brief the derivative of the spins lambda of a transformation with respect to rho, and its
@@ -40,7 +49,7 @@ class Spin_derivative {
   /// \param lambda |V|
   /// \param tolerance relative error of products, in the energy norm
   /// \pre `solve_dirac_equation()` has just found lambda; no positions are prescribed
-  /// \throw Solver_error if the iterations do not converge
+  /// \throw No_derivative if the iterations do not converge
   Spin_derivative(const Dirac_system<SolverTraits>& system, Curvature_potential potential,
                   Quaternion_vector<double> lambda, double tolerance = 1e-6);
 
@@ -52,7 +61,7 @@ class Spin_derivative {
 
   /// \brief dlambda, |V| x k, for k changes of rho.
   /// \param changes |V| or |F| x k, in 1/length
-  /// \throw Solver_error if the iterations do not converge
+  /// \throw No_derivative if the iterations do not converge
   Vectors apply(const Eigen::MatrixXd& changes) const;
 
   /// dgamma for k changes of rho, 0 without a gamma
@@ -61,7 +70,7 @@ class Spin_derivative {
   /// \brief the gradients, |V| or |F| x k, of Re <q, lambda> for k columns q, |V| x k.
   ///
   /// q must not depend on the gauge: <lambda, q> = 0; that part is ignored.
-  /// \throw Solver_error if the iterations do not converge
+  /// \throw No_derivative if the iterations do not converge
   Eigen::MatrixXd apply_transpose(const Vectors& q) const;
 
  private:

@@ -3,7 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_DERIVATIVE_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_DERIVATIVE_TEMPLATES_H
 
-#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 #include <Conformal_geometry_processing/operators/dirac_forms.h>
@@ -98,7 +97,7 @@ auto Spin_derivative<SolverTraits>::solve(Vectors b) const -> Vectors
   m_solves += static_cast<int>(b.cols()) * (result.iterations + 1);
   const double worst_error = 1e-3;  // of rounding, with slivers
   if (!result.converged && !(result.estimates.maxCoeff() <= worst_error))
-    throw Solver_error("Spin_derivative", "the iterations do not converge");
+    throw No_derivative("Spin_derivative", "the iterations do not converge");
   return x;
 }
 
