@@ -8,7 +8,9 @@
 # linear_algebra_header_only, kernels_header_only and core_header_only are the same with nothing to
 # link: all is compiled in the files that include it.
 
-cgp_find(CGP_HAS_CGAL libcgal-dev CGAL 5.5 QUIET)
+if(NOT CGP_KERNELS_ONLY)
+  cgp_find(CGP_HAS_CGAL libcgal-dev CGAL 5.5 QUIET)
+endif()
 # NO_MODULE: CGAL puts a FindEigen3.cmake of its own on the module path. No version: Eigen 5 says
 # that it is not compatible with 3.4, and is.
 cgp_find(CGP_HAS_EIGEN libeigen3-dev Eigen3 QUIET NO_MODULE)
@@ -16,7 +18,7 @@ find_package(Threads REQUIRED)
 cgp_find(CGP_HAS_CHOLMOD libsuitesparse-dev CHOLMOD QUIET MODULE)
 cgp_find(CGP_HAS_METIS libmetis-dev METIS QUIET MODULE)
 cgp_find(CGP_HAS_SLEPC libslepc-complex-dev SLEPc QUIET MODULE)
-if(NOT CGP_HAS_CGAL OR NOT CGP_HAS_EIGEN OR Eigen3_VERSION VERSION_LESS 3.4)
+if(NOT (CGP_HAS_CGAL OR CGP_KERNELS_ONLY) OR NOT CGP_HAS_EIGEN OR Eigen3_VERSION VERSION_LESS 3.4)
   message(FATAL_ERROR "Conformal Geometry Processing needs CGAL 5.5 or later and Eigen 3.4 or later;"
                       " on Debian: apt-get install libcgal-dev libeigen3-dev")
 endif()
@@ -134,6 +136,9 @@ cgp_add_compiled(linear_algebra "" ${CGP_LINEAR_ALGEBRA_HEADERS})
 include(Vector_units)
 cgp_add_vector_units(cgp_linear_algebra)
 cgp_add_compiled(kernels cgp_linear_algebra ${CGP_KERNELS_HEADERS})
+if(CGP_KERNELS_ONLY)
+  return()
+endif()
 set(kernels cgp_kernels)
 if(CGP_HEADER_ONLY)
   set(kernels cgp_kernels_header_only)

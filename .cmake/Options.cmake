@@ -5,10 +5,12 @@
 
 option(CGP_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(CGP_BUILD_EXAMPLES "Build the examples and the program conformal" ${PROJECT_IS_TOP_LEVEL})
+option(CGP_BUILD_PYTHON "Build the Python module" ${CGP_BUILD_EXAMPLES})
 option(CGP_BUILD_BENCHMARKS "Build the benchmarks" ${PROJECT_IS_TOP_LEVEL})
 option(CGP_BUILD_DOC "Check and build the reference manual" ${PROJECT_IS_TOP_LEVEL})
 option(CGP_HTML_REPORT "HTML reports of the program; npm fetches three.js" ${PROJECT_IS_TOP_LEVEL})
 option(CGP_WARNINGS_AS_ERRORS "Stop at a warning in our own code, as test/run does" OFF)
+option(CGP_KERNELS_ONLY "Build what needs no CGAL: the compiled libraries, the Python module" OFF)
 option(CGP_HEADER_ONLY "Let tests and programs compile all of the library themselves" OFF)
 option(CGP_NATIVE "Compile for this very machine (-march=native)" OFF)
 option(CGP_COVERAGE "Count which lines of the headers the tests run (g++)" OFF)

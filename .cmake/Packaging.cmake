@@ -30,7 +30,9 @@ endfunction()
 # SuiteSparse, METIS or MPI.
 cgp_install(kernels cgp_linear_algebra cgp_kernels cgp_linear_algebra_header_only
             cgp_kernels_header_only)
-cgp_install(core cgp_core cgp_core_header_only)
+if(TARGET cgp_core)
+  cgp_install(core cgp_core cgp_core_header_only)
+endif()
 foreach(part cholmod metis slepc)
   if(TARGET cgp_${part})
     cgp_install(${part} cgp_${part})

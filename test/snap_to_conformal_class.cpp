@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/snap_to_conformal_class.h
+// Tests surfaces/snap_to_class.h
 #include <Conformal_geometry_processing/snap_to_conformal_class.h>
 
 #include <gtest/gtest.h>

@@ -135,7 +135,8 @@ def cells(row):
     return [row["method"], f"{row['time_step']:.2g}", "yes" if row["stable"] else "no",
             f"{row['steps']:,}", f"{row['seconds']:.2f}", energy(row),
             number(row["steiner_energy"] and row["steiner_energy"] / SPHERE, ".4f"),
-            number(row["q_mean"], ".4f"), number(row["q_worst"], ".4f"), number(row["q_p99"], ".3f"), number(row["q_max"], ".3g"),
+            number(row["q_mean"], ".4f"), number(row["q_worst"], ".4f"),
+            number(row["q_p99"], ".3f"), number(row["q_max"], ".3g"),
             number(row["cross_ratio_rms"], ".4f"), number(row["least_angle"], ".3f"),
             str(row["flips"]), row["end"]]
 
@@ -167,7 +168,8 @@ def plot_of(rows, mesh):
     """E - 1 has no logarithm where E is less than 1, so it is E that is drawn."""
     lines = {row["method"]: [tuple(map(float, moment.split(":"))) for moment in row["curve"].split()]
              for row in of_role(rows, mesh, "stable") if is_moved(row)}
-    lines = {name.replace("mean curvature", "mean curv."): [(seconds, value / SPHERE) for seconds, value in points if seconds > 0]
+    lines = {name.replace("mean curvature", "mean curv."):
+             [(seconds, value / SPHERE) for seconds, value in points if seconds > 0]
              for name, points in lines.items()}
     return plot.log_log(lines, "seconds of the processor", "Willmore energy / 4 pi",
                         f"{mesh}: largest stable time steps")

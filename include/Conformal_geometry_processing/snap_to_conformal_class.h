@@ -3,71 +3,16 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SNAP_TO_CONFORMAL_CLASS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SNAP_TO_CONFORMAL_CLASS_H
 
-#include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/write_points.h>
-#include <Conformal_geometry_processing/measure/length_cross_ratio.h>
-#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
-#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/simple_delaunay.h>
+#include <Conformal_geometry_processing/surfaces/snap_to_class.h>
 
-#include <Eigen/Core>
-
-#include <cmath>
 #include <string>
-#include <utility>
 
 namespace Conformal_geometry_processing {
-
-namespace internal {
-
-/// \ingroup PkgConformalClass
-/// \brief The numbers that verify `snap_to_conformal_class()`.
-struct [[nodiscard]] Class_snap_report {
-  bool converged = false;
-  int iterations = 0, factorizations = 0;
-  /// changes of log length cross-ratios from the reference, in the end of the positions as written
-  Length_cross_ratio_change initial_length_cross_ratio, length_cross_ratio;
-  double displacement = 0;  ///< root mean square over the vertices, by the diagonal of the mesh
-
-  /// whether the surface is in the class; if not, nothing was written
-  explicit operator bool() const { return converged; }
-};
-
-inline void require_edge_lengths(const Mesh_view& mesh, const std::string& function)
-{
-  require_manifold_components(mesh, function);
-  refuse_if_any(
-      mesh.size_of_edges(),
-      [&](int k) { return mesh.position(mesh.ends(k)[0]) == mesh.position(mesh.ends(k)[1]); },
-      [&](int k) { return name_of_edge(mesh, k); }, function, "#edge of length zero",
-      "its ends have to be different points");
-}
-
-/// Moves the positions, 3 x |V|, into the class of the reference
-inline Class_snap_report snap_to_class(const Mesh_view& reference, Points& positions,
-                                       const Snap_options& options)
-{
-  const Normalized_frame frame(positions);
-  Points f = frame.to_frame(positions);
-  Conformal_class conformal_class(reference);
-  const Snap_report snap = conformal_class.snap(f, options);
-  Class_snap_report report;
-  report.converged = snap.converged;
-  report.iterations = snap.iterations;
-  report.factorizations = snap.factorizations;
-  report.initial_length_cross_ratio = length_cross_ratio_change(reference, positions);
-  Points moved = snap.iterations == 0 ? positions : frame.from_frame(std::move(f));
-  const double diagonal = (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).norm();
-  report.displacement = (moved - positions).norm() / std::sqrt(double(positions.cols())) / diagonal;
-  report.length_cross_ratio = length_cross_ratio_change(reference, moved);
-  positions = std::move(moved);
-  return report;
-}
-
-}  // namespace internal
 
 /// \ingroup PkgEntryPoints
 /// \brief moves a surface, by as little as possible, to one that is discretely conformally

@@ -19,7 +19,7 @@ def guard(path):
 
 
 def complaints():
-    for path in sources.files(".h", ".cpp", ".py", ".sh"):
+    for path in sources.files(".h", ".cpp", ".py", ".pyi", ".sh"):
         text = (sources.ROOT / path).read_text(encoding="utf-8")
         head = "\n".join(text.splitlines()[:5])
         for line in (COPYRIGHT, LICENCE):

@@ -9,7 +9,7 @@ LONGEST = 300
 
 
 def complaints():
-    for path in sources.files(".h", ".cpp", ".py"):
+    for path in sources.files(".h", ".cpp", ".py", ".pyi"):
         lines = len((sources.ROOT / path).read_text(encoding="utf-8").splitlines())
         if lines > LONGEST:
             yield f"{path}: {lines} lines, more than {LONGEST}"

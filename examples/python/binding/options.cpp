@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "options.h"
+
+#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace conformal_python {
+namespace {
+
+/// the rows of the boundary vertices, of an array with a row for every vertex
+CGP::Points at_boundary(const py::object& array, const std::vector<int>& vertices,
+                        const CGP::Mesh_view& mesh, const std::string& function,
+                        const std::string& what)
+{
+  if (array.is_none()) return CGP::Points(3, 0);
+  const CGP::Points all =
+      vertex_points(array.cast<Array>(), mesh.size_of_vertices(), function, what);
+  return all(Eigen::indexing::all, vertices);
+}
+
+/// normals of the surface with the target points, where none are given
+CGP::Points normals_of(const py::object& targets, const std::vector<int>& vertices,
+                       const CGP::Mesh_view& mesh)
+{
+  CGP::Mesh_view moved = mesh;
+  moved.set_positions(points(targets.cast<Array>(), "", ""));
+  return vertex_normals(moved, CGP::internal::Normal_weight::angle)(Eigen::indexing::all, vertices);
+}
+
+}  // namespace
+
+std::optional<CGP::Exactness> exactness(const py::dict& options, const std::string& function)
+{
+  if (options.contains("exactness") && options["exactness"].is_none()) return std::nullopt;
+  CGP::Exactness chosen = CGP::Exactness::adjoint;
+  choose(options, "exactness",
+         {{"adjoint", CGP::Exactness::adjoint}, {"thesis", CGP::Exactness::thesis}}, chosen,
+         function);
+  return chosen;
+}
+
+CGP::Boundary_condition boundary_condition(const py::object& condition, const CGP::Mesh_view& mesh,
+                                           const std::string& function)
+{
+  if (condition.is_none()) return {};
+  const auto kind = condition.attr("kind").cast<std::string>();
+  if (kind == "free") return {};
+  require_manifold(mesh, function);
+  const std::vector<int> vertices = boundary_frames(mesh).vertices;
+  const py::object targets = condition.attr("targets"), normals = condition.attr("normals");
+  if (kind == "directions")
+    return CGP::Boundary_condition::directions(
+        Eigen::Vector3d(
+            numbers(condition.attr("direction").cast<Array>(), function, "a direction")),
+        at_boundary(targets, vertices, mesh, function, "directions"));
+  CGP::Points p = at_boundary(targets, vertices, mesh, function, "positions");
+  return CGP::Boundary_condition::positions(
+      std::move(p),
+      normals.is_none() ? normals_of(targets, vertices, mesh)
+                        : at_boundary(normals, vertices, mesh, function, "normals"),
+      condition.attr("weight").cast<double>());
+}
+
+CGP::Dirac_options dirac_options(const py::dict& options, const std::string& function)
+{
+  using Branch = CGP::Dirac_options::Branch;
+  using Problem = CGP::Dirac_options::Eigenproblem;
+  CGP::Dirac_options o;
+  choose(options, "eigenproblem",
+         {{"standard", Problem::standard}, {"generalized", Problem::generalized}}, o.problem,
+         function);
+  choose(options, "branch",
+         {{"nearest", Branch::nearest}, {"smallest", Branch::smallest}, {"zero", Branch::zero}},
+         o.branch, function);
+  take(options, "tolerance", o.tolerance);
+  take(options, "max_iterations", o.max_iterations);
+  take(options, "max_substeps", o.max_substeps);
+  take(options, "random_seed", o.random_seed);
+  take(options, "kernel_tolerance", o.kernel_tolerance);
+  return o;
+}
+
+CGP::Spin_transformation_options transformation_options(const py::dict& options,
+                                                        const CGP::Mesh_view& mesh,
+                                                        const std::string& function)
+{
+  CGP::Spin_transformation_options o;
+  py::object condition = py::none();
+  take(options, "boundary", condition);
+  o.boundary = boundary_condition(condition, mesh, function);
+  take_closing(options, function, o);
+  if (options.contains("max_scale") && !options["max_scale"].is_none()) {
+    double bound = 0;
+    take(options, "max_scale", bound);
+    o.scales.bound = bound;
+  }
+  Array values;
+  take(options, "vertex_scale", values);
+  if (values.size() > 0) o.scales.factors = numbers(values, function, "vertex_scale");
+  values = Array();
+  take(options, "vertex_scale_weight", values);
+  if (values.size() > 0) o.scales.weights = numbers(values, function, "vertex_scale_weight");
+  return o;
+}
+
+CGP::Spin_report::Limits limits(const py::dict& options)
+{
+  CGP::Spin_report::Limits l;
+  take(options, "residual", l.residual);
+  take(options, "closure", l.closure);
+  take(options, "direction_error", l.direction_error);
+  take(options, "realised_share", l.realised_share);
+  take(options, "quasi_conformal", l.map.quasi_conformal);
+  take(options, "flipped_share", l.map.flipped_share);
+  take(options, "collapsed_share", l.map.collapsed_share);
+  return l;
+}
+
+}  // namespace conformal_python

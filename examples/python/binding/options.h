@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PYTHON_BINDING_OPTIONS_H
+#define CONFORMAL_GEOMETRY_PYTHON_BINDING_OPTIONS_H
+
+#include "arrays.h"
+
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/forms/exactness_functions.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation_options.h>
+
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace conformal_python {
+
+/// Reads `value` from an option by name; unless it is there and not None, the default stays.
+/// \throw TypeError naming the option
+template <class T>
+void take(const py::dict& options, const char* name, T& value)
+{
+  if (!options.contains(name) || options[name].is_none()) return;
+  try {
+    value = options[name].cast<T>();
+  } catch (const py::cast_error&) {
+    throw py::type_error(std::string(name) +
+                         " is of an unsuitable type: " + std::string(py::repr(options[name])));
+  }
+}
+
+/// Reads a choice by its name.
+/// \throw Precondition_error naming the choices
+template <class T>
+void choose(const py::dict& options, const char* name,
+            std::initializer_list<std::pair<const char*, T>> choices, T& value,
+            const std::string& function)
+{
+  std::string chosen, all;
+  take(options, name, chosen);
+  if (chosen.empty()) return;
+  for (const auto& [text, choice] : choices) {
+    if (chosen == text) {
+      value = choice;
+      return;
+    }
+    all += (all.empty() ? "'" : ", '") + std::string(text) + "'";
+  }
+  throw CGP::Precondition_error(
+      function, std::string(name) + " is '" + chosen + "'; one of these is needed: " + all);
+}
+
+/// adjoint, thesis, or None for none
+std::optional<CGP::Exactness> exactness(const py::dict& options, const std::string& function);
+
+/// exactness, max_period_defect and mollification
+template <class Options>
+void take_closing(const py::dict& options, const std::string& function, Options& o)
+{
+  o.exactness = exactness(options, function);
+  double share = 0;
+  take(options, "max_period_defect", share);
+  if (share != 0) o.max_period_defect = share;
+  if (options.contains("mollification") && !options["mollification"].is_none()) {
+    take(options, "mollification", share);
+    o.mollification = share;
+  }
+}
+
+/// \param condition a Boundary_condition of Python, or None
+CGP::Boundary_condition boundary_condition(const py::object& condition, const CGP::Mesh_view& mesh,
+                                           const std::string& function);
+
+CGP::Dirac_options dirac_options(const py::dict& options, const std::string& function);
+
+CGP::Spin_transformation_options transformation_options(const py::dict& options,
+                                                        const CGP::Mesh_view& mesh,
+                                                        const std::string& function);
+
+CGP::Spin_report::Limits limits(const py::dict& options);
+
+}  // namespace conformal_python
+
+#endif

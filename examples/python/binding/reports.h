@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PYTHON_BINDING_REPORTS_H
+#define CONFORMAL_GEOMETRY_PYTHON_BINDING_REPORTS_H
+
+#include <Conformal_geometry_processing/flow/Flow_report.h>
+#include <Conformal_geometry_processing/measure/Conformality.h>
+#include <Conformal_geometry_processing/parameterization/Parameterization_report.h>
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+#include <Conformal_geometry_processing/surfaces/snap_to_class.h>
+
+#include <pybind11/pybind11.h>
+
+/// The fields of the reports by their names, from which Python makes its data classes; `fault` is
+/// the verdict as text, None where the result is what was asked for.
+namespace conformal_python {
+
+namespace py = pybind11;
+namespace CGP = Conformal_geometry_processing;
+
+py::dict as_dict(const CGP::internal::Distribution& d);
+py::dict as_dict(const CGP::Conformality& c);
+py::dict as_dict(const CGP::Spin_report& r);
+py::dict as_dict(const CGP::Flow_step_report& r);
+py::dict as_dict(const CGP::Flow_report& r);
+py::dict as_dict(const CGP::Parameterization_report& r);
+py::dict as_dict(const CGP::internal::Class_snap_report& r);
+
+}  // namespace conformal_python
+
+#endif

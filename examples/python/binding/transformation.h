@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PYTHON_BINDING_TRANSFORMATION_H
+#define CONFORMAL_GEOMETRY_PYTHON_BINDING_TRANSFORMATION_H
+
+#include "options.h"
+#include "reports.h"
+#include "watch.h"
+
+#include <Conformal_geometry_processing/spin/Spin_result.h>
+
+namespace conformal_python {
+
+/// (positions, spins, report): what Python makes a result of. Positions and spins have no rows
+/// where there are none.
+inline py::tuple as_tuple(const CGP::Spin_result& result)
+{
+  return py::make_tuple(to_rows(result.positions), to_rows(result.lambda), as_dict(result.report));
+}
+
+}  // namespace conformal_python
+
+#endif

@@ -1,0 +1,40 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Conformal geometry processing on NumPy arrays, after K. Crane, *Conformal Geometry Processing*
+(PhD thesis, Caltech, 2013; [CGP] below).
+
+A mesh is two arrays: V, n x 3, the points of its vertices, and F, m x 3, the vertices of its
+triangles, counter-clockwise seen from outside. Nothing is changed in place; same input, same bits.
+
+>>> import conformal_geometry as cg
+>>> result = cg.spin_transform(V, F, rho, max_scale=2)  # rho: change of mean curvature, 1/length
+>>> result or print(result.report.fault)
+>>> result.positions
+"""
+
+from ._boundary import Boundary_condition
+from ._derivative import Spin_derivative
+from ._errors import Error, Precondition_error, Solver_error
+from ._fit import Nearest_result, blend, nearest
+from ._flow import Flow_result, willmore_flow
+from ._kernels import __version__
+from ._matrices import (cotan_laplacian, dirac_energy, dirac_operator, face_areas, mean_curvature,
+                        quasi_conformal_errors, vertex_areas)
+from ._reports import (Area_distortion, Class_snap_report, Conformality, Distribution, Flow_report,
+                       Flow_step_report, Length_cross_ratio_change, Limits, Mean_and_max,
+                       Mollification, Parameterization_report, Scales, Spin_report)
+from ._spin import (Progress, Spin_result, Spin_transformation, minimal_surface, spin_transform)
+from ._surfaces import (Class_snap_result, Dirac_spectrum, Flattening, Harmonic_basis,
+                        dirac_spectrum, flatten, harmonic_basis, snap_to_conformal_class)
+
+__all__ = [
+    "spin_transform", "Spin_transformation", "Spin_derivative", "Boundary_condition",
+    "willmore_flow", "flatten", "nearest", "blend", "minimal_surface", "harmonic_basis",
+    "dirac_spectrum", "snap_to_conformal_class", "dirac_operator", "dirac_energy",
+    "cotan_laplacian", "vertex_areas", "face_areas", "mean_curvature", "quasi_conformal_errors",
+    "Spin_result", "Nearest_result", "Flow_result", "Flattening", "Harmonic_basis",
+    "Dirac_spectrum", "Class_snap_result", "Progress", "Spin_report", "Flow_report",
+    "Flow_step_report", "Parameterization_report", "Class_snap_report", "Conformality",
+    "Distribution", "Length_cross_ratio_change", "Area_distortion", "Mollification", "Scales",
+    "Mean_and_max", "Limits", "Error", "Precondition_error", "Solver_error", "__version__",
+]

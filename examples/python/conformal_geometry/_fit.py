@@ -1,0 +1,87 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Conformal deformations near given ones, and between two."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Dict, Optional
+
+import numpy as np
+
+from . import _kernels
+from ._arrays import faces, points, real
+from ._report import build
+from ._reports import Spin_report
+from ._spin import Callback, Spin_result, _progress, spin_result
+
+
+@dataclass(frozen=True, eq=False)
+class Nearest_result(Spin_result):
+    """A conformal deformation near a given one."""
+    distance: float  #: root mean square from the target, relative to the diagonal of its box
+    sign_conflicts: int  #: of the spins of the target; 0 for smooth deformations
+
+
+def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., direction: Any = (1, 0, 0),
+            vertex_scale: Any = None, exactness: Optional[str] = "adjoint",
+            max_period_defect: Optional[float] = None, mollification: Optional[float] = None,
+            eigenproblem: str = "standard", tolerance: float = 1e-8, max_iterations: int = 200,
+            max_substeps: int = 10, random_seed: int = 0,
+            limits: Optional[Dict[str, float]] = None, callback: Callback = None
+            ) -> Nearest_result:
+    """Deforms a surface conformally, as closely as possible to a given deformation
+    [CGP 5.9, 6.3]: its curvature and, at a boundary, its tangents are kept, but not its shear. So
+    any editor becomes a conformal one. A similarity aligns the result with the target.
+
+    Parameters
+    ----------
+    V, target : (n, 3) arrays
+        the surface, and its vertices after the deformation
+    F : (m, 3) array of integers
+    blend : float
+        t: the surface of (1 - t) lambda + t mu, with the spins mu of the target; conformal for 0
+    direction : (t, n, b)
+        what of the boundary frame is taken from the target; (0, 0, 1), the binormals, can be
+        realised for any
+    vertex_scale : (n,) array, optional
+        factors of lengths that are to come on top
+    other parameters
+        as in ``spin_transform()``
+    """
+    name = "nearest"
+    scales = np.empty(0) if vertex_scale is None else real(vertex_scale, name, "factors")
+    options = dict(direction=real(direction, name, "directions"), vertex_scale=scales,
+                   exactness=exactness, max_period_defect=max_period_defect,
+                   mollification=mollification, eigenproblem=eigenproblem, tolerance=tolerance,
+                   max_iterations=max_iterations, max_substeps=max_substeps,
+                   random_seed=random_seed)
+    positions, spins, report, distance, conflicts = _kernels.nearest(
+        points(V, name), points(target, name), faces(F, name), float(blend), options, limits or {},
+        _progress(callback))
+    return Nearest_result(positions, spins, build(Spin_report, report), distance, conflicts)
+
+
+def blend(A: Any, B: Any, F: Any, t: float = 0.5, *, onto: Any = None, tolerance: float = 1e-8,
+          random_seed: int = 0, callback: Callback = None) -> Spin_result:
+    """Goes from one surface towards a conformally equivalent one, or beyond: adds t times the
+    difference of their mean curvature half-densities [CGP 4.4].
+
+    Every surface on the way is conformally equivalent to both. Area and centroid are those of the
+    start; at a boundary the binormals turn evenly.
+
+    Parameters
+    ----------
+    A, B : (n, 3) arrays
+        two surfaces; t = 0 gives A, 1 gives B up to a similarity and O(h^2), 1.5 exaggerates
+    F : (m, 3) array of integers
+    onto : (n, 3) array, optional
+        a third surface of the conformal class, to which the difference is added in place of A
+    tolerance, random_seed, callback
+        as in ``spin_transform()``
+    """
+    name = "blend"
+    start = A if onto is None else onto
+    return spin_result(*_kernels.blend(
+        points(A, name), points(B, name), points(start, name), faces(F, name), float(t),
+        dict(tolerance=tolerance, random_seed=random_seed), _progress(callback)))

@@ -1,0 +1,209 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Spin transformations: surfaces with a prescribed change of their mean curvature."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, NamedTuple, Optional
+
+import numpy as np
+
+from . import _kernels
+from ._arrays import faces, points, real, real_or_none
+from ._boundary import Boundary_condition
+from ._derivative import Spin_derivative
+from ._report import Result, build
+from ._reports import Spin_report
+
+
+class Progress(NamedTuple):
+    """Where the iteration of the eigensolver is, for callbacks."""
+    iteration: int  #: of the present solve
+    value: float  #: the approximation of the smallest eigenvalue
+    estimate: float  #: of its error
+
+
+@dataclass(frozen=True, eq=False)
+class Spin_result(Result):
+    """A transformed surface with the report that verifies it.
+
+    True if the surface is what was asked for; ``report.fault`` says otherwise why not, and the
+    arrays are what was found all the same, to be looked at. They have no rows if the computation
+    was cancelled.
+    """
+    positions: np.ndarray  #: n x 3, in the unit of the mesh
+    spins: np.ndarray  #: n x 4, lambda as (w, x, y, z); df~ = conjugate(lambda) df lambda
+    report: Spin_report
+
+
+Callback = Optional[Callable[[Progress], Optional[bool]]]
+
+
+def _progress(callback: Callback) -> Optional[Callable[[int, float, float], Optional[bool]]]:
+    return None if callback is None else lambda *state: callback(Progress(*state))
+
+
+def spin_result(positions: np.ndarray, spins: np.ndarray, report: Dict[str, Any]) -> Spin_result:
+    return Spin_result(positions, spins, build(Spin_report, report))
+
+
+class Spin_transformation:
+    """Many edits of one mesh: what depends on the mesh alone is computed once.
+
+    The parameters are those of ``spin_transform()``; the mesh is copied. An object is used by one
+    thread at a time; different objects compute at the same time.
+    """
+
+    def __init__(self, V: Any, F: Any, *, boundary: Optional[Boundary_condition] = None,
+                 max_scale: Optional[float] = None, vertex_scale: Any = None,
+                 vertex_scale_weight: Any = None, exactness: Optional[str] = "adjoint",
+                 max_period_defect: Optional[float] = None,
+                 mollification: Optional[float] = None,
+                 function: str = "Spin_transformation") -> None:
+        self._function = function
+        self._faces = faces(F, function)
+        self._options = dict(
+            boundary=boundary, max_scale=max_scale, exactness=exactness,
+            vertex_scale=real_or_none(vertex_scale, function, "vertex_scale"),
+            vertex_scale_weight=real_or_none(vertex_scale_weight, function, "vertex_scale_weight"),
+            max_period_defect=max_period_defect, mollification=mollification)
+        self._kernel = _kernels.Transformation(points(V, function), self._faces, self._options,
+                                               function)
+
+    @property
+    def positions(self) -> np.ndarray:
+        """The positions of the mesh, n x 3 (a copy); assign others to move it."""
+        return self._kernel.positions()
+
+    @positions.setter
+    def positions(self, V: Any) -> None:
+        self._kernel.set_positions(points(V, self._function))
+
+    def transform(self, rho: Any, *, on: Optional[str] = None, tolerance: float = 1e-8,
+                  max_iterations: int = 200, max_substeps: int = 10,
+                  eigenproblem: str = "standard", kernel_tolerance: float = 0.,
+                  branch: str = "nearest", random_seed: int = 0,
+                  limits: Optional[Dict[str, float]] = None,
+                  callback: Callback = None) -> Spin_result:
+        """The surface whose mean curvature is changed by rho; the object stays as it is. One
+        numeric factorization and a few solves."""
+        dirac = dict(tolerance=tolerance, max_iterations=max_iterations, max_substeps=max_substeps,
+                     eigenproblem=eigenproblem, kernel_tolerance=kernel_tolerance, branch=branch,
+                     random_seed=random_seed)
+        return spin_result(*self._kernel.transform(
+            real(rho, self._function, "values of rho"), on or "", dirac, limits or {},
+            _progress(callback)))
+
+    def integrate(self, spins: Any) -> Spin_result:
+        """The surface with given spins, n x 4, whether they are those of a surface or not:
+        ``report.closure_residual`` tells how far they are from it."""
+        return spin_result(*self._kernel.integrate(real(spins, self._function, "spins")))
+
+    def derivative(self, rho: Any, *, on: Optional[str] = None,
+                   tolerance: float = 1e-12) -> Spin_derivative:
+        """The derivative of the transformation at rho, see ``Spin_derivative``."""
+        return Spin_derivative(self._kernel.positions(), self._faces, rho, on=on,
+                               tolerance=tolerance, boundary=self._options["boundary"],
+                               mollification=self._options["mollification"])
+
+
+def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
+                   max_scale: Optional[float] = None, vertex_scale: Any = None,
+                   vertex_scale_weight: Any = None,
+                   boundary: Optional[Boundary_condition] = None,
+                   exactness: Optional[str] = "adjoint",
+                   max_period_defect: Optional[float] = None,
+                   mollification: Optional[float] = None, tolerance: float = 1e-8,
+                   max_iterations: int = 200, max_substeps: int = 10,
+                   eigenproblem: str = "standard", kernel_tolerance: float = 0.,
+                   branch: str = "nearest", random_seed: int = 0,
+                   limits: Optional[Dict[str, float]] = None,
+                   callback: Callback = None) -> Spin_result:
+    """Deforms a surface conformally so that its mean curvature changes as prescribed
+    [CGP (5.3)-(5.5)].
+
+    Solves (D - rho) lambda = gamma lambda and integrates the edges conjugate(lambda) df lambda.
+    Then H~ |lambda|^2 = H + rho + gamma: positive rho bulges along the normals, and constants have
+    no effect. Angles are kept up to the error of the discretisation; area and centroid are kept.
+    One sparse factorization of a quaternionic matrix on the vertices, and about ten solves.
+
+    Parameters
+    ----------
+    V : (n, 3) array of real numbers
+        the vertices of a connected, oriented manifold, with normals outward
+    F : (m, 3) array of integers
+        the vertices of the triangles, counter-clockwise, from 0
+    rho : (n,) or (m,) array
+        the change of mean curvature in 1/length of the mesh, per vertex or per face
+    on : "vertices" or "faces", optional
+        what rho belongs to, where its length does not tell
+    max_scale : float > 1, optional
+        b: lengths are multiplied by factors in [1/b, b] on 98 % of the area; where rho would do
+        more, the nearest rho that does not is applied (``report.scales`` tells what was kept). 1.5
+        to 3 keep limbs recognisable. By default rho is applied as it is.
+    vertex_scale, vertex_scale_weight : (n,) arrays, optional
+        with max_scale: wanted factors of lengths, to which the bound is relative, and how much the
+        size matters there; 0 where lengths may change freely
+    boundary : Boundary_condition, optional
+        by default a boundary is free
+    exactness : "adjoint", "thesis" or None
+        how handles and holes are kept closed: part of rho is left out, and a strong one applied in
+        steps [CGP 6.4.5]. None: not at all, which shears them
+    max_period_defect : float, optional
+        the largest part of the edges that may fail to close up; by default a quarter of the
+        discretisation error
+    mollification : float in (0, 1), optional
+        admits faces of any thinness, also of area zero; 1e-6 is a good value
+    tolerance : float
+        upper bound of the error estimate of lambda
+    max_iterations, max_substeps : int
+        bounds of the work: iterations of the eigensolver, substeps of a strong rho
+    eigenproblem : "standard" or "generalized"
+        the discretisation; the second for rho on faces of closed surfaces [CGP (5.2)]
+    kernel_tolerance, branch : float; "nearest", "smallest" or "zero"
+        with directions at the boundary: which singular vector of D - rho is taken
+    random_seed : int
+        of start vectors; same input, same bits
+    limits : dict, optional
+        other bounds of what counts as success, by the names of ``Limits``
+    callback : function of Progress, optional
+        called after every iteration; returns False to cancel. What it raises ends the computation,
+        as Ctrl-C does with or without a callback.
+
+    Returns
+    -------
+    Spin_result
+        true if the surface is what was asked for
+
+    Raises
+    ------
+    Precondition_error
+        if the mesh, rho, or an option is unsuitable; it names the first offending element
+    Solver_error
+        if a factorization fails
+    """
+    transformation = Spin_transformation(
+        V, F, boundary=boundary, max_scale=max_scale, vertex_scale=vertex_scale,
+        vertex_scale_weight=vertex_scale_weight, exactness=exactness,
+        max_period_defect=max_period_defect, mollification=mollification,
+        function="spin_transform")
+    return transformation.transform(
+        rho, on=on, tolerance=tolerance, max_iterations=max_iterations, max_substeps=max_substeps,
+        eigenproblem=eigenproblem, kernel_tolerance=kernel_tolerance, branch=branch,
+        random_seed=random_seed, limits=limits, callback=callback)
+
+
+def minimal_surface(V: Any, F: Any, *, boundary: Optional[Boundary_condition] = None,
+                    tolerance: float = 1e-8, max_iterations: int = 200,
+                    kernel_tolerance: float = 0., branch: str = "nearest", random_seed: int = 0,
+                    callback: Callback = None) -> Spin_result:
+    """The minimal surface conformally equivalent to a surface with boundary, by rho = -H in one
+    solve [CGP 6.5.3]. By default it keeps the tangents of the boundary; with binormals, the report
+    is false where no eigenvalue is 0. kernel_tolerance 0: 3 h / R^2 of the mesh. The parameters are
+    those of ``spin_transform()``."""
+    name = "minimal_surface"
+    dirac = dict(tolerance=tolerance, max_iterations=max_iterations, branch=branch,
+                 kernel_tolerance=kernel_tolerance, random_seed=random_seed)
+    return spin_result(*_kernels.minimal_surface(points(V, name), faces(F, name), boundary, dirac,
+                                                 _progress(callback)))

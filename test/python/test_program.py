@@ -1,0 +1,64 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Python and the program compute the same bits."""
+
+import os
+import subprocess
+
+import numpy as np
+import pytest
+
+import conformal_geometry as cg
+from meshes import icosphere, patch, torus, write_ply
+
+PROGRAM = os.environ.get("CGP_CONFORMAL_PROGRAM")
+pytestmark = pytest.mark.skipif(not PROGRAM, reason="the program was not built")
+
+
+def in_a_box(V):
+    """In a box of 1 x 2 x 2, whose half diagonal, the program's unit of length, is 1.5 exactly."""
+    low, high = V.min(axis=0), V.max(axis=0)
+    return (V - low) / (high - low) * [1., 2, 2]
+
+
+def read_vertices(path):
+    """The numbers of the vertices of a PLY file, by name."""
+    data = path.read_bytes()
+    head, _, body = data.partition(b"end_header\n")
+    lines = head.decode().split("element face")[0].splitlines()
+    count = next(int(line.split()[2]) for line in lines if line.startswith("element vertex"))
+    kinds = {"double": "<f8", "float": "<f4"}
+    fields = [(line.split()[2], kinds[line.split()[1]]) for line in lines
+              if line.startswith("property")]
+    return np.frombuffer(body, dtype=fields, count=count)
+
+
+def run(*arguments):
+    subprocess.run([PROGRAM, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
+
+
+def positions(vertices):
+    return np.column_stack([vertices[c] for c in "xyz"])
+
+
+@pytest.mark.parametrize("mesh", [icosphere(2, .05), torus(18, 9), patch(8, .2)])
+@pytest.mark.parametrize("max_scale", [None, 1.2])
+def test_spin(mesh, max_scale, tmp_path):
+    V, F = in_a_box(mesh[0]), mesh[1]
+    rho = np.sin(4 * V[:, 1]) + .3 * V[:, 0]
+    write_ply(tmp_path / "in.ply", V, F, rho=rho)
+    run("spin", tmp_path / "in.ply", "--rho-property", "rho", "--max-scale", max_scale or "none",
+        "--lambda", "q", "-o", tmp_path / "out.ply")
+    result = cg.spin_transform(V, F, (1 / 1.5) * rho, on="vertices", max_scale=max_scale)
+    assert result
+    vertices = read_vertices(tmp_path / "out.ply")
+    assert np.array_equal(positions(vertices), result.positions)
+    assert np.array_equal(np.column_stack([vertices["q_" + c] for c in "wxyz"]), result.spins)
+
+
+def test_flow(tmp_path):
+    V, F = in_a_box(icosphere(2, .05)[0]), icosphere(2)[1]
+    write_ply(tmp_path / "in.ply", V, F)
+    run("flow", tmp_path / "in.ply", "--steps", "3", "-o", tmp_path / "out.ply")
+    result = cg.willmore_flow(V, F, max_steps=3)
+    assert np.array_equal(positions(read_vertices(tmp_path / "out.ply")), result.positions)
