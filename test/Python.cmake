@@ -12,7 +12,8 @@ if(NOT no_pytest EQUAL 0)
   return()
 endif()
 
-set(environment "PYTHONPATH=${PROJECT_BINARY_DIR}/examples/python" PYTHONDONTWRITEBYTECODE=1)
+set(environment "PYTHONPATH=${PROJECT_BINARY_DIR}/examples/python" PYTHONDONTWRITEBYTECODE=1
+                "CGP_BUILD_FOLDER=${PROJECT_BINARY_DIR}")
 if(TARGET conformal)
   list(APPEND environment "CGP_CONFORMAL_PROGRAM=$<TARGET_FILE:conformal>")
 endif()

@@ -1,0 +1,101 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""The example runs; so does the add-on for Blender, with as much of Blender as it asks for."""
+
+import importlib.util
+import pathlib
+import subprocess
+import sys
+import types
+
+import numpy as np
+import pytest
+
+from meshes import icosphere
+
+EXAMPLES = pathlib.Path(__file__).parents[2] / "examples/python"
+
+
+def test_the_first_picture(tmp_path):
+    output = tmp_path / "beads.ply"
+    subprocess.run([sys.executable, EXAMPLES / "first_picture.py", output], check=True,
+                   stdout=subprocess.DEVNULL)
+    assert output.read_text().startswith("ply\nformat ascii 1.0\nelement vertex 6480\n")
+
+
+class Rows:
+    """What Blender calls a collection of vertices or faces."""
+
+    def __init__(self, rows):
+        self.rows = rows
+
+    def __len__(self):
+        return len(self.rows)
+
+    def __iter__(self):
+        return iter(self.rows)
+
+    def foreach_get(self, attribute, flat):
+        flat[:] = np.ravel([getattr(row, attribute) for row in self.rows])
+
+    def foreach_set(self, attribute, flat):
+        for row, value in zip(self.rows, np.reshape(flat, (len(self), -1))):
+            setattr(row, attribute, value)
+
+
+def blender_object(V, F, weights):
+    groups = [[types.SimpleNamespace(group=0, weight=w)] if w else [] for w in weights]
+    mesh = types.SimpleNamespace(
+        vertices=Rows([types.SimpleNamespace(co=v, groups=g) for v, g in zip(V, groups)]),
+        polygons=Rows([types.SimpleNamespace(vertices=f) for f in F]), update=lambda: None)
+    return types.SimpleNamespace(type="MESH", data=mesh,
+                                 vertex_groups=types.SimpleNamespace(active_index=0))
+
+
+@pytest.fixture
+def addon(monkeypatch):
+    bpy, bmesh = types.ModuleType("bpy"), types.ModuleType("bmesh")
+    menu = types.SimpleNamespace(append=lambda draw: None, remove=lambda draw: None)
+    bpy.types = types.SimpleNamespace(Operator=object, Menu=object, VIEW3D_MT_object=menu)
+    bpy.props = types.SimpleNamespace(FloatProperty=dict, IntProperty=dict)
+    bpy.utils = types.SimpleNamespace(register_class=lambda cls: None,
+                                      unregister_class=lambda cls: None)
+    work = types.SimpleNamespace(faces=[], from_mesh=lambda mesh: None, to_mesh=lambda mesh: None,
+                                 free=lambda: None)
+    bmesh.new = lambda: work
+    bmesh.ops = types.SimpleNamespace(triangulate=lambda work, faces: None)
+    monkeypatch.setitem(sys.modules, "bpy", bpy)
+    monkeypatch.setitem(sys.modules, "bmesh", bmesh)
+    spec = importlib.util.spec_from_file_location("addon", EXAMPLES / "blender_conformal_geometry.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def execute(operator, thing, **properties):
+    told = []
+    for name, value in properties.items():
+        setattr(operator, name, value)
+    operator.report = lambda kind, text: told.append(text)
+    return operator.execute(types.SimpleNamespace(object=thing)), told
+
+
+def test_the_addon_for_blender(addon):
+    addon.register()
+    V, F = icosphere(2)
+    thing = blender_object(V, F, np.clip(V[:, 2], 0, 1))
+    assert addon.Edit.poll(types.SimpleNamespace(object=thing))
+    answer, told = execute(addon.CONFORMAL_OT_spin(), thing, amplitude=2., max_scale=2.)
+    assert answer == {"FINISHED"} and "quasi-conformal" in told[0]
+    moved, _ = addon.arrays(thing.data)
+    assert np.abs(moved - V).max() > .05
+    answer, _ = execute(addon.CONFORMAL_OT_flow(), thing, steps=2)
+    assert answer == {"FINISHED"}
+    addon.unregister()
+
+
+def test_the_addon_tells_what_is_wrong(addon):
+    V, F = icosphere(1)
+    thing = blender_object(np.vstack([V, [9, 9, 9]]), F, np.zeros(len(V) + 1))
+    answer, told = execute(addon.CONFORMAL_OT_flow(), thing, steps=2)
+    assert answer == {"CANCELLED"} and "vertex 42" in told[0]
