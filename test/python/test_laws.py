@@ -38,7 +38,7 @@ def test_the_derivative_is_the_limit_of_differences(mesh):
 
 
 def test_the_derivative_has_its_transpose_and_takes_blocks():
-    derivative = cg.Spin_transformation(V, F).derivative(RHO)
+    derivative = cg.Spin_transformation(7 * V, F).derivative(RHO / 7)
     random = np.random.default_rng(5)
     x = random.normal(size=(len(V), 3))
     for A in (derivative.spins, derivative.log_scales, derivative.positions):
@@ -138,6 +138,7 @@ def test_flattening_is_conformal():
 
 def test_harmonic_forms_are_closed_and_coclosed():
     V, F = torus(12, 9)
+    V = 7 * V
     basis = cg.harmonic_basis(V, F)
     assert len(basis) == 2 and basis.fields.shape == (2, len(F), 3)
     number = {tuple(edge): k for k, edge in enumerate(basis.edges)}
@@ -145,6 +146,10 @@ def test_harmonic_forms_are_closed_and_coclosed():
         around = sum(np.sign(b - a) * basis.one_forms[number[min(a, b), max(a, b)]]
                      for a, b in zip(face, np.roll(face, -1)))
         assert np.abs(around).max() < 1e-12
+    ends = V[F[:, 1]] - V[F[:, 0]]  # along the first edge of each face, the field is the form
+    forms = np.array([np.sign(b - a) * basis.one_forms[number[min(a, b), max(a, b)]]
+                      for a, b, _ in F])
+    assert np.einsum("kfi,fi->fk", basis.fields, ends) == pytest.approx(forms, abs=1e-11)
     L = cg.cotan_laplacian(V, F).tocsr()
     weights = -np.array([L[i, j] for i, j in basis.edges])
     for form in basis.one_forms.T:

@@ -69,6 +69,8 @@ def test_errors_are_those_of_python_too():
     (dict(max_scale=1), "a number above 1"),
     (dict(max_scale=2, vertex_scale=np.ones(3)), "one per vertex is needed: 162"),
     (dict(max_scale=2, vertex_scale_weight=-np.ones(162)), "vertex 0 has the value -1"),
+    (dict(max_scale=2, vertex_scale=[]), "vertex_scale is empty"),
+    (dict(vertex_scale=np.ones(162)), "are for max_scale"),
     (dict(exactness="exact"), "'adjoint', 'thesis'"),
     (dict(branch="other"), "'nearest', 'smallest', 'zero'"),
     (dict(on="edges"), "'vertices' or 'faces'"),
@@ -87,17 +89,19 @@ def test_of_types():
             cg.spin_transform(V, F, RHO, **options)
     with pytest.raises(TypeError):
         cg.spin_transform(V, F, RHO, maximum_scale=2)
+    with pytest.raises(TypeError, match="no limit 'Q'"):
+        cg.spin_transform(V, F, RHO, limits=dict(Q=2))
+    with pytest.raises(TypeError):
+        cg.dirac_spectrum(V, F, 1.5)
 
 
 def test_of_rho():
     with pytest.raises(cg.Precondition_error, match="not finite") as refused:
         cg.spin_transform(V, F, with_row(RHO, 4, np.inf))
     assert refused.value.element == ("vertex", 4)
-    W, G = patch(3), None
-    W, G = W[0][:4], np.array([(0, 1, 2), (0, 2, 3), (0, 3, 1), (3, 2, 1)])  # as many of both
-    W = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])
+    tetrahedron = np.array([(0, 2, 1), (0, 3, 2), (0, 1, 3), (1, 2, 3)])  # as many of both
     with pytest.raises(cg.Precondition_error, match="say on="):
-        cg.spin_transform(W, G[:, ::-1], np.zeros(4))
+        cg.spin_transform(np.vstack([np.zeros(3), np.eye(3)]), tetrahedron, np.zeros(4))
 
 
 def test_of_boundary_data():
@@ -111,6 +115,8 @@ def test_of_boundary_data():
     with pytest.raises(cg.Precondition_error, match="elliptic"):
         cg.spin_transform(W, G, 0 * W[:, 0], on="vertices",
                           boundary=cg.Boundary_condition.directions((0, 1, 0)))
+    with pytest.raises(cg.Precondition_error, match="three coefficients"):
+        cg.nearest(W, W, G, direction=(1, 0))
 
 
 def test_of_targets_and_spins():

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Laws of spin transformations, by way of arrays."""
 
+import _thread
 import threading
+import time
 
 import numpy as np
 import pytest
@@ -188,6 +190,28 @@ def test_an_object_computes_for_one_at_a_time():
         refused.append(error)
 
     assert edits.transform(RHO, callback=again) and refused
+
+
+def test_the_interpreter_goes_on_meanwhile():
+    V, F = icosphere(4)
+    computing = threading.Thread(target=cg.spin_transform, args=(V, F, np.sin(4 * V[:, 1])))
+    computing.start()
+    turns = 0
+    while computing.is_alive():
+        time.sleep(1e-3)
+        turns += 1
+    assert turns > 10  # with its lock held, there are a few, between two calls of the kernels
+
+
+def test_an_interrupt_ends_a_computation():
+    V, F = icosphere(4, .02)
+    timer = threading.Timer(.2, _thread.interrupt_main)  # as Ctrl-C does
+    timer.start()
+    results = []
+    with pytest.raises(KeyboardInterrupt):
+        results.append(cg.willmore_flow(V * [1, 1, 2], F, energy_tolerance=0.))
+        timer.join()
+    assert not results
 
 
 def test_other_threads_compute_meanwhile():

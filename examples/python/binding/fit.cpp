@@ -20,9 +20,7 @@ namespace {
 CGP::Nearest_spin_options nearest_options(const py::dict& options, const std::string& function)
 {
   CGP::Nearest_spin_options o;
-  Array direction;
-  take(options, "direction", direction);
-  if (direction.size() > 0) o.direction = numbers(direction, function, "a direction");
+  o.direction = direction_of(options["direction"], function);
   take_closing(options, function, o);
   return o;
 }
@@ -36,9 +34,7 @@ py::tuple nearest(const Array& V, const Array& target, const Indices& F, double 
   const CGP::Points points = vertex_points(target, mesh.size_of_vertices(), function, "targets");
   const CGP::Nearest_spin_options own = nearest_options(options, function);
   const CGP::Dirac_options dirac = dirac_options(options, function);
-  Array scales;
-  take(options, "vertex_scale", scales);
-  const Eigen::VectorXd factors = numbers(scales, function, "vertex_scale");
+  const Eigen::VectorXd factors = take_numbers(options, "vertex_scale", function);
   const CGP::Spin_report::Limits limits = conformal_python::limits(bounds);
   const Watch watch(callback);
   int conflicts = 0;

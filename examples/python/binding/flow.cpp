@@ -37,12 +37,8 @@ CGP::Flow_options flow_options(const py::dict& options, const CGP::Mesh_view& me
   choose(options, "balancing",
          {{"inversion", Balancing::inversion}, {"potential", Balancing::potential}}, o.balancing,
          function);
-  Array areas;
-  take(options, "target_areas", areas);
-  if (areas.size() > 0) {
-    o.balance = Balance::prescribed;
-    o.target_areas = numbers(areas, function, "target_areas");
-  }
+  o.target_areas = take_numbers(options, "target_areas", function);
+  if (o.target_areas.size() > 0) o.balance = Balance::prescribed;
   py::object condition = py::none();
   take(options, "boundary", condition);
   o.boundary = boundary_condition(condition, mesh, function);

@@ -35,6 +35,15 @@ CGP::Points normals_of(const py::object& targets, const std::vector<int>& vertic
 
 }  // namespace
 
+Eigen::VectorXd take_numbers(const py::dict& options, const char* name, const std::string& function)
+{
+  Array given;
+  take(options, name, given);
+  if (given.size() == 0 && options.contains(name) && !options[name].is_none())
+    throw CGP::Precondition_error(function, std::string(name) + " is empty");
+  return given.size() == 0 ? Eigen::VectorXd() : numbers(given, function, name);
+}
+
 std::optional<CGP::Exactness> exactness(const py::dict& options, const std::string& function)
 {
   if (options.contains("exactness") && options["exactness"].is_none()) return std::nullopt;
@@ -43,6 +52,14 @@ std::optional<CGP::Exactness> exactness(const py::dict& options, const std::stri
          {{"adjoint", CGP::Exactness::adjoint}, {"thesis", CGP::Exactness::thesis}}, chosen,
          function);
   return chosen;
+}
+
+Eigen::Vector3d direction_of(const py::object& direction, const std::string& function)
+{
+  const Eigen::VectorXd d = numbers(direction.cast<Array>(), function, "a direction");
+  if (d.size() != 3)
+    throw CGP::Precondition_error(function, "a direction has three coefficients, (t, n, b)");
+  return d;
 }
 
 CGP::Boundary_condition boundary_condition(const py::object& condition, const CGP::Mesh_view& mesh,
@@ -95,17 +112,12 @@ CGP::Spin_transformation_options transformation_options(const py::dict& options,
   take(options, "boundary", condition);
   o.boundary = boundary_condition(condition, mesh, function);
   take_closing(options, function, o);
-  if (options.contains("max_scale") && !options["max_scale"].is_none()) {
-    double bound = 0;
-    take(options, "max_scale", bound);
-    o.scales.bound = bound;
-  }
-  Array values;
-  take(options, "vertex_scale", values);
-  if (values.size() > 0) o.scales.factors = numbers(values, function, "vertex_scale");
-  values = Array();
-  take(options, "vertex_scale_weight", values);
-  if (values.size() > 0) o.scales.weights = numbers(values, function, "vertex_scale_weight");
+  take(options, "max_scale", o.scales.bound);
+  o.scales.factors = take_numbers(options, "vertex_scale", function);
+  o.scales.weights = take_numbers(options, "vertex_scale_weight", function);
+  if (!o.scales.bound && o.scales.factors.size() + o.scales.weights.size() > 0)
+    throw CGP::Precondition_error(function,
+                                  "vertex_scale and vertex_scale_weight are for max_scale");
   return o;
 }
 

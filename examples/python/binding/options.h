@@ -53,6 +53,11 @@ void choose(const py::dict& options, const char* name,
       function, std::string(name) + " is '" + chosen + "'; one of these is needed: " + all);
 }
 
+/// The numbers of an array, none without one.
+/// \throw Precondition_error if there is an array without numbers, which would count as none
+Eigen::VectorXd take_numbers(const py::dict& options, const char* name,
+                             const std::string& function);
+
 /// adjoint, thesis, or None for none
 std::optional<CGP::Exactness> exactness(const py::dict& options, const std::string& function);
 
@@ -61,14 +66,12 @@ template <class Options>
 void take_closing(const py::dict& options, const std::string& function, Options& o)
 {
   o.exactness = exactness(options, function);
-  double share = 0;
-  take(options, "max_period_defect", share);
-  if (share != 0) o.max_period_defect = share;
-  if (options.contains("mollification") && !options["mollification"].is_none()) {
-    take(options, "mollification", share);
-    o.mollification = share;
-  }
+  take(options, "max_period_defect", o.max_period_defect);
+  take(options, "mollification", o.mollification);
 }
+
+/// three numbers
+Eigen::Vector3d direction_of(const py::object& direction, const std::string& function);
 
 /// \param condition a Boundary_condition of Python, or None
 CGP::Boundary_condition boundary_condition(const py::object& condition, const CGP::Mesh_view& mesh,

@@ -10,9 +10,9 @@ from typing import Any, Dict, Optional
 import numpy as np
 
 from . import _kernels
-from ._arrays import faces, points, real
+from ._arrays import faces, points, real, real_or_none
 from ._report import build
-from ._reports import Spin_report
+from ._reports import Spin_report, known
 from ._spin import Callback, Spin_result, _progress, spin_result
 
 
@@ -50,14 +50,13 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., direction: Any = 
         as in ``spin_transform()``
     """
     name = "nearest"
-    scales = np.empty(0) if vertex_scale is None else real(vertex_scale, name, "factors")
-    options = dict(direction=real(direction, name, "directions"), vertex_scale=scales,
-                   exactness=exactness, max_period_defect=max_period_defect,
-                   mollification=mollification, eigenproblem=eigenproblem, tolerance=tolerance,
-                   max_iterations=max_iterations, max_substeps=max_substeps,
-                   random_seed=random_seed)
+    options = dict(direction=real(direction, name, "directions"),
+                   vertex_scale=real_or_none(vertex_scale, name, "factors"), exactness=exactness,
+                   max_period_defect=max_period_defect, mollification=mollification,
+                   eigenproblem=eigenproblem, tolerance=tolerance, max_iterations=max_iterations,
+                   max_substeps=max_substeps, random_seed=random_seed)
     positions, spins, report, distance, conflicts = _kernels.nearest(
-        points(V, name), points(target, name), faces(F, name), float(blend), options, limits or {},
+        points(V, name), points(target, name), faces(F, name), float(blend), options, known(limits),
         _progress(callback))
     return Nearest_result(positions, spins, build(Spin_report, report), distance, conflicts)
 

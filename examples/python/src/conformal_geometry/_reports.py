@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Dict, Optional, Tuple
 
 from ._report import Report, build
@@ -225,6 +225,15 @@ class Class_snap_report(Report):
     displacement: float
 
 
-def flow_report(fields: Dict[str, Any]) -> Flow_report:
-    steps = tuple(build(Flow_step_report, step) for step in fields["steps"])
-    return build(Flow_report, {**fields, "steps": steps})
+def known(limits: Optional[Dict[str, float]]) -> Dict[str, float]:
+    """The limits that a caller gives, if these are their names."""
+    names = [field.name for field in fields(Limits)]
+    for name in limits or {}:
+        if name not in names:
+            raise TypeError(f"there is no limit {name!r}, but {', '.join(names)}")
+    return limits or {}
+
+
+def flow_report(found: Dict[str, Any]) -> Flow_report:
+    steps = tuple(build(Flow_step_report, step) for step in found["steps"])
+    return build(Flow_report, {**found, "steps": steps})

@@ -14,7 +14,7 @@ from ._arrays import faces, points, real, real_or_none
 from ._boundary import Boundary_condition
 from ._derivative import Spin_derivative
 from ._report import Result, build
-from ._reports import Spin_report
+from ._reports import Spin_report, known
 
 
 class Progress(NamedTuple):
@@ -92,7 +92,7 @@ class Spin_transformation:
                      eigenproblem=eigenproblem, kernel_tolerance=kernel_tolerance, branch=branch,
                      random_seed=random_seed)
         return spin_result(*self._kernel.transform(
-            real(rho, self._function, "values of rho"), on or "", dirac, limits or {},
+            real(rho, self._function, "values of rho"), on or "", dirac, known(limits),
             _progress(callback)))
 
     def integrate(self, spins: Any) -> Spin_result:

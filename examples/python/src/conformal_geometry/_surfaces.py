@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from operator import index
 from typing import Any, List, Optional
 
 import numpy as np
@@ -98,7 +99,7 @@ def dirac_spectrum(V: Any, F: Any, count: int, *, rho: Any = None, on: Optional[
     have to be orthogonal to the tangents. One factorization; errors of O(h^2)."""
     name = "dirac_spectrum"
     found = _kernels.dirac_spectrum(
-        points(V, name), faces(F, name), count, real_or_none(rho, name, "values of rho"), on or "",
+        points(V, name), faces(F, name), index(count), real_or_none(rho, name, "values of rho"), on or "",
         dict(shift=shift, boundary=boundary, tolerance=tolerance, max_restarts=max_restarts,
              random_seed=random_seed))
     vectors: List[np.ndarray] = found.pop("vectors")
