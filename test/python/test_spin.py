@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Laws of spin transformations, by way of arrays."""
 
-import _thread
+import signal
 import threading
 import time
 
@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import conformal_geometry as cg
+from conformal_geometry import _kernels
 from meshes import icosphere, patch, torus
 
 V, F = icosphere(3, .02)
@@ -203,15 +204,28 @@ def test_the_interpreter_goes_on_meanwhile():
     assert turns > 10  # with its lock held, there are a few, between two calls of the kernels
 
 
-def test_an_interrupt_ends_a_computation():
-    V, F = icosphere(4, .02)
-    timer = threading.Timer(.2, _thread.interrupt_main)  # as Ctrl-C does
-    timer.start()
-    results = []
-    with pytest.raises(KeyboardInterrupt):
-        results.append(cg.willmore_flow(V * [1, 1, 2], F, energy_tolerance=0.))
-        timer.join()
+def test_signals_arrive_while_it_computes():
+    calls, results = [], []
+
+    def handle(number, frame):
+        calls.append(number)
+        if len(calls) == 4:  # signals that wait for the end arrive as one
+            raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, handle)
+    signal.setitimer(signal.ITIMER_REAL, .02, .02)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            results.append(_kernels.willmore_flow(*stretched(), dict(energy_tolerance=0.), None))
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
     assert not results
+
+
+def stretched():
+    V, F = icosphere(4, .02)
+    return V * [1, 1, 2], F
 
 
 def test_other_threads_compute_meanwhile():
