@@ -21,6 +21,7 @@ std::vector<Command> commands()
       sphere_command(),
       compare_command(),
       split_command(),
+      studio_command(),
   };
   // clang-format on
 }

@@ -23,6 +23,7 @@ Command spectrum_command();
 Command sphere_command();
 Command compare_command();
 Command split_command();
+Command studio_command();
 
 /// all subcommands, in the order in which they are listed
 std::vector<Command> commands();

@@ -40,14 +40,6 @@ void require_finite(const Surface_input& input, const CGP::Curvature_potential& 
 
 }  // namespace
 
-User_frame::User_frame(const CGP::Mesh_view& mesh)
-{
-  const Eigen::Vector3d low = mesh.positions().rowwise().minCoeff();
-  const Eigen::Vector3d high = mesh.positions().rowwise().maxCoeff();
-  m_center = low / 2 + high / 2;
-  m_unit = (high / 2 - low / 2).stableNorm();
-}
-
 CGP::Curvature_potential rho_from_expression(const Surface_input& input, const Rho_options& options)
 {
   Expression expression(options.expression);

@@ -5,27 +5,13 @@
 
 #include "Rho_options.h"
 #include "Surface_input.h"
+#include "User_frame.h"
 
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 
 #include <string>
 
 namespace conformal {
-
-/// The frame in which users give rho: the middle of the bounding box at 0, its diagonal 2.
-class User_frame {
- public:
-  explicit User_frame(const CGP::Mesh_view& mesh);
-
-  Eigen::Vector3d operator()(const Eigen::Vector3d& p) const { return (p - m_center) / m_unit; }
-
-  /// Its unit of length in units of the mesh
-  double unit() const { return m_unit; }
-
- private:
-  Eigen::Vector3d m_center;
-  double m_unit;
-};
 
 /// \brief The change of curvature that the user asks for, in 1/length of the *user's frame*, with
 /// the amplitude applied, and filtered. Divided by `User_frame::unit()` the library takes it.

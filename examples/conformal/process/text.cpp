@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstdio>
 
 namespace conformal {
 namespace {
@@ -54,9 +55,14 @@ std::string printable_line(std::string_view text)
 std::string text_of(double value, int digits)
 {
   std::array<char, 64> buffer{};
+#ifdef __EMSCRIPTEN__  // has only the locale of C, and a library without to_chars() of numbers
+  const int size = std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);
+  char* const end = buffer.data() + size;
+#else
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                  std::chars_format::general, digits)
                        .ptr;
+#endif
   return {buffer.data(), end};
 }
 

@@ -3,25 +3,20 @@
 #include "Report_files.h"
 
 #include "html_report.h"
+#include "page_blocks.h"
 
-#include "conformal/io/file/io_errors.h"
 #include "conformal/process/Failure.h"
-
-#include <filesystem>
 
 namespace conformal {
 namespace {
 
-// Requires an extension, so that a page does not overwrite a mesh.
 void require_html(const std::string& path)
 {
   const std::string why = why_no_html_reports();
   if (!why.empty())
     throw Failure(Exit_code::usage,
                   "--html: this program was built without HTML reports: " + why + "; try: --json");
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (extension != ".html" && extension != ".htm")
-    throw Write_error(path, "is no name for an HTML report, wanted .html");
+  require_page_name(path);
 }
 
 }  // namespace

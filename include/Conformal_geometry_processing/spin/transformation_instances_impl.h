@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation_templates.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
 #include <Conformal_geometry_processing/spin/Position_derivative_templates.h>
+#include <Conformal_geometry_processing/spin/Spin_preview_templates.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
 
 #include <optional>
@@ -29,6 +30,7 @@ template internal::Closed_step internal::closed_step(
     const Curvature_potential&, const internal::Period_limit&, double, const Dirac_options&,
     const internal::Go_further&);
 template class Spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
+template class internal::Spin_preview<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class Nearest_spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 
 }  // namespace Conformal_geometry_processing

@@ -6,9 +6,9 @@
 // twice the usual size.
 
 /** log2 of the lengths on the checkerboard by those on the surface, of each corner: the mean of
-    the faces around its vertex that are together on the checkerboard. */
-function stretches() {
-  const first = new Int32Array(before.length / 3).fill(-1), next = [], where = [];
+    the faces around its vertex that are together on the checkerboard. `areas` are of the faces. */
+function stretches({faces, squares, before}, {areas}) {
+  const faceCount = faces.length / 3, first = new Int32Array(before.length / 3).fill(-1), next = [], where = [];
   const copy = new Int32Array(3 * faceCount), sum = [], weight = [];
   for (let f = 0; f < faceCount; ++f) {
     const [ax, ay, bx, by, cx, cy] = squares.subarray(6 * f, 6 * f + 6);
@@ -27,7 +27,7 @@ function stretches() {
       }
       copy[k] = c;
       sum[c] += area;
-      weight[c] += areasBefore.areas[f];
+      weight[c] += areas[f];
     }
   }
   return Float32Array.from(copy, c => Math.log2(Math.max(sum[c] / weight[c], 1e-30)) / 2);
@@ -35,10 +35,10 @@ function stretches() {
 
 /** How many squares there are by unit of the checkerboard where it is stretched as usual, and how
     much more it is stretched at each corner: log2 of lengths. */
-function squareSizes() {
-  const levels = stretches(), across = 26;
-  const faceLevels = quality.map((_, f) => (levels[3 * f] + levels[3 * f + 1] + levels[3 * f + 2]) / 3);
-  const usual = quantile(faceLevels, .5);
-  return {frequency: across / Math.sqrt(areasBefore.total) / 2 ** usual,
+function squareSizes(exhibit, areas) {
+  const levels = stretches(exhibit, areas), across = 26;
+  const faceLevels = Float32Array.from(areas.areas, (_, f) => (levels[3 * f] + levels[3 * f + 1] + levels[3 * f + 2]) / 3);
+  const usual = quantile(faceLevels, .5, areas);
+  return {frequency: across / Math.sqrt(areas.total) / 2 ** usual,
           levels: levels.map(level => level - usual)};
 }

@@ -3,8 +3,9 @@
 
 // Turns, moves and zooms what is seen, by pointer, wheel and keys.
 
-/** `pose` has a quaternion `turn`, a shift {x, y} in heights of the view, and `zoom`. */
-function control(canvas, THREE, pose, redraw) {
+/** `pose` has a quaternion `turn`, a shift {x, y} in heights of the view, and `zoom`. Pointers that
+    are taken when they go down are left alone; what is returned takes them over later. */
+function control(canvas, THREE, pose, redraw, isTaken) {
   const pointers = new Map();
 
   const turn = (right, down) => {
@@ -31,9 +32,12 @@ function control(canvas, THREE, pose, redraw) {
     act(event);
     redraw();
   }, {passive: false});
-  on('pointerdown', event => {
+  const grab = event => {
     canvas.setPointerCapture(event.pointerId);
     pointers.set(event.pointerId, {x: event.clientX, y: event.clientY});
+  };
+  on('pointerdown', event => {
+    if (!isTaken(event)) grab(event);
   });
   for (const name of ['pointerup', 'pointercancel'])
     on(name, event => pointers.delete(event.pointerId));
@@ -66,4 +70,5 @@ function control(canvas, THREE, pose, redraw) {
     event.preventDefault();
     keys[event.key]();
   });
+  return grab;
 }

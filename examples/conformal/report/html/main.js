@@ -7,9 +7,9 @@
 const show = (id, html) => document.getElementById(id).innerHTML = html;
 const roundUp = value => 1 + Math.max(.02, Number(((value - 1) * 1.05).toPrecision(2)));
 
-const highest = roundUp(quantile(quality, .995));
-const widest = Math.max(1.1, quantile(scales.map(s => Math.max(s, 1 / s)), .99));
-const deepest = rho.length ? Math.max(quantile(rho.map(Math.abs), .995), 1e-9) : 1;
+const highest = roundUp(quantile(quality, .995, areasBefore));
+const widest = Math.max(1.1, quantile(scales.map(s => Math.max(s, 1 / s)), .99, areasBefore));
+const deepest = rho.length ? Math.max(quantile(rho.map(Math.abs), .995, areasBefore), 1e-9) : 1;
 
 const file = report.input?.file ?? report.before?.file ?? '';
 document.title = `conformal ${report.command} ${file}`;
@@ -41,11 +41,13 @@ async function view() {
   const canvas = document.getElementById('canvas');
   const code = URL.createObjectURL(new Blob([text('three')], {type: 'text/javascript'}));
   const viewer = makeViewer(await import(code), canvas, {highest, widest, deepest});
+  viewer.show({faces, before, after, squares, quality, scales,
+               rho: rho.length ? rho : new Float32Array(faceCount)});
   const buttons = [...document.querySelectorAll('#modes button')];
   buttons.find(button => button.dataset.mode === 'rho').hidden = rho.length === 0;
   const choose = mode => {
     buttons.forEach(button => button.setAttribute('aria-pressed', button.dataset.mode === mode));
-    viewer.uniforms.mode.value = ['squares', 'quality', 'scale', 'rho', 'plain'].indexOf(mode);
+    viewer.modes.fill(['squares', 'quality', 'scale', 'rho', 'plain'].indexOf(mode));
     show('legend', legends[mode]);
     viewer.redraw();
   };

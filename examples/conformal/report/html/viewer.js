@@ -1,85 +1,27 @@
 /* Copyright (c) 2026 The Conformal Geometry Processing authors
    SPDX-License-Identifier: LGPL-3.0-or-later */
 
-// Both shapes on one canvas, seen by the same camera.
+// Both shapes on one canvas, seen by the same camera. An exhibit has `faces`, the points `before` and
+// `after`, `squares` (2 numbers a corner), and of each face `quality` and `scales`; `rho` of each
+// face or vertex.
 
-const vertexShader = `
-  in float quality, scale, rho, level;
-  in vec2 square;
-  in vec3 corner;
-  out float vQuality, vScale, vRho, vLevel;
-  out vec2 vSquare;
-  out vec3 vCorner, vNormal;
-  void main() {
-    vQuality = quality; vScale = scale; vRho = rho; vLevel = level; vSquare = square; vCorner = corner;
-    vNormal = normalMatrix * normal;
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-  }`;
-
-const fragmentShader = `
-  uniform int mode;
-  uniform bool edges;
-  uniform float frequency, highest, widest, deepest;
-  uniform vec3 heat[5], cold[5];
-  in float vQuality, vScale, vRho, vLevel;
-  in vec2 vSquare;
-  in vec3 vCorner, vNormal;
-  out vec4 colour;
-
-  vec3 between(vec3 stops[5], float share) {
-    float place = clamp(share, 0.0, 1.0) * 4.0;
-    vec3 result = stops[0];
-    for (int i = 0; i < 4; ++i) result = mix(result, stops[i + 1], clamp(place - float(i), 0.0, 1.0));
-    return result;
-  }
-
-  // 0 and 1 by turns, of length 1 each; blurred over a pixel, and gray where it is finer than one
-  float turns(float x, float width) {
-    float sharp = clamp((abs(fract(x / 2.0) - 0.5) - 0.25) * 2.0 / max(width, 1e-6) + 0.5, 0.0, 1.0);
-    return mix(sharp, 0.5, smoothstep(0.5, 1.2, width));
-  }
-
-  vec3 checkerboard() {
-    float zoom = frequency * exp2(-2.0 * floor(0.5 * vLevel + 0.5));
-    vec2 place = vSquare * zoom, width = fwidth(vSquare) * zoom;
-    float a = turns(place.x, width.x), b = turns(place.y, width.y);
-    return mix(vec3(0.965, 0.955, 0.93), vec3(0.24, 0.42, 0.63), a * b + (1.0 - a) * (1.0 - b));
-  }
-
-  vec3 surface() {
-    if (mode == 0) return checkerboard();
-    if (mode == 1) return between(heat, (vQuality - 1.0) / (highest - 1.0));
-    if (mode == 2) return between(cold, 0.5 + 0.5 * vScale / widest);
-    if (mode == 3) return between(cold, 0.5 + 0.5 * vRho / deepest);
-    return vec3(0.80, 0.83, 0.87);
-  }
-
-  void main() {
-    vec3 n = normalize(vNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    float key = max(dot(n, normalize(vec3(0.35, 0.55, 0.8))), 0.0);
-    float fill = max(dot(n, normalize(vec3(-0.7, -0.1, 0.4))), 0.0);
-    float shine = pow(max(dot(n, normalize(vec3(0.18, 0.3, 1.0))), 0.0), 40.0);
-    vec3 lit = surface() * (0.38 + 0.58 * key + 0.16 * fill) + 0.06 * shine;
-    if (!gl_FrontFacing) lit *= 0.8;
-    if (edges) {
-      vec3 width = 1.1 * fwidth(vCorner), near = smoothstep(vec3(0.0), width, vCorner);
-      lit = mix(lit, vec3(0.12, 0.16, 0.21), 0.55 * (1.0 - min(near.x, min(near.y, near.z))));
-    }
-    colour = vec4(lit, 1.0);
-  }`;
-
-/** The same array for every corner of the faces, from one for every vertex. */
-function atCorners(values, scale = 1, middle = [0, 0, 0]) {
-  const result = new Float32Array(9 * faceCount);
+/** The numbers of the vertices at every corner of the faces; `into` is reused if given. */
+function atCorners(faces, values, size, into) {
+  const result = into ?? new Float32Array(size * faces.length);
   for (let c = 0; c < faces.length; ++c)
-    for (let k = 0; k < 3; ++k) result[3 * c + k] = (values[3 * faces[c] + k] - middle[k]) * scale;
+    for (let k = 0; k < size; ++k) result[size * c + k] = values[size * faces[c] + k];
   return result;
 }
 
-const ofFaces = values => Float32Array.from({length: 3 * faceCount}, (_, c) => values[Math.floor(c / 3)]);
+/** The number of each face at its corners. */
+function ofFaces(values, into) {
+  const result = into ?? new Float32Array(3 * values.length);
+  for (let c = 0; c < result.length; ++c) result[c] = values[Math.floor(c / 3)];
+  return result;
+}
 
-/** Sums of the vector areas of the faces around the vertices; the shader makes them unit. */
-function normalsOf(vectors, count) {
+/** Unit normals: sums of the vector areas of the faces around the vertices. */
+function normalsOf(faces, vectors, count) {
   const normals = new Float32Array(3 * count);
   for (let c = 0; c < faces.length; ++c)
     for (let k = 0; k < 3; ++k) normals[3 * faces[c] + k] += vectors[3 * Math.floor(c / 3) + k];
@@ -90,69 +32,124 @@ function normalsOf(vectors, count) {
   return normals;
 }
 
-/** A shape about its centroid, with area 1; `radius` is of the ball around it. */
-function shape(THREE, points, {vectors, areas, total}, shared) {
-  const middle = [0, 1, 2].map(k => areas.reduce((sum, area, f) => sum + area / 3 *
-      (points[3 * faces[3 * f] + k] + points[3 * faces[3 * f + 1] + k] + points[3 * faces[3 * f + 2] + k]), 0) / total);
-  const geometry = new THREE.BufferGeometry();
-  const positions = atCorners(points, 1 / Math.sqrt(total), middle);
-  geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
-  geometry.setAttribute('normal', new THREE.BufferAttribute(atCorners(normalsOf(vectors, points.length / 3)), 3));
-  for (const [name, attribute] of Object.entries(shared)) geometry.setAttribute(name, attribute);
-  let radius = 0;
-  for (let i = 0; i < positions.length; i += 3)
-    radius = Math.max(radius, Math.hypot(positions[i], positions[i + 1], positions[i + 2]));
-  return {geometry, radius};
+/** The points about their centroid, with area 1. */
+function framed(faces, points, {areas, total}) {
+  const middle = [0, 0, 0];
+  for (let c = 0; c < faces.length; ++c)
+    for (let k = 0; k < 3; ++k)
+      middle[k] += areas[Math.floor(c / 3)] / 3 * points[3 * faces[c] + k] / total;
+  return Float32Array.from(points, (x, i) => (x - middle[i % 3]) / Math.sqrt(total));
 }
 
-function makeViewer(THREE, canvas, {highest, widest, deepest}) {
+function radiusOf(points) {
+  let radius = 0;
+  for (let i = 0; i < points.length; i += 3)
+    radius = Math.max(radius, Math.hypot(points[i], points[i + 1], points[i + 2]));
+  return radius;
+}
+
+function makeUniforms(THREE, {highest, widest, deepest}) {
+  const vectorsOf = stops => stops.map(stop =>
+      new THREE.Vector3(...[1, 3, 5].map(k => parseInt(stop.slice(k, k + 2), 16) / 255)));
+  return {
+    mode: {value: 0}, edges: {value: false}, frequency: {value: 1}, highest: {value: highest},
+    widest: {value: Math.log2(widest)}, deepest: {value: deepest},
+    brush: {value: new THREE.Vector4(0, 0, 0, 0)},
+    heat: {value: vectorsOf(heat)}, cold: {value: vectorsOf(cold)}
+  };
+}
+
+/** `isTaken(event)`: whether a pointer that goes down is not for the camera. `modes`: what is shown
+    on each side, a number of the shader. */
+function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
   const renderer = new THREE.WebGLRenderer({canvas, antialias: true});
   renderer.setClearColor(0xeef1f5);
   renderer.setScissorTest(true);
-  const {frequency, levels} = squareSizes();
-  const attribute = (values, size) => new THREE.BufferAttribute(values, size);
-  const shared = {
-    quality: attribute(ofFaces(quality), 1), scale: attribute(ofFaces(scales.map(Math.log2)), 1),
-    rho: attribute(ofFaces(rho.length ? rho : new Float32Array(faceCount)), 1),
-    level: attribute(levels, 1), square: attribute(squares, 2),
-    corner: attribute(Float32Array.from({length: 9 * faceCount}, (_, i) => +(i % 9 % 4 === 0)), 3)
-  };
-  const vectorsOf = stops => stops.map(stop =>
-      new THREE.Vector3(...[1, 3, 5].map(k => parseInt(stop.slice(k, k + 2), 16) / 255)));
-  const uniforms = {
-    mode: {value: 0}, edges: {value: false}, frequency: {value: frequency}, highest: {value: highest},
-    widest: {value: Math.log2(widest)}, deepest: {value: deepest},
-    heat: {value: vectorsOf(heat)}, cold: {value: vectorsOf(cold)}
-  };
+  const uniforms = makeUniforms(THREE, ranges);
   const material = new THREE.ShaderMaterial({
     glslVersion: THREE.GLSL3, vertexShader, fragmentShader, uniforms, side: THREE.DoubleSide
   });
-  const shapes = [[before, areasBefore], [after, areasAfter]]
-      .map(([points, areas]) => shape(THREE, points, areas, shared));
-  const scenes = shapes.map(({geometry}) => {
-    const scene = new THREE.Scene(), mesh = new THREE.Mesh(geometry, material);
+  const sides = [0, 1].map(() => {
+    const mesh = new THREE.Mesh(new THREE.BufferGeometry(), material);
     mesh.frustumCulled = false;
-    return {scene: scene.add(mesh), mesh};
+    return {scene: new THREE.Scene().add(mesh), mesh};
   });
-  const radius = Math.max(...shapes.map(s => s.radius));
   const camera = new THREE.PerspectiveCamera(28, 1, .01, 100);
-  const isFlat = after.every((z, i) => i % 3 !== 2 || Math.abs(z) < 1e-6);
   const start = new THREE.Quaternion();
-  if (!isFlat) start.setFromEuler(new THREE.Euler(.28, -.5, 0)); // what is flat is seen from above
   const pose = {turn: start.clone(), start, x: 0, y: 0, zoom: 1};
+  const viewer = {uniforms, pose, modes: [0, 0], home: new Float32Array()};
+  let exhibit = null, radius = 1, areasBefore = null;
+
+  const attribute = (side, name, size, fill) => {
+    const geometry = sides[side].mesh.geometry, old = geometry.getAttribute(name);
+    const values = fill(old?.array);
+    if (old) old.needsUpdate = true;
+    else geometry.setAttribute(name, new THREE.BufferAttribute(values, size));
+  };
+  const both = (...rest) => [0, 1].forEach(side => attribute(side, ...rest));
+
+  function place(side, points, areas) {
+    const {faces} = exhibit, own = framed(faces, points, areas);
+    const normals = normalsOf(faces, areas.vectors, points.length / 3);
+    attribute(side, 'position', 3, into => atCorners(faces, own, 3, into));
+    attribute(side, 'normal', 3, into => atCorners(faces, normals, 3, into));
+    radius = Math.max(radius, radiusOf(own));
+    return own;
+  }
+
+  /** Shows another exhibit, as it was seen last. */
+  viewer.show = shown => {
+    exhibit = shown;
+    radius = 0;
+    for (const {mesh} of sides) {
+      mesh.geometry.dispose();
+      mesh.geometry = new THREE.BufferGeometry();
+    }
+    const {faces, before, squares} = exhibit;
+    areasBefore = areasOf(faces, before);
+    const {frequency, levels} = squareSizes(exhibit, areasBefore);
+    uniforms.frequency.value = frequency;
+    viewer.home = place(0, before, areasBefore);
+    both('home', 3, into => atCorners(faces, viewer.home, 3, into));
+    both('level', 1, () => levels);
+    both('square', 2, () => squares);
+    both('corner', 3, () => Float32Array.from({length: 3 * faces.length}, (_, i) => +(i % 9 % 4 === 0)));
+    viewer.change(exhibit);
+    const isFlat = exhibit.after.every((z, i) => i % 3 !== 2 || Math.abs(z) < 1e-6);
+    if (isFlat) start.identity(); // what is flat is seen from above
+    else start.setFromEuler(new THREE.Euler(.28, -.5, 0));
+    pose.turn.copy(start);
+  };
+
+  /** Shows other points after, with what belongs to them; or another rho alone. */
+  viewer.change = changed => {
+    const {faces} = exhibit, {after, quality, scales, rho} = changed;
+    if (after) place(1, after, areasOf(faces, after));
+    if (quality) both('quality', 1, into => ofFaces(quality, into));
+    if (scales) both('scale', 1, into => ofFaces(scales.map(Math.log2), into));
+    if (rho) both('rho', 1, into => rho.length === faces.length / 3 ? ofFaces(rho, into)
+                                                                    : atCorners(faces, rho, 1, into));
+    viewer.redraw();
+  };
+
+  /** Where the two sides are: beside each other, or one above the other. */
+  viewer.rectangles = () => {
+    const {clientWidth: width, clientHeight: height} = canvas;
+    return height > 1.1 * width
+        ? [0, 1].map(side => ({left: 0, top: side * height / 2, width, height: height / 2}))
+        : [0, 1].map(side => ({left: side * width / 2, top: 0, width: width / 2, height}));
+  };
 
   let size = '';
-  function fit(width, height) {
-    const wanted = [width, height, window.devicePixelRatio].join(' ');
+  function fit() {
+    const wanted = [canvas.clientWidth, canvas.clientHeight, window.devicePixelRatio].join(' ');
     if (size === wanted) return;
     size = wanted;
     renderer.setPixelRatio(window.devicePixelRatio);
-    renderer.setSize(width, height, false);
+    renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
   }
 
-  function draw() {
-    const width = canvas.clientWidth / 2, height = canvas.clientHeight;
-    fit(2 * width, height);
+  function aim({width, height}) {
     camera.aspect = width / height;
     const slope = Math.tan(camera.fov * Math.PI / 360);
     const distance = 1.06 * radius / Math.sin(Math.atan(slope * Math.min(1, camera.aspect)));
@@ -161,24 +158,50 @@ function makeViewer(THREE, canvas, {highest, widest, deepest}) {
     camera.near = distance / 20;
     camera.far = distance + 4 * radius;
     camera.setViewOffset(width, height, -pose.x * height, pose.y * height, width, height);
-    scenes.forEach(({scene, mesh}, side) => {
-      mesh.quaternion.copy(pose.turn);
-      renderer.setViewport(side * width, 0, width, height);
-      renderer.setScissor(side * width, 0, width, height);
-      renderer.render(scene, camera);
-    });
+    camera.updateMatrixWorld();
   }
 
+  viewer.draw = () => {
+    if (!exhibit) return;
+    fit();
+    viewer.rectangles().forEach((rectangle, side) => {
+      const {left, top, width, height} = rectangle, bottom = canvas.clientHeight - top - height;
+      aim(rectangle);
+      uniforms.mode.value = viewer.modes[side];
+      material.uniformsNeedUpdate = true;
+      sides[side].mesh.quaternion.copy(pose.turn);
+      renderer.setViewport(left, bottom, width, height);
+      renderer.setScissor(left, bottom, width, height);
+      renderer.render(sides[side].scene, camera);
+    });
+  };
+
   let isWaiting = false;
-  const redraw = () => {
+  viewer.redraw = () => {
     if (isWaiting) return;
     isWaiting = true;
     requestAnimationFrame(() => {
       isWaiting = false;
-      draw();
+      viewer.draw();
     });
   };
-  control(canvas, THREE, pose, redraw);
-  new ResizeObserver(draw).observe(canvas);
-  return {uniforms, redraw, draw};
+
+  /** The side, and the ray from the camera through a point of the canvas, about the shape. */
+  viewer.ray = (x, y) => {
+    const side = viewer.rectangles().findIndex(r =>
+        x >= r.left && x < r.left + r.width && y >= r.top && y < r.top + r.height);
+    if (side < 0) return null;
+    const {left, top, width, height} = viewer.rectangles()[side];
+    aim({width, height});
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera(new THREE.Vector2(2 * (x - left) / width - 1, 1 - 2 * (y - top) / height), camera);
+    const back = pose.turn.clone().invert();
+    return {side, origin: caster.ray.origin.applyQuaternion(back).toArray(),
+            direction: caster.ray.direction.applyQuaternion(back).toArray(),
+            corners: sides[side].mesh.geometry.getAttribute('position').array};
+  };
+
+  viewer.grab = control(canvas, THREE, pose, viewer.redraw, isTaken);
+  new ResizeObserver(viewer.draw).observe(canvas);
+  return viewer;
 }

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.h"
+#include "option_groups.h"
+
+#include "conformal/io/file/Temporary_file.h"
+#include "conformal/process/Failure.h"
+#include "conformal/report/page_blocks.h"
+#include "conformal/studio/built_in_shapes.h"
+#include "conformal/studio/studio_page.h"
+#include "conformal/transform/suitable_surface.h"
+
+#include <cstddef>
+#include <filesystem>
+
+namespace conformal {
+namespace {
+
+const char* const about =
+    "Writes a page on which one paints the change of mean curvature, rho, onto a surface, which\n"
+    "follows: one HTML file that opens in a browser without a network. What is painted is computed\n"
+    "there as `conformal spin --rho-file` would, and can be saved for it.\n"
+    "Without an input the page has four shapes to try.\n"
+    "Example: conformal studio bear.off -o bear.html";
+
+struct Studio_options {
+  std::string input;
+};
+
+void add_options(CLI::App& command, Studio_options& studio, Common_options& common)
+{
+  command.add_option("input", studio.input, "mesh file, - for standard input");
+  add_repair(command, common);
+  add_output(command, common, "the page")->required();
+}
+
+Files files(const Studio_options& studio)
+{
+  return {{"the input", studio.input}};
+}
+
+/// of each vertex of the mesh, in the file before its repair
+std::vector<int> vertex_in_file(const Surface_input& input)
+{
+  std::vector<int> origin = input.vertex_in_file;
+  if (input.repair)
+    for (int& v : origin) v = input.repair->vertex_in_file[static_cast<std::size_t>(v)];
+  return origin;
+}
+
+Studio_shape shape_of(const Surface_input& input)
+{
+  const std::filesystem::path path(input.file.path);
+  const std::size_t vertices =
+      input.repair ? input.repair->new_vertex.size() : input.file.points.size();
+  return {path.filename().string(), input.file.path, input.mesh, vertex_in_file(input),
+          static_cast<int>(vertices)};
+}
+
+void studio(const Studio_options& options, Session& session)
+{
+  const std::string why = why_no_studio();
+  if (!why.empty())
+    throw Failure(Exit_code::usage,
+                  "this program was built without the studio: " + why + "; try: conformal spin");
+  require_page_name(session.options().output);
+  std::vector<Studio_shape> shapes;
+  if (options.input.empty())
+    shapes = built_in_shapes();
+  else
+    shapes.push_back(shape_of(read_suitable_surface(options.input, session)));
+  write_file(session.options().output, studio_page(shapes));
+  session.end_stage("write");
+}
+
+}  // namespace
+
+Command studio_command()
+{
+  return make_command<Studio_options>("studio", about, add_options, files, studio);
+}
+
+}  // namespace conformal

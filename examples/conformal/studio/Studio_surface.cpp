@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Studio_surface.h"
+
+#include "conformal/input/User_frame.h"
+#include "conformal/report/certificate.h"
+
+#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+
+#include <utility>
+
+namespace conformal {
+namespace {
+
+CGP::Flow_options single_steps()
+{
+  CGP::Flow_options options;
+  options.max_steps = 1;
+  return options;
+}
+
+/// an outcome with the verdict on the evidence
+Outcome judged(const std::string& command, const Evidence& evidence)
+{
+  Outcome outcome;
+  outcome.command = command;
+  outcome.verdict = judge(evidence, {}, "a weaker rho");
+  return outcome;
+}
+
+}  // namespace
+
+Studio_surface::Studio_surface(const CGP::Mesh_view& mesh)
+    : m_mesh(mesh),
+      m_unit(User_frame(mesh).unit()),
+      m_plain(mesh, {}, "studio"),
+      m_positions(mesh.positions())
+{}
+
+CGP::Curvature_potential Studio_surface::in_mesh(const Eigen::VectorXd& rho) const
+{
+  return CGP::Curvature_potential::on_vertices(rho * (1 / m_unit));
+}
+
+void Studio_surface::keep(CGP::Spin_result result)
+{
+  m_outcome = judged("spin", {result.positions, result.report});
+  tell_certificate(result.report, m_mesh.size_of_faces(), m_outcome);
+  m_positions = std::move(result.positions);
+}
+
+void Studio_surface::preview(const Eigen::VectorXd& rho, bool continues)
+{
+  if (!m_preview) m_preview.emplace(m_plain);
+  if (!continues) m_preview->restart();
+  keep(m_preview->transform(in_mesh(rho)));
+}
+
+void Studio_surface::transform(const Eigen::VectorXd& rho, double bound)
+{
+  if (!(bound > 1)) return keep(m_plain.transform(in_mesh(rho)));
+  if (!m_bounded || m_bound != bound) {
+    CGP::Spin_transformation_options options;
+    options.scales.bound = bound;
+    m_bounded.emplace(m_mesh, options, "studio");
+    m_bound = bound;
+  }
+  keep(m_bounded->transform(in_mesh(rho)));
+}
+
+void Studio_surface::flow()
+{
+  if (!m_flow) m_flow.emplace(m_mesh, single_steps(), CGP::Willmore_direction(), "studio");
+  const CGP::Flow_report flow = m_flow->run();
+  Evidence evidence{m_flow->mesh().positions()};
+  evidence.map = flow.conformality;
+  if (flow.steps.empty()) evidence.fault = std::string("no step: ") + CGP::to_string(flow.stop);
+  m_outcome = judged("flow", evidence);
+  m_flow_steps += static_cast<int>(flow.steps.size());
+  m_outcome.report.set("result/steps", m_flow_steps);
+  m_outcome.report.set("result/energy/initial", flow.initial_energy);
+  m_outcome.report.set("result/energy/final", flow.energy);
+  m_outcome.report.set("result/stop", CGP::to_string(flow.stop));
+  tell_conformality(flow.conformality_of_faces, m_mesh.size_of_faces(), m_outcome.report);
+  m_positions = m_flow->mesh().positions();
+}
+
+Eigen::VectorXd Studio_surface::quality() const
+{
+  return CGP::quasi_conformal_errors(m_mesh, m_positions);
+}
+
+}  // namespace conformal

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_STUDIO_STUDIO_SURFACE_H
+#define CONFORMAL_STUDIO_STUDIO_SURFACE_H
+
+#include "conformal/report/Outcome.h"
+
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/spin/Spin_preview.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+
+namespace conformal {
+
+/// \brief A surface while somebody edits it: what depends on it alone is computed once, and kept
+/// for many edits.
+///
+/// The results are those of `conformal spin` and `conformal flow`. Knows nothing but arrays, so
+/// that it runs in a browser.
+class Studio_surface {
+ public:
+  /// \throw CGP::Precondition_error if the surface is not connected, oriented, a manifold, finite
+  /// and of positive areas
+  explicit Studio_surface(const CGP::Mesh_view& mesh);
+
+  /// Approximates the surface of a rho, quickly: from the last approximation if `continues`.
+  /// \param rho of each vertex, in the user's frame
+  void preview(const Eigen::VectorXd& rho, bool continues);
+
+  /// Computes what `conformal spin --rho-file` does, without the second try on thin faces.
+  /// \param bound as `--max-scale`; at most 1: none
+  void transform(const Eigen::VectorXd& rho, double bound);
+
+  /// Takes the next step of the conformal Willmore flow of the surface.
+  void flow();
+
+  // The result of the last of these calls.
+  const CGP::Points& positions() const { return m_positions; }
+  Eigen::VectorXd quality() const;  ///< Q of each face
+  const Outcome& outcome() const { return m_outcome; }
+
+ private:
+  CGP::Curvature_potential in_mesh(const Eigen::VectorXd& rho) const;
+  void keep(CGP::Spin_result result);
+
+  CGP::Mesh_view m_mesh;
+  double m_unit;  // of the user's frame
+  CGP::Spin_transformation<> m_plain;
+  std::optional<CGP::Spin_transformation<>> m_bounded;
+  double m_bound = 0;
+  std::optional<CGP::internal::Spin_preview<>> m_preview;
+  std::optional<CGP::Conformal_willmore_flow<>> m_flow;
+  int m_flow_steps = 0;
+  CGP::Points m_positions;
+  Outcome m_outcome;
+};
+
+}  // namespace conformal
+
+#endif

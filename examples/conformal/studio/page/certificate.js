@@ -1,0 +1,57 @@
+/* Copyright (c) 2026 The Conformal Geometry Processing authors
+   SPDX-License-Identifier: LGPL-3.0-or-later */
+
+// The report of a result in words.
+
+const times = value => `× ${number(value, 3)}`;
+
+function rowsFor(report, faceCount) {
+  const r = report.result ?? {}, rows = [];
+  const add = (name, value, place) => rows.push([name, value, place]);
+  add('Angles: Q, mean (1 keeps them)', number(r.quasi_conformal.mean, 5), 'quasi_conformal/mean');
+  add('Q, worst face', number(r.quasi_conformal.max, 4), 'quasi_conformal/max');
+  const scales = r.scale_control ?? {low: r.scale.min, high: r.scale.max};
+  add('Lengths', `${times(scales.low)} to ${times(scales.high)}`, 'scale');
+  if (r.closure_residual !== undefined) add('Gap where it closes', number(r.closure_residual, 2), 'closure_residual');
+  add('Flipped faces', `${r.flipped_faces} of ${faceCount.toLocaleString('en')}`, 'flipped_faces');
+  const control = r.scale_control;
+  if (control?.weight > 0) add('Kept of the paint', `${number(100 * control.kept_norm, 3)} %`, 'kept');
+  if (r.realised_share < .995) add('Kept, with handles closed', `${number(100 * r.realised_share, 3)} %`, 'realised');
+  return rows;
+}
+
+/** What a verdict says: its kind, its words, and the reason. */
+function verdictOf(report) {
+  if (report.verified) return {kind: 'good', words: 'Verified: angles are kept', reason: ''};
+  const [reason, advice] = (report.error ?? 'the result is not finite').split('; try: ');
+  const help = advice ? 'Undo, paint less or more softly, or let sizes change less.' : '';
+  return {kind: 'poor', words: 'Refused: this is not a conformal surface', reason: `${reason}. ${help}`};
+}
+
+function fillTable(table, rows) {
+  table.replaceChildren(...rows.map(([name, value, place]) => {
+    const row = document.createElement('tr');
+    row.insertCell().textContent = name;
+    const cell = row.insertCell();
+    cell.textContent = value;
+    cell.dataset.place = place;
+    return row;
+  }));
+}
+
+function tellVerdict({kind, words, reason}) {
+  element('verdict').className = `verdict ${kind}`;
+  element('verdict').textContent = words;
+  element('reason').textContent = reason;
+}
+
+const stages = {
+  preview: {kind: '', words: 'Preview', reason: 'It becomes exact when you let go.'},
+  computing: {kind: '', words: 'Computing exactly …', reason: ''}
+};
+
+/** Shows a report at a stage of the computation; only what is exact is judged. */
+function tellReport(report, faceCount, stage) {
+  fillTable(element('numbers'), rowsFor(report, faceCount));
+  tellVerdict(stages[stage] ?? verdictOf(report));
+}

@@ -1,0 +1,122 @@
+/* Copyright (c) 2026 The Conformal Geometry Processing authors
+   SPDX-License-Identifier: LGPL-3.0-or-later */
+
+// Connects the inputs of the page with the session of the shape at hand.
+
+const modes = ['squares', 'angles', 'sizes', 'paint', 'plain'];
+const ranges = {highest: 1.1, widest: 3, deepest: 3};
+const instructions = {
+  bulge: 'Drag on a shape: where you paint, it bulges. The surface follows, and every angle stays as it was.',
+  dent: 'Drag on a shape: where you paint, it is dented. The surface follows, and every angle stays as it was.',
+  erase: 'Drag over paint to take it away again.', turn: 'Drag to turn both shapes.'
+};
+
+const brush = {tool: 'bulge', size: .45, strength: 2.5, symmetric: false};
+const sessions = new Map(), kernels = {quick: new Kernels(), exact: new Kernels()};
+let session = null, viewer = null, strokes = null;
+
+function press(group, isPressed) {
+  for (const button of element(group).querySelectorAll('button'))
+    button.setAttribute('aria-pressed', isPressed(button));
+}
+
+function chooseTool(tool) {
+  brush.tool = tool;
+  press('tools', button => button.dataset.tool === tool);
+  element('instruction').textContent = instructions[tool];
+  element('canvas').classList.toggle('turning', tool === 'turn');
+}
+
+function chooseMode(mode) {
+  viewer.modes = [3, mode];
+  press('modes', button => Number(button.dataset.mode) === mode);
+  const scale = {1: ['1', heat, '1.1 and more'], 2: ['÷ 3', cold, '× 3'], 3: ['dent', cold, 'bulge']}[mode];
+  const bar = document.createElement('i');
+  if (scale) bar.style.background = `linear-gradient(90deg,${scale[1]})`;
+  element('legend').replaceChildren(...(scale ? [scale[0], bar, scale[2]] : []));
+  viewer.redraw();
+}
+
+function showPaint(rho) {
+  viewer.uniforms.deepest.value = Math.max(ranges.deepest, rho.reduce((m, x) => Math.max(m, Math.abs(x)), 0));
+  viewer.change({rho});
+}
+
+function showPoints({base, after, quality}) {
+  const {faces} = session.shape;
+  viewer.change({after, quality, scales: Float32Array.from(scalesOf(areasOf(faces, base), areasOf(faces, after)))});
+}
+
+let shownBase = null;
+
+/** Shows a state: what is known of it. */
+function show(state, stage) {
+  const {faces, squares} = session.shape;
+  if (shownBase !== state.base) {
+    const turn = shownBase ? viewer.pose.turn.clone() : null;
+    viewer.show({faces, squares, before: state.base, after: state.base, quality: state.quality,
+                 scales: new Float32Array(faces.length / 3).fill(1), rho: state.rho});
+    if (turn) viewer.pose.turn.copy(turn);
+    shownBase = state.base;
+  }
+  showPaint(amounts(state));
+  showPoints(state);
+  if (state.report) tellReport(state.report, faces.length / 3, stage);
+  else if (stage === 'exact') tellNothing();
+  else tellVerdict(stages[stage]);
+  showInputs(stage === 'exact');
+  document.body.dataset.state = stage;
+}
+
+function tellNothing() {
+  fillTable(element('numbers'), []);
+  tellVerdict({kind: '', words: 'Nothing painted yet', reason: 'What you paint is computed exactly when you let go.'});
+}
+
+function showInputs(isExact) {
+  const {state, history, shape} = session, steps = stepsOf(state);
+  const isGood = isExact && state.report?.verified === true;
+  element('undo').disabled = !history.canUndo;
+  element('redo').disabled = !history.canRedo;
+  element('clear').disabled = isZero(state.rho);
+  element('amount').value = state.amplitude;
+  element('amount-value').textContent = number(state.amplitude, 3);
+  element('bound').value = state.bound > 1 ? String(state.bound) : 'none';
+  element('flow').disabled = !isExact || state.report?.verified === false;
+  element('energy').textContent = state.flowed > 0 && state.report?.result.energy
+      ? `Bending energy ${energyOf(state, 'initial')} → ${energyOf(state, 'final')} times that of a sphere` : '';
+  for (const id of ['save-ply', 'save-obj']) element(id).disabled = !isGood;
+  element('save-rho').disabled = isZero(state.rho);
+  element('command').textContent = steps.length ? commandsOf(shape, steps) : 'Paint something first.';
+}
+
+const energyOf = (state, when) => number(state.report.result.energy[when] / (4 * Math.PI), 3);
+
+function fail(error) {
+  tellVerdict({kind: 'poor', words: 'Refused', reason: error.message});
+  document.body.dataset.state = 'failed';
+}
+
+/** Edits of rho, for strokes. */
+const edit = {
+  faces: () => session.shape.faces,
+  ground: () => {
+    element('invitation').hidden = true;
+    session.hold();
+    return session.ground('spin').rho;
+  },
+  paint: rho => {
+    const state = {...session.ground('spin'), rho};
+    if (state.base === shownBase) showPaint(amounts(state));
+    session.preview(state);
+  },
+  finish: rho => session.commit({...session.ground('spin'), rho}),
+  cancel: () => session.refresh()
+};
+
+function chooseShape(k) {
+  if (!sessions.has(k)) sessions.set(k, new Session(shapeOf(k), kernels, {show, fail}));
+  session = sessions.get(k);
+  shownBase = null;
+  session.refresh();
+}

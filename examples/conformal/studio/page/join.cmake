@@ -1,0 +1,58 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# Joins the sources of the studio, the viewer of the reports, three.js and the kernels into C++ that
+# holds the page.
+#
+# usage: cmake -D OUTPUT=FILE.cpp [-D THREE=FILE -D LICENSE=FILE -D KERNELS=FILE | -D FAULT=WORDS]
+#              -P join.cmake
+
+set(here ${CMAKE_CURRENT_LIST_DIR})
+set(reports ${here}/../../report/html)
+include(${reports}/page_text.cmake)
+
+# The SHA-256 of a text in base64, as a content security policy wants it.
+function(hash_of text result)
+  string(SHA256 hex "${text}")
+  set(letters ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/)
+  string(APPEND hex 00) # 32 bytes are 10 groups of 3 and one of 2
+  set(base64 "")
+  foreach(at RANGE 0 60 6)
+    string(SUBSTRING ${hex} ${at} 6 group)
+    foreach(shift 18 12 6 0)
+      math(EXPR letter "(0x${group} >> ${shift}) & 63")
+      string(SUBSTRING ${letters} ${letter} 1 letter)
+      string(APPEND base64 ${letter})
+    endforeach()
+  endforeach()
+  string(SUBSTRING ${base64} 0 43 base64)
+  set(${result} "'sha256-${base64}='" PARENT_SCOPE)
+endfunction()
+
+set(page "")
+if(THREE)
+  file(READ ${here}/page.html page)
+  file(READ ${reports}/style.css style)
+  file(READ ${here}/studio.css own)
+  string(APPEND style "${own}")
+  file(READ ${THREE} three)
+  file(READ ${LICENSE} license)
+  file(READ ${KERNELS} kernels)
+  file(READ ${here}/worker.js worker)
+  set(code "")
+  foreach(part ${reports}/geometry ${reports}/colours ${reports}/controls ${reports}/checkerboard
+               ${reports}/shaders ${reports}/viewer data kernels history session brush strokes formula
+               files certificate editor main)
+    cmake_path(ABSOLUTE_PATH part BASE_DIRECTORY ${here})
+    file(READ ${part}.js source)
+    string(APPEND code "${source}")
+  endforeach()
+  hash_of("\n${code}\n" code_hash)
+  hash_of("\n${style}\n" style_hash)
+  # Scripts: that of the page, and those that it makes of its blocks. The kernels read themselves as data.
+  set(policy "default-src 'none'; script-src ${code_hash} blob: 'wasm-unsafe-eval'; worker-src blob:; \
+style-src ${style_hash}; img-src data: blob:; connect-src data:; base-uri 'none'; form-action 'none'")
+  foreach(part policy style license three kernels worker code)
+    fill_in(${part})
+  endforeach()
+endif()
+write_page(${OUTPUT} conformal/studio/studio_page_text.h studio_page "${FAULT}")

@@ -1,0 +1,82 @@
+/* Copyright (c) 2026 The Conformal Geometry Processing authors
+   SPDX-License-Identifier: LGPL-3.0-or-later */
+
+// A worker with the kernels, which computes one thing at a time.
+
+const kernelsAddress = URL.createObjectURL(
+    new Blob([text('kernels')], {type: 'text/javascript'}));
+
+class Kernels {
+  #worker = null;
+  #waiting = new Map();
+  #last = 0;
+  #surface = null; // the points that the worker has open, and how far they have flowed
+  #steps = 0;
+
+  constructor() {
+    this.#start();
+  }
+
+  #start() {
+    this.#worker = new Worker(kernelsAddress);
+    this.#worker.onmessage = ({data}) => {
+      const {resolve, reject} = this.#waiting.get(data.id);
+      this.#waiting.delete(data.id);
+      if (data.error) reject(new Error(data.error));
+      else resolve(data);
+    };
+    this.#worker.onerror = event => this.#fail(event.message);
+    this.#surface = null;
+  }
+
+  #fail(message) {
+    for (const {reject} of this.#waiting.values()) reject(new Error(message));
+    this.#waiting.clear();
+  }
+
+  /** Gives up what is being computed. */
+  restart() {
+    this.#worker.terminate();
+    this.#fail('given up');
+    this.#start();
+  }
+
+  #ask(type, message) {
+    const id = ++this.#last;
+    return new Promise((resolve, reject) => {
+      this.#waiting.set(id, {resolve, reject});
+      this.#worker.postMessage({id, type, ...message});
+    });
+  }
+
+  async #open(points, faces) {
+    if (this.#surface === points) return;
+    this.#surface = null;
+    await this.#ask('open', {points, faces});
+    this.#surface = points;
+    this.#steps = 0;
+  }
+
+  async preview(points, faces, rho, continues) {
+    const isNew = this.#surface !== points;
+    await this.#open(points, faces);
+    return this.#ask('preview', {rho, continues: continues && !isNew});
+  }
+
+  async transform(points, faces, rho, bound) {
+    await this.#open(points, faces);
+    return this.#ask('transform', {rho, bound});
+  }
+
+  /** The surface after so many steps of the flow. */
+  async flow(points, faces, steps) {
+    if (this.#steps >= steps) this.#surface = null;
+    await this.#open(points, faces);
+    let answer = null;
+    while (this.#steps < steps) {
+      answer = await this.#ask('flow', {});
+      ++this.#steps;
+    }
+    return answer;
+  }
+}

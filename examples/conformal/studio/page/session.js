@@ -1,0 +1,141 @@
+/* Copyright (c) 2026 The Conformal Geometry Processing authors
+   SPDX-License-Identifier: LGPL-3.0-or-later */
+
+// One shape while it is edited: its states, and who computes them. A state has the points `base`, the
+// `steps` that led there, and one step from there on: either `rho`, times `amplitude`, within `bound`,
+// or `flowed`, a number of steps of the flow. Once that is computed, it `isDone`, with what came of it.
+
+const isZero = rho => rho.every(value => value === 0);
+
+function freshState(base, faceCount, steps, bound) {
+  return {base, steps, rho: new Float64Array(base.length / 3), amplitude: 1, bound, flowed: 0,
+          after: base, quality: new Float32Array(faceCount).fill(1), report: null, isDone: true};
+}
+
+/** The steps from the shape of the page to what a state shows. */
+function stepsOf({steps, rho, amplitude, bound, flowed}) {
+  if (flowed > 0) return [...steps, {kind: 'flow', steps: flowed}];
+  return isZero(rho) ? steps : [...steps, {kind: 'spin', rho, amplitude, bound}];
+}
+
+const amounts = ({rho, amplitude}) => rho.map(value => value * amplitude);
+
+/** `show(state, stage)` is called whenever there is something else to see, with the stage `preview`,
+    `computing` or `exact`; `fail(error)` when nothing came of it. */
+class Session {
+  #version = 0;
+  #started = 0;
+  #isComputing = false;
+  #isPreviewing = false;
+  #wanted = null;   // the state of the next preview
+  #continues = false;
+  #seen = {};       // what the last preview has shown
+
+  constructor(shape, kernels, {show, fail}) {
+    this.shape = shape;
+    this.kernels = kernels; // {quick, exact}
+    this.show = show;
+    this.fail = fail;
+    this.history = new History(freshState(shape.points, shape.faces.length / 3, [], 2));
+  }
+
+  get state() { return this.history.state; }
+
+  /** The state with which an edit of that kind begins: what was flowed is then the base of what is
+      painted, and the other way round. */
+  ground(kind) {
+    const state = this.state, {length} = this.shape.faces;
+    const isOther = kind === 'flow' ? state.flowed === 0 && !isZero(state.rho) : state.flowed > 0;
+    return isOther ? freshState(state.after, length / 3, stepsOf(state), state.bound) : state;
+  }
+
+  /** An edit begins: what is still computed is not shown any more. */
+  hold() {
+    ++this.#version;
+    this.#seen = {};
+  }
+
+  /** Approximates an edit that is under way. */
+  preview(state) {
+    this.#wanted = state;
+    if (!this.#isPreviewing) this.#previewNext();
+  }
+
+  async #previewNext() {
+    const state = this.#wanted, version = this.#version;
+    this.#wanted = null;
+    this.#isPreviewing = true;
+    try {
+      const {after, quality, report} = await this.kernels.quick.preview(
+          state.base, this.shape.faces, amounts(state), this.#continues);
+      this.#continues = true;
+      if (version === this.#version) {
+        this.#seen = {after, quality, report};
+        this.show({...state, ...this.#seen}, 'preview');
+      }
+    } catch {
+      this.#continues = false; // the exact result tells what is wrong
+    }
+    this.#isPreviewing = false;
+    if (this.#wanted) this.#previewNext();
+  }
+
+  /** Takes an edit over, and computes it. */
+  commit(state) {
+    this.history.add({...state, ...this.#seen, isDone: false});
+    this.#seen = {};
+    this.refresh();
+  }
+
+  undo() {
+    if (!this.history.canUndo) return;
+    this.history.undo();
+    this.refresh();
+  }
+
+  redo() {
+    if (!this.history.canRedo) return;
+    this.history.redo();
+    this.refresh();
+  }
+
+  /** Shows the present state, computed if it is not. */
+  refresh() {
+    ++this.#version;
+    this.#wanted = null;
+    this.#continues &&= !this.state.isDone;
+    if (!this.state.isDone && this.state.flowed === 0 && isZero(this.state.rho))
+      this.history.complete(this.state, {...freshState(this.state.base, this.shape.faces.length / 3,
+                                                       this.state.steps, this.state.bound)});
+    this.show(this.state, this.state.isDone ? 'exact' : 'computing');
+    if (this.state.isDone) return;
+    if (!this.#isComputing) this.#compute();
+    else if (performance.now() - this.#started > 1500) this.kernels.exact.restart();
+  }
+
+  async #compute() {
+    const state = this.state, version = this.#version;
+    this.#isComputing = true;
+    this.#started = performance.now();
+    let completed = null;
+    try {
+      const {after, quality, report} = await this.#exact(state);
+      completed = this.history.complete(state, {after, quality, report, isDone: true});
+    } catch (error) {
+      if (version === this.#version) this.fail(error);
+    }
+    this.#isComputing = false;
+    if (version !== this.#version) {
+      if (!this.state.isDone) this.#compute();
+    } else if (completed) {
+      ++this.#version; // previews come too late now
+      this.show(completed, 'exact');
+    }
+  }
+
+  #exact(state) {
+    const {base, flowed, bound} = state, {faces} = this.shape;
+    return flowed > 0 ? this.kernels.exact.flow(base, faces, flowed)
+                      : this.kernels.exact.transform(base, faces, amounts(state), bound);
+  }
+}

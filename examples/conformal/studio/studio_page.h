@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_STUDIO_STUDIO_PAGE_H
+#define CONFORMAL_STUDIO_STUDIO_PAGE_H
+
+#include "conformal/report/Exhibit.h"
+
+#include <string>
+#include <vector>
+
+namespace conformal {
+
+/// a surface that the page offers
+struct Studio_shape {
+  std::string name;  ///< for the user
+  std::string file;  ///< for command lines
+  CGP::Mesh_view mesh;
+  std::vector<int> vertex_in_file = {};  ///< of each vertex of the mesh; empty: as in the mesh
+  int file_vertices = 0;                 ///< their number in the file, where that is different
+};
+
+/// \brief Creates a self-contained page on which curvature is painted, and which needs no network.
+///
+/// It contains the kernels as WebAssembly, and of each shape k the blocks `positions-k` (float64, 3
+/// per vertex), `faces-k` (uint32), `squares-k` (float32, 2 per corner) and `origin-k` (uint32,
+/// `vertex_in_file`).
+/// \pre `why_no_studio()` is empty
+std::string studio_page(const std::vector<Studio_shape>& shapes);
+
+/// why this program cannot write such pages; empty if it can
+std::string why_no_studio();
+
+}  // namespace conformal
+
+#endif
