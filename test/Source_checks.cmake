@@ -30,7 +30,7 @@ else()
   endforeach()
 endif()
 
-# The page of `conformal --html` in a browser.
+# The pages of `conformal --html` and `conformal studio` in a browser.
 find_program(CGP_CHROMIUM NAMES chromium chromium-browser google-chrome)
 mark_as_advanced(CGP_CHROMIUM)
 if(NOT CGP_CHROMIUM)
@@ -40,6 +40,12 @@ elseif(Python3_FOUND AND TARGET conformal AND CGP_HAS_THREE)
            ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_html_report.py $<TARGET_FILE:conformal>
            ${CGP_CHROMIUM})
   set_tests_properties(program.html_report_in_chromium PROPERTIES TIMEOUT 600)
+  if(CGP_HAS_STUDIO)
+    add_test(NAME program.studio_in_chromium COMMAND ${Python3_EXECUTABLE}
+             ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_studio.py $<TARGET_FILE:conformal>
+             ${CGP_CHROMIUM})
+    set_tests_properties(program.studio_in_chromium PROPERTIES TIMEOUT 600)
+  endif()
 endif()
 
 # Header-only: every header in two translation units that are linked. A function that is not inline,

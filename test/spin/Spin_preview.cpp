@@ -82,8 +82,7 @@ TEST(Spin_preview, follows_a_brush)
   const Curvature_potential last = bump(mesh, 3);
   const CGP::Spin_result wanted = exact.transform(last), r = preview.transform(last);
   EXPECT_LT(relative_error(mesh, wanted.positions, r.positions), 1e-2);
-  EXPECT_NEAR(r.report.eigenvalue, wanted.report.eigenvalue,
-              1e-3);
+  EXPECT_NEAR(r.report.eigenvalue, wanted.report.eigenvalue, 1e-3);
   EXPECT_LT(solves, 80);
 }
 

@@ -26,8 +26,8 @@ PROGRAM_LEVEL = {
     "repair": 5,
     "input": 6,
     "report": 7,
-    "curves": 8, "transform": 8,
-    "commands": 9,
+    "curves": 8, "studio": 8, "transform": 8,
+    "commands": 9, "studio/wasm": 9,
     ".": 10,
 }
 BASE = {"config.h", "exceptions.h", "version.h"}

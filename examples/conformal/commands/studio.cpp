@@ -18,7 +18,8 @@ namespace {
 
 const char* const about =
     "Writes a page on which one paints the change of mean curvature, rho, onto a surface, which\n"
-    "follows: one HTML file that opens in a browser without a network. What is painted is computed\n"
+    "follows: one HTML file that opens in a browser without a network. What is painted is "
+    "computed\n"
     "there as `conformal spin --rho-file` would, and can be saved for it.\n"
     "Without an input the page has four shapes to try.\n"
     "Example: conformal studio bear.off -o bear.html";

@@ -10,8 +10,7 @@
 
 namespace conformal {
 
-std::string page_block(const std::string& name, const std::string& type,
-                       const std::string& content)
+std::string page_block(const std::string& name, const std::string& type, const std::string& content)
 {
   return "<script type=\"" + type + "\" id=\"" + name + "\">" + content + "</script>\n";
 }

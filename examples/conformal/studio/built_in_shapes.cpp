@@ -20,9 +20,9 @@ struct Limb {
 CGP::Mesh_view creature(int frequency)
 {
   const std::vector<Limb> limbs = {
-      {{0, 1, .35}, .75, 7},     {{.62, 1.15, .1}, .42, 40}, {{-.62, 1.15, .1}, .42, 40},
-      {{0, .62, 1}, .25, 30},    {{1, .05, .35}, .75, 16},   {{-1, .05, .35}, .75, 16},
-      {{.6, -1, .3}, .8, 14},    {{-.6, -1, .3}, .8, 14},    {{0, -.35, -1}, .3, 40},
+      {{0, 1, .3}, .95, 8},    {{.5, 1, .1}, .45, 70},   {{-.5, 1, .1}, .45, 70},
+      {{0, .7, .75}, .3, 40},  {{1, .1, .4}, .95, 22},   {{-1, .1, .4}, .95, 22},
+      {{.55, -1, .35}, 1, 18}, {{-.55, -1, .35}, 1, 18}, {{0, -.35, -1}, .35, 60},
   };
   const CGP::Mesh_view sphere = CGP::geodesic_sphere(frequency);
   CGP::Points points = sphere.positions();
@@ -55,8 +55,7 @@ CGP::Mesh_view dome(int rings)
       const int here = first(ring) + i, next = first(ring) + (i + 1) % count;
       const int below = inside(side * (ring - 1) + along);
       corners.push_back({below, here, next});
-      if (along < ring - 1)
-        corners.push_back({below, next, inside(side * (ring - 1) + along + 1)});
+      if (along < ring - 1) corners.push_back({below, next, inside(side * (ring - 1) + along + 1)});
     }
   }
   return {points, corners};
@@ -66,7 +65,7 @@ CGP::Mesh_view dome(int rings)
 
 std::vector<Studio_shape> built_in_shapes()
 {
-  return {{"Creature", "creature.obj", creature(17)},
+  return {{"Creature", "creature.obj", creature(18)},
           {"Sphere", "sphere.obj", CGP::geodesic_sphere(16)},
           {"Torus", "torus.obj", CGP::round_torus(1, .45, 84, 32)},
           {"Disk", "disk.obj", dome(28)}};

@@ -9,8 +9,8 @@
 
 namespace conformal {
 
-/// surfaces to try the studio on: a creature with limbs, a sphere, a torus, a disk; about 5000 faces
-/// each
+/// surfaces to try the studio on: a creature with limbs, a sphere, a torus, a disk; about 5000
+/// faces each
 std::vector<Studio_shape> built_in_shapes();
 
 }  // namespace conformal

@@ -31,7 +31,7 @@ template <class SolverTraits = Default_solver_traits,
           class EigensolverTraits = Lobpcg_eigensolver_traits>
 class Spin_preview {
  public:
-  static constexpr int max_solves = 10;         ///< of a call
+  static constexpr int max_solves = 10;      ///< of a call
   static constexpr double tolerance = 1e-3;  ///< of the error of the spins
 
   /// \brief factors X(0): one ordering, one analysis and one factorization.

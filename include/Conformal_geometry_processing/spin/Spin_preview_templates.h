@@ -99,8 +99,8 @@ void Spin_preview<SolverTraits, EigensolverTraits>::iterate(const Curvature_pote
   options.tolerance = accuracy;
   options.max_iterations = solves - 1;  // and one that measures the error
   options.scale = std::sqrt(m_system.unit());
-  const Eigensolver_result r = EigensolverTraits()(
-      m_system.matrix(), m_system.areas(), m_system.solver(), Vectors(m_lambda), options);
+  const Eigensolver_result r = EigensolverTraits()(m_system.matrix(), m_system.areas(),
+                                                   m_system.solver(), Vectors(m_lambda), options);
   m_lambda = r.vectors.col(0);
   m_gamma += dirac_quotient(m_system.surface(), shifted, m_lambda);
   s.residual = r.estimates[0];

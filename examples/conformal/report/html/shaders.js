@@ -67,7 +67,7 @@ const fragmentShader = `
       vec3 width = 1.1 * fwidth(vCorner), near = smoothstep(vec3(0.0), width, vCorner);
       lit = mix(lit, vec3(0.12, 0.16, 0.21), 0.55 * (1.0 - min(near.x, min(near.y, near.z))));
     }
-    float away = abs(distance(vHome, brush.xyz) - brush.w);
-    if (brush.w > 0.0) lit = mix(vec3(0.1, 0.14, 0.2), lit, smoothstep(0.6, 1.8, away / fwidth(vHome.x + vHome.y + vHome.z)));
+    float from = distance(vHome, brush.xyz), away = abs(from - brush.w) / max(fwidth(from), 1e-9);
+    if (brush.w > 0.0) lit = mix(vec3(0.1, 0.14, 0.2), lit, smoothstep(0.5, 1.6, away));
     colour = vec4(lit, 1.0);
   }`;

@@ -3,16 +3,14 @@
 
 // The report of a result in words.
 
-const times = value => `× ${number(value, 3)}`;
-
 function rowsFor(report, faceCount) {
   const r = report.result ?? {}, rows = [];
   const add = (name, value, place) => rows.push([name, value, place]);
-  add('Angles: Q, mean (1 keeps them)', number(r.quasi_conformal.mean, 5), 'quasi_conformal/mean');
-  add('Q, worst face', number(r.quasi_conformal.max, 4), 'quasi_conformal/max');
+  add('Mean Q (1 is perfect)', number(r.quasi_conformal.mean, 5), 'quasi_conformal/mean');
+  add('Q of the worst face', number(r.quasi_conformal.max, 4), 'quasi_conformal/max');
   const scales = r.scale_control ?? {low: r.scale.min, high: r.scale.max};
-  add('Lengths', `${times(scales.low)} to ${times(scales.high)}`, 'scale');
-  if (r.closure_residual !== undefined) add('Gap where it closes', number(r.closure_residual, 2), 'closure_residual');
+  add('Lengths', `× ${number(scales.low, 2)} – ${number(scales.high, 3)}`, 'scale');
+  if (r.closure_residual !== undefined) add('Closing error', number(r.closure_residual, 2), 'closure_residual');
   add('Flipped faces', `${r.flipped_faces} of ${faceCount.toLocaleString('en')}`, 'flipped_faces');
   const control = r.scale_control;
   if (control?.weight > 0) add('Kept of the paint', `${number(100 * control.kept_norm, 3)} %`, 'kept');

@@ -11,7 +11,7 @@ const instructions = {
   erase: 'Drag over paint to take it away again.', turn: 'Drag to turn both shapes.'
 };
 
-const brush = {tool: 'bulge', size: .45, strength: 2.5, symmetric: false};
+const brush = {tool: 'bulge', size: .5, strength: 4, symmetric: false};
 const sessions = new Map(), kernels = {quick: new Kernels(), exact: new Kernels()};
 let session = null, viewer = null, strokes = null;
 
@@ -64,8 +64,10 @@ function show(state, stage) {
   if (state.report) tellReport(state.report, faces.length / 3, stage);
   else if (stage === 'exact') tellNothing();
   else tellVerdict(stages[stage]);
+  element('json').textContent = stage === 'exact' && state.report ? JSON.stringify(state.report, null, 1) : '';
   showInputs(stage === 'exact');
   document.body.dataset.state = stage;
+  if (state.memory) document.body.dataset.memory = state.memory;
 }
 
 function tellNothing() {

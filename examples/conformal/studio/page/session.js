@@ -119,8 +119,8 @@ class Session {
     this.#started = performance.now();
     let completed = null;
     try {
-      const {after, quality, report} = await this.#exact(state);
-      completed = this.history.complete(state, {after, quality, report, isDone: true});
+      const {after, quality, report, memory} = await this.#exact(state);
+      completed = this.history.complete(state, {after, quality, report, memory, isDone: true});
     } catch (error) {
       if (version === this.#version) this.fail(error);
     }

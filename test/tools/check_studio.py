@@ -1,0 +1,234 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""The page that `conformal studio` writes does in headless Chromium what it offers: painting by mouse,
+finger and key, formulas, undo, the flow, refusals, saving; what it finds is what the program finds
+for the files that it saves; it asks for nothing, complains about nothing, and its memory is bounded.
+
+usage: check_studio.py CONFORMAL CHROMIUM [FOLDER]   (keeps the pages and pictures in FOLDER)
+"""
+
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+from check_example import write_off
+from check_html_report import bumpy_sphere, leaves, require
+from devtools import browser
+from headless_page import read_png
+
+CONTROL, MANY_STROKES = 2, 40
+
+
+class Studio:
+    """The page, and what a person does with it."""
+
+    def __init__(self, page, folder):
+        self.page, self.folder = page, folder
+        page.call("Page.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
+
+    def open(self, path, width=1300, height=850, touch=False):
+        self.page.open(path.as_uri(), width, height, touch)
+        self.settle()
+
+    def settle(self):
+        self.page.wait("['exact', 'failed'].includes(document.body?.dataset.state)")
+
+    def click(self, name):
+        """On an element, by its id or selector; waits for what comes of it."""
+        place = self.page.value("(() => { const r = document.querySelector(%s).getBoundingClientRect();"
+                                "return [r.x + r.width / 2, r.y + r.height / 2] })()" % json.dumps(name))
+        self.page.drag([place])
+        self.settle()
+
+    def set(self, name, value, event):
+        self.page.value(f"(() => {{ const input = document.querySelector('{name}'); input.value = '{value}';"
+                        f" input.dispatchEvent(new Event('{event}', {{bubbles: true, cancelable: true}})) }})()")
+        self.settle()
+
+    def place(self, right, down):
+        """A place of the canvas in shares of its width and height."""
+        return self.page.value("(() => { const r = document.querySelector('canvas').getBoundingClientRect();"
+                               f"return [r.x + {right} * r.width, r.y + {down} * r.height] }})()")
+
+    def stroke(self, side):
+        x, y = self.place(.25 + .5 * side, .5)
+        self.page.drag([(x - 40 + 10 * i, y + 3 * i) for i in range(9)])
+        self.settle()
+
+    def words(self, name):
+        return self.page.value(f"document.querySelector('{name}').textContent")
+
+    def report(self):
+        return json.loads(self.words("#json") or "{}")
+
+    def saved(self, button, name):
+        path = self.folder / name
+        path.unlink(missing_ok=True)
+        self.click(button)
+        for _ in range(200):
+            if path.exists() and path.stat().st_size > 0:
+                return path
+            time.sleep(.05)
+        sys.exit(f"{name} is not saved")
+
+    def picture(self, name):
+        path = self.folder / name
+        self.page.save(path)
+        return path
+
+
+def check_same(found, wanted, what):
+    """The numbers of both reports, but those that measure rounding."""
+    numbers = dict(leaves(wanted["result"], ""))
+    for place, value in leaves(found["result"], ""):
+        if not place.endswith(("residual", "iterations", "solves", "dirac_residual")):
+            require(math.isclose(value, numbers[place], rel_tol=1e-9, abs_tol=1e-9),
+                    f"{what}: {place} is {value}, not {numbers[place]}")
+    require(found["verified"] is wanted["verified"], f"{what}: verified differs")
+
+
+def program(conformal, arguments, folder):
+    """The report of a run, and its result."""
+    subprocess.run([conformal, *arguments, "-q", "--json", "report.json"], cwd=folder, check=True)
+    return json.loads((folder / "report.json").read_text())
+
+
+def points(path):
+    rows = (line.split() for line in path.read_text().splitlines())
+    return [tuple(map(float, row[1:4])) for row in rows if row[:1] == ["v"]]
+
+
+def check_painting(studio, conformal):
+    for side in (0, 1):
+        studio.stroke(side)
+    require(studio.report().get("verified") is True, f"not verified: {studio.words('#reason')}")
+    orange = sum(r > 1.5 * b and r > 90 for row in read_png(studio.picture("painted.png").read_bytes())
+                 for r, g, b in row)
+    require(orange > 1500, f"only {orange} pixels show paint")
+    studio.saved("#save-rho", "bumpy_rho.txt")
+    command = studio.words("#command").split()
+    require(command[0] == "conformal" and "--max-scale" in command, f"the command is {command}")
+    check_same(studio.report(), program(conformal, command[1:], studio.folder), "a painted surface")
+    wanted = program(conformal, [*command[1:-1], "native.obj"], studio.folder)
+    found, native = (points(path) for path in (studio.saved("#save-obj", "bumpy_edited.obj"),
+                                               studio.folder / "native.obj"))
+    require(all(math.dist(a, b) < 1e-8 for a, b in zip(found, native, strict=True)),
+            "the OBJ file is not what the program writes")
+    info = program(conformal, ["info", studio.saved("#save-ply", "bumpy_edited.ply").name], studio.folder)
+    require(info["input"]["vertices"] == wanted["input"]["vertices"], "the PLY file is another surface")
+
+
+def check_history(studio):
+    painted = studio.report()
+    studio.page.key("z", CONTROL)
+    studio.settle()
+    before = studio.report()
+    require(before != painted, "undo does nothing")
+    studio.page.key("y", CONTROL)
+    studio.settle()
+    require(studio.report() == painted, "redo does not lead back")
+    studio.click("#clear")
+    require(studio.report() == {}, "something is left after all is cleared")
+
+
+def check_formula(studio, conformal):
+    studio.page.value("document.querySelector('#formula').value = '-1.5*sin(4*y)^2 + bump(z, .5)*nx'")
+    studio.click("#formula-form button")
+    wanted = program(conformal, ["spin", "bumpy.off", "--rho-expression", "-1.5*sin(4*y)^2 + bump(z, .5)*nx",
+                                 "-o", "formula.ply"], studio.folder)
+    check_same(studio.report(), wanted, "a formula")
+    studio.page.value("document.querySelector('#formula').value = 'sin(q)'")
+    studio.click("#formula-form button")
+    require("'q' is not known" in studio.words("#formula-help"), "a wrong formula is not told")
+
+
+def check_amount_and_flow(studio, conformal):
+    studio.set("#amount", .5, "change")
+    require("--amplitude=0.5" in studio.words("#command"), "the amount is not in the command")
+    studio.click("#undo")
+    studio.click("#clear")
+    studio.click("#flow")
+    wanted = program(conformal, ["flow", "bumpy.off", "--steps", "1", "-o", "flow.ply"], studio.folder)
+    found = studio.report()["result"]["energy"]["final"]
+    require(math.isclose(found, wanted["result"]["energy"]["final"], rel_tol=1e-9),
+            f"the energy after a step is {found}")
+    studio.click("#flow")
+    require("--steps 2" in studio.words("#command"), "the second step is not in the command")
+    studio.click("#undo")
+    require(math.isclose(studio.report()["result"]["energy"]["final"], found), "undo of a step")
+    studio.click("#undo")
+
+
+def check_refusal(studio):
+    studio.set("#bound", "none", "change")
+    studio.page.value("document.querySelector('#formula').value = '60*sin(9*x)'")
+    studio.click("#formula-form button")
+    require(studio.report().get("verified") is False, "a torn surface verifies")
+    require("poor" in studio.page.value("document.querySelector('#verdict').className"), "not refused")
+    require(len(studio.words("#reason")) > 30, "no reason is told")
+    require(studio.page.value("document.querySelector('#save-ply').disabled"), "it can be saved")
+    studio.click("#clear")
+    studio.set("#bound", "2", "change")
+
+
+def check_memory(studio):
+    """Of the kernels, and of the page after its garbage is collected."""
+    used = []
+    studio.set("#strength", .25, "input")
+    studio.page.value("document.querySelector('canvas').focus()")
+    for i in range(MANY_STROKES):
+        studio.page.key("Enter")
+        studio.settle()
+        if i % 4 == 3:
+            studio.page.key("z", CONTROL)
+            studio.settle()
+        if i in (MANY_STROKES // 2, MANY_STROKES - 1):
+            studio.page.call("HeapProfiler.collectGarbage")
+            heap = studio.page.call("Runtime.getHeapUsage")["usedSize"]
+            used.append((int(studio.page.value("document.body.dataset.memory")), heap))
+    (kernels, heap), (kernels_later, heap_later) = used
+    require(kernels_later == kernels, f"the kernels grow from {kernels} to {kernels_later} bytes")
+    require(heap_later < heap + 30e6, f"the page grows from {heap} to {heap_later} bytes")
+
+
+def check_touch(studio, path):
+    studio.open(path, 400, 900, touch=True)
+    x, y = studio.place(.5, .75)
+    studio.page.touch([[(x + 5 * i, y)] for i in range(5)])
+    studio.settle()
+    require(studio.report().get("verified") is True, "a finger does not paint")
+    painted = studio.report()
+    studio.page.touch([[(x - 20 - i, y), (x + 20 + i, y)] for i in range(5)])
+    studio.settle()
+    require(studio.report() == painted, "two fingers paint")
+    studio.picture("touch.png")
+
+
+def main():
+    conformal, chromium = sys.argv[1:3]
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = pathlib.Path(sys.argv[3] if len(sys.argv) > 3 else temporary).resolve()
+        write_off(folder / "bumpy.off", *bumpy_sphere())
+        subprocess.run([conformal, "studio", "bumpy.off", "-o", "page.html", "-q"], cwd=folder, check=True)
+        with browser(chromium) as page:
+            studio = Studio(page, folder)
+            studio.open(folder / "page.html")
+            check_painting(studio, conformal)
+            check_history(studio)
+            check_formula(studio, conformal)
+            check_amount_and_flow(studio, conformal)
+            check_refusal(studio)
+            check_memory(studio)
+            check_touch(studio, folder / "page.html")
+            require(not page.complaints, f"the browser complains: {page.complaints}"[:2000])
+            elsewhere = [url for url in page.requests if not url.startswith(("file:", "blob:", "data:"))]
+            require(not elsewhere, f"the page loads {elsewhere}")
+
+
+if __name__ == "__main__":
+    main()
