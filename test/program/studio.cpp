@@ -66,6 +66,18 @@ TEST_F(Studio, offers_four_shapes_without_an_input)
   EXPECT_NE(page.find("id=\"origin-3\""), std::string::npos);
 }
 
+TEST_F(Studio, counts_the_vertices_of_the_file)
+{
+  if (!is_built_in()) return;
+  const CGP::Mesh_view mesh = cgp_test::bumpy_sphere(1);
+  write("loose.off", off(mesh, "9 9 9\n", 1));
+  const std::string count = std::to_string(mesh.size_of_vertices() + 1);
+  for (const std::string option : {"", " --repair"}) {
+    EXPECT_EQ(run("studio loose.off -o page.html" + option).code, 0);
+    EXPECT_NE(content(path("page.html")).find("\"fileVertices\":" + count), std::string::npos);
+  }
+}
+
 TEST_F(Studio, writes_nothing_where_it_cannot_be_used)
 {
   if (!is_built_in()) return;

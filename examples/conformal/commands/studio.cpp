@@ -55,7 +55,7 @@ Studio_shape shape_of(const Surface_input& input)
   const std::size_t vertices =
       input.repair ? input.repair->new_vertex.size() : input.file.points.size();
   return {path.filename().string(), input.file.path, input.mesh, vertex_in_file(input),
-          static_cast<int>(vertices)};
+          static_cast<int>(vertices), input.repair.has_value()};
 }
 
 void studio(const Studio_options& options, Session& session)

@@ -37,8 +37,10 @@ std::string studio_page(const std::vector<Studio_shape>& shapes)
   std::string data;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     const Studio_shape& shape = shapes[k];
-    list.push_back(
-        {{"name", shape.name}, {"file", shape.file}, {"fileVertices", shape.file_vertices}});
+    list.push_back({{"name", shape.name},
+                    {"file", shape.file},
+                    {"fileVertices", shape.file_vertices},
+                    {"isRepaired", shape.is_repaired}});
     data += data_of(shape, k);
   }
   const nlohmann::json page = {{"version", CONFORMAL_GEOMETRY_PROCESSING_VERSION},

@@ -17,6 +17,7 @@ struct Studio_shape {
   CGP::Mesh_view mesh;
   std::vector<int> vertex_in_file = {};  ///< of each vertex of the mesh; empty: as in the mesh
   int file_vertices = 0;                 ///< their number in the file, where that is different
+  bool is_repaired = false;              ///< the file, by --repair
 };
 
 /// \brief Creates a self-contained page on which curvature is painted, and which needs no network.

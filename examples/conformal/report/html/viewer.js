@@ -78,6 +78,7 @@ function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
   const start = new THREE.Quaternion();
   const pose = {turn: start.clone(), start, x: 0, y: 0, zoom: 1};
   const viewer = {uniforms, pose, modes: [0, 0], home: new Float32Array()};
+  const radii = [0, 0];
   let exhibit = null, radius = 1, areasBefore = null;
 
   const attribute = (side, name, size, fill) => {
@@ -93,9 +94,16 @@ function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
     const normals = normalsOf(faces, areas.vectors, points.length / 3);
     attribute(side, 'position', 3, into => atCorners(faces, own, 3, into));
     attribute(side, 'normal', 3, into => atCorners(faces, normals, 3, into));
-    radius = Math.max(radius, radiusOf(own));
+    radii[side] = radiusOf(own);
+    radius = Math.max(radius, radii[side]);
     return own;
   }
+
+  /** Sees both shapes as large as they can be; until then, the camera only draws back. */
+  viewer.fit = () => {
+    radius = Math.max(...radii);
+    viewer.redraw();
+  };
 
   /** Shows another exhibit, as it was seen last. */
   viewer.show = shown => {

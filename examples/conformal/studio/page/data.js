@@ -15,10 +15,9 @@ function numbers(id, Type) {
 
 const studio = JSON.parse(text('studio'));
 
-/** A shape of the page: name, file, points, faces, squares, and where its vertices are in the file. */
+/** A shape of the page: name, file, fileVertices, isRepaired, points, faces, squares, and where its vertices are in the file. */
 function shapeOf(k) {
-  const {name, file, fileVertices} = studio.shapes[k];
-  return {name, file, fileVertices, points: numbers(`positions-${k}`, Float64Array),
+  return {...studio.shapes[k], points: numbers(`positions-${k}`, Float64Array),
           faces: numbers(`faces-${k}`, Uint32Array), squares: numbers(`squares-${k}`, Float32Array),
           origin: numbers(`origin-${k}`, Uint32Array)};
 }

@@ -66,6 +66,7 @@ function show(state, stage) {
   else tellVerdict(stages[stage]);
   element('json').textContent = stage === 'exact' && state.report ? JSON.stringify(state.report, null, 1) : '';
   showInputs(stage === 'exact');
+  if (stage === 'exact') viewer.fit();
   document.body.dataset.state = stage;
   if (state.memory) document.body.dataset.memory = state.memory;
 }

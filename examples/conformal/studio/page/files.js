@@ -55,10 +55,10 @@ const stem = file => file.replace(/^.*[\\/]/, '').replace(/\.[^.]*$/, '') || 'sh
 /** A word for a shell. */
 const quoted = word => /^[\w./+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 
-/** The command of one step: its input, and what it makes. */
+/** The command of one step: its input with the options for it, and what it makes. */
 function commandOf({kind, amplitude, bound, steps}, input, output, rhoFile) {
-  const words = kind === 'flow' ? ['conformal', 'flow', input, '--steps', String(steps)]
-      : ['conformal', 'spin', input, '--rho-file', rhoFile, '--max-scale', bound > 1 ? String(bound) : 'none'];
+  const words = kind === 'flow' ? ['conformal', 'flow', ...input, '--steps', String(steps)]
+      : ['conformal', 'spin', ...input, '--rho-file', rhoFile, '--max-scale', bound > 1 ? String(bound) : 'none'];
   if (kind !== 'flow' && amplitude !== 1) words.push(`--amplitude=${amplitude}`);
   return [...words, '-o', output].map(quoted).join(' ');
 }
@@ -66,12 +66,12 @@ function commandOf({kind, amplitude, bound, steps}, input, output, rhoFile) {
 /** The steps of a state, as the program is told to take them. */
 function commandsOf(shape, steps) {
   const name = stem(shape.file), all = [];
-  let input = shape.file;
+  let input = shape.isRepaired ? [shape.file, '--repair'] : [shape.file];
   steps.forEach((step, i) => {
     const number = steps.length > 1 ? `_${i + 1}` : '';
     const output = `${name}_edited${number}.ply`;
     all.push(commandOf(step, input, output, rhoName(shape, steps, i)));
-    input = output;
+    input = [output];
   });
   return all.join('\n');
 }
