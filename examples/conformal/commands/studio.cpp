@@ -54,7 +54,7 @@ Studio_shape shape_of(const Surface_input& input)
   const std::filesystem::path path(input.file.path);
   const std::size_t vertices =
       input.repair ? input.repair->new_vertex.size() : input.file.points.size();
-  return {path.filename().string(), input.file.path, input.mesh, vertex_in_file(input),
+  return {path.filename().string(),   input.file.path,         input.mesh, vertex_in_file(input),
           static_cast<int>(vertices), input.repair.has_value()};
 }
 
