@@ -28,7 +28,8 @@ def _quaternionic(entries: Tuple[np.ndarray, np.ndarray, np.ndarray], rows: int,
                   ) -> bsr_matrix:
     i, j, values = entries
     order = np.lexsort((j, i))
-    starts = np.concatenate(([0], np.cumsum(np.bincount(i, minlength=rows))))
+    starts = np.zeros(rows + 1, dtype=np.int64)
+    starts[1:] = np.cumsum(np.bincount(i, minlength=rows))
     blocks = _blocks(values.reshape(-1, 4)[order])
     return bsr_matrix((blocks, j[order], starts), shape=(4 * rows, 4 * columns))
 

@@ -41,7 +41,10 @@ Callback = Optional[Callable[[Progress], Optional[bool]]]
 
 
 def _progress(callback: Callback) -> Optional[Callable[[int, float, float], Optional[bool]]]:
-    return None if callback is None else lambda *state: callback(Progress(*state))
+    if callback is None:
+        return None
+    call = callback
+    return lambda iteration, value, estimate: call(Progress(iteration, value, estimate))
 
 
 def spin_result(positions: np.ndarray, spins: np.ndarray, report: Dict[str, Any]) -> Spin_result:
@@ -63,12 +66,13 @@ class Spin_transformation:
                  function: str = "Spin_transformation") -> None:
         self._function = function
         self._faces = faces(F, function)
-        self._options = dict(
+        self._boundary, self._mollification = boundary, mollification
+        options = dict(
             boundary=boundary, max_scale=max_scale, exactness=exactness,
             vertex_scale=real_or_none(vertex_scale, function, "vertex_scale"),
             vertex_scale_weight=real_or_none(vertex_scale_weight, function, "vertex_scale_weight"),
             max_period_defect=max_period_defect, mollification=mollification)
-        self._kernel = _kernels.Transformation(points(V, function), self._faces, self._options,
+        self._kernel = _kernels.Transformation(points(V, function), self._faces, options,
                                                function)
 
     @property
@@ -104,8 +108,8 @@ class Spin_transformation:
                    tolerance: float = 1e-12) -> Spin_derivative:
         """The derivative of the transformation at rho, see ``Spin_derivative``."""
         return Spin_derivative(self._kernel.positions(), self._faces, rho, on=on,
-                               tolerance=tolerance, boundary=self._options["boundary"],
-                               mollification=self._options["mollification"])
+                               tolerance=tolerance, boundary=self._boundary,
+                               mollification=self._mollification)
 
 
 def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
