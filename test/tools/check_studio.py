@@ -123,6 +123,28 @@ def check_painting(studio, conformal):
     require(info["input"]["vertices"] == wanted["input"]["vertices"], "the PLY file is another surface")
 
 
+def check_brush(studio):
+    """Each tool does to rho what its name says."""
+    def stroke_of(tool):
+        studio.click(f"[data-tool={tool}]")
+        studio.stroke(0)
+        return [float(x) for x in studio.saved("#save-rho", "bumpy_rho.txt").read_text().split()]
+
+    studio.click("#clear")
+    dented = stroke_of("dent")
+    require(min(dented) < -1 and max(dented) <= 0, f"dents are from {min(dented)} to {max(dented)}")
+    erased = stroke_of("erase")
+    require(all(a <= b <= 0 for a, b in zip(dented, erased)) and sum(erased) > sum(dented) / 2,
+            "little is erased")
+    studio.click("#clear")
+    studio.click("#symmetric")
+    mirrored = stroke_of("dent")
+    studio.click("#symmetric")
+    require(sum(x < 0 for x in mirrored) > 1.3 * sum(x < 0 for x in dented), "nothing is mirrored")
+    studio.click("#clear")
+    studio.click("[data-tool=bulge]")
+
+
 def check_history(studio):
     painted = studio.report()
     studio.page.key("z", CONTROL)
@@ -220,6 +242,7 @@ def main():
             studio.open(folder / "page.html")
             check_painting(studio, conformal)
             check_history(studio)
+            check_brush(studio)
             check_formula(studio, conformal)
             check_amount_and_flow(studio, conformal)
             check_refusal(studio)
