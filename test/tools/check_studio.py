@@ -232,7 +232,7 @@ def check_touch(studio, path):
 
 
 def main():
-    conformal, chromium = sys.argv[1:3]
+    conformal, chromium = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(sys.argv[3] if len(sys.argv) > 3 else temporary).resolve()
         write_off(folder / "bumpy.off", *bumpy_sphere())

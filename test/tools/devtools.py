@@ -26,17 +26,23 @@ class Page:
         self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Network", "Log"):
             self.call(f"{domain}.enable")
+        self.call("Target.setAutoAttach", autoAttach=True, waitForDebuggerOnStart=True, flatten=True)
+
+    def post(self, method, session, arguments):
+        """Calls a method of the page or of a worker, and returns the number of the call."""
+        self.last += 1
+        message = {"id": self.last, "method": method, "params": arguments}
+        if session:
+            message["sessionId"] = session
+        os.write(self.to_browser, json.dumps(message).encode() + b"\0")
+        return self.last
 
     def call(self, method, **arguments):
         """Calls a method of the protocol, and returns its result."""
-        self.last += 1
-        message = {"id": self.last, "method": method, "params": arguments}
-        if self.session:
-            message["sessionId"] = self.session
-        os.write(self.to_browser, json.dumps(message).encode() + b"\0")
+        number = self.post(method, self.session, arguments)
         while True:
             answer = self.receive()
-            if answer.get("id") == self.last:
+            if answer.get("id") == number:
                 if "error" in answer:
                     raise RuntimeError(f"{method}: {answer['error']}")
                 return answer["result"]
@@ -61,6 +67,9 @@ class Page:
             self.complaints.append(what["entry"])
         elif method == "Network.requestWillBeSent":
             self.requests.append(what["request"]["url"])
+        elif method == "Target.attachedToTarget":  # a worker, which waits until it is watched
+            for order in ("Network.enable", "Runtime.enable", "Runtime.runIfWaitingForDebugger"):
+                self.post(order, what["sessionId"], {})
 
     def open(self, address, width, height, touch=False):
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
