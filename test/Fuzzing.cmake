@@ -5,8 +5,7 @@
 
 function(cgp_add_fuzz_program name library)
   add_executable(${name} ${ARGN} tools/${name}.cpp)
-  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-  target_link_libraries(${name} PRIVATE ${library})
+  target_link_libraries(${name} PRIVATE ${library} cgp_test_support)
 endfunction()
 
 foreach(what readers runs)

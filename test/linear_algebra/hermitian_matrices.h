@@ -24,51 +24,16 @@ namespace CGP = Conformal_geometry_processing;
 using Pattern = std::shared_ptr<const CGP::Sparse_pattern>;
 
 /// the pattern of a graph given by its edges, which may repeat; loops are ignored
-inline Pattern pattern_of_edges(int n, const std::vector<std::pair<int, int>>& edges)
-{
-  std::vector<std::set<int>> rows(at(n));
-  for (int i = 0; i < n; ++i) rows[at(i)].insert(i);
-  for (const auto& [i, j] : edges) rows[at(std::min(i, j))].insert(std::max(i, j));
-  CGP::Sparse_pattern pattern;
-  pattern.offsets.push_back(0);
-  for (const std::set<int>& column : rows) {
-    pattern.indices.insert(pattern.indices.end(), column.begin(), column.end());
-    pattern.offsets.push_back(static_cast<int>(pattern.indices.size()));
-  }
-  return std::make_shared<const CGP::Sparse_pattern>(std::move(pattern));
-}
+Pattern pattern_of_edges(int n, const std::vector<std::pair<int, int>>& edges);
 
 /// n vertices in a ring, and n chords: a connected graph
-inline Pattern random_pattern(int n, std::uint64_t seed)
-{
-  Random random(seed);
-  std::vector<std::pair<int, int>> edges;
-  for (int i = 0; i < n; ++i) {
-    edges.push_back({i, (i + 1) % n});
-    edges.push_back({i, random.below(n)});
-  }
-  return pattern_of_edges(n, edges);
-}
+Pattern random_pattern(int n, std::uint64_t seed);
 
 /// all entries
-inline Pattern full_pattern(int n)
-{
-  std::vector<std::pair<int, int>> edges;
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < i; ++j) edges.push_back({i, j});
-  return pattern_of_edges(n, edges);
-}
+Pattern full_pattern(int n);
 
 /// rows x columns vertices with their four neighbours
-inline Pattern grid_pattern(int rows, int columns)
-{
-  std::vector<std::pair<int, int>> edges;
-  for (int i = 0; i < rows * columns; ++i) {
-    if (i % columns + 1 < columns) edges.push_back({i, i + 1});
-    if (i + columns < rows * columns) edges.push_back({i, i + columns});
-  }
-  return pattern_of_edges(rows * columns, edges);
-}
+Pattern grid_pattern(int rows, int columns);
 
 template <class Scalar>
 Scalar random_scalar(Random& random)
@@ -126,44 +91,12 @@ CGP::Hermitian_sparse_matrix<Scalar> random_definite(const Pattern& pattern, std
 }
 
 /// the Laplacian of the graph with random positive weights
-inline CGP::Hermitian_sparse_matrix<double> random_laplacian(const Pattern& pattern,
-                                                             std::uint64_t seed)
-{
-  Random random(seed);
-  CGP::Hermitian_sparse_matrix<double> L(pattern);
-  Eigen::VectorXd degrees = Eigen::VectorXd::Zero(L.size());
-  for (int j = 0; j < L.size(); ++j)
-    for (int k = pattern->offsets[at(j)] + 1; k < pattern->offsets[at(j) + 1]; ++k) {
-      const double weight = 1.5 + random.number();
-      L.value(k) = -weight;
-      degrees[j] += weight;
-      degrees[pattern->indices[at(k)]] += weight;
-    }
-  return plus_diagonal(L, degrees);
-}
+CGP::Hermitian_sparse_matrix<double> random_laplacian(const Pattern& pattern, std::uint64_t seed);
 
 /// n x n, or 2n x 2n or 4n x 4n: left multiplication on components re, im or w, x, y, z
-inline Eigen::MatrixXd dense(const CGP::Block<double>& A)
-{
-  return A;
-}
-inline Eigen::MatrixXd dense(const CGP::Block<std::complex<double>>& A)
-{
-  Eigen::MatrixXd D(2 * A.rows(), 2 * A.cols());
-  for (Eigen::Index j = 0; j < A.cols(); ++j)
-    for (Eigen::Index i = 0; i < A.rows(); ++i)
-      D.block<2, 2>(2 * i, 2 * j) << A(i, j).real(), -A(i, j).imag(), A(i, j).imag(),
-          A(i, j).real();
-  return D;
-}
-inline Eigen::MatrixXd dense(const CGP::Block<Quaternion<double>>& A)
-{
-  Eigen::MatrixXd D(4 * A.rows(), 4 * A.cols());
-  for (Eigen::Index j = 0; j < A.cols(); ++j)
-    for (Eigen::Index i = 0; i < A.rows(); ++i)
-      D.block<4, 4>(4 * i, 4 * j) = CGP::real_block(A(i, j));
-  return D;
-}
+Eigen::MatrixXd dense(const CGP::Block<double>& A);
+Eigen::MatrixXd dense(const CGP::Block<std::complex<double>>& A);
+Eigen::MatrixXd dense(const CGP::Block<Quaternion<double>>& A);
 template <class Scalar>
 Eigen::MatrixXd dense(const CGP::Hermitian_sparse_matrix<Scalar>& A)
 {
@@ -174,20 +107,9 @@ Eigen::MatrixXd dense(const CGP::Hermitian_sparse_matrix<Scalar>& A)
 }
 
 /// the components of the columns
-inline Eigen::MatrixXd real_columns(const CGP::Block<double>& b)
-{
-  return b;
-}
-inline Eigen::MatrixXd real_columns(const CGP::Block<std::complex<double>>& b)
-{
-  return Eigen::Map<const Eigen::MatrixXd>(reinterpret_cast<const double*>(b.data()), 2 * b.rows(),
-                                           b.cols());
-}
-inline Eigen::MatrixXd real_columns(const CGP::Block<Quaternion<double>>& b)
-{
-  return Eigen::Map<const Eigen::MatrixXd>(reinterpret_cast<const double*>(b.data()), 4 * b.rows(),
-                                           b.cols());
-}
+Eigen::MatrixXd real_columns(const CGP::Block<double>& b);
+Eigen::MatrixXd real_columns(const CGP::Block<std::complex<double>>& b);
+Eigen::MatrixXd real_columns(const CGP::Block<Quaternion<double>>& b);
 
 template <class Scalar>
 CGP::Block<Scalar> random_block(int rows, int columns, std::uint64_t seed)
@@ -200,12 +122,7 @@ CGP::Block<Scalar> random_block(int rows, int columns, std::uint64_t seed)
 }
 
 /// one mass on all components of a quaternion
-inline Eigen::VectorXd four_times(const Eigen::VectorXd& m)
-{
-  Eigen::VectorXd d(4 * m.size());
-  for (Eigen::Index i = 0; i < m.size(); ++i) d.segment<4>(4 * i).setConstant(m[i]);
-  return d;
-}
+Eigen::VectorXd four_times(const Eigen::VectorXd& m);
 
 }  // namespace cgp_test
 

@@ -24,10 +24,7 @@ using CGP::Boundary_condition;
 using CGP::Curvature_potential;
 using Complex = std::complex<double>;
 
-inline Complex complex_of(const Eigen::Vector3d& p)
-{
-  return {p.x(), p.y()};
-}
+Complex complex_of(const Eigen::Vector3d& p);
 
 template <class Function>
 Curvature_potential potential_on_vertices(const Mesh_view& mesh, Function rho)
@@ -49,10 +46,7 @@ Curvature_potential potential_on_faces(const Mesh_view& mesh, Function rho)
   return Curvature_potential::on_faces(values);
 }
 
-inline Curvature_potential constant_potential(const Mesh_view& mesh, double c)
-{
-  return Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), c));
-}
+Curvature_potential constant_potential(const Mesh_view& mesh, double c);
 
 /// f(position, frame), a vector, at every boundary vertex
 template <class Function>
@@ -81,79 +75,35 @@ Points image_directions(const Mesh_view& mesh, Differential differential,
       });
 }
 
-inline Points enneper_directions(const Mesh_view& mesh, const Eigen::Vector3d& tnb)
-{
-  const auto differential = [](const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
-    return enneper_differential(p, v);
-  };
-  return image_directions(mesh, differential, tnb);
-}
+Points enneper_directions(const Mesh_view& mesh, const Eigen::Vector3d& tnb);
 
 /// F = z + .3 z^2, which is injective on the unit disk
-inline Eigen::Vector3d quadratic_map(const Eigen::Vector3d& p)
-{
-  const Complex F = complex_of(p) + .3 * complex_of(p) * complex_of(p);
-  return {F.real(), F.imag(), 0};
-}
+Eigen::Vector3d quadratic_map(const Eigen::Vector3d& p);
 
-inline Points quadratic_directions(const Mesh_view& mesh, const Eigen::Vector3d& tnb)
-{
-  const auto differential = [](const Eigen::Vector3d& p, const Eigen::Vector3d& v) {
-    const Complex d = (1. + .6 * complex_of(p)) * complex_of(v);
-    return Eigen::Vector3d(d.real(), d.imag(), 0);
-  };
-  return image_directions(mesh, differential, tnb);
-}
+Points quadratic_directions(const Mesh_view& mesh, const Eigen::Vector3d& tnb);
 
-inline double diagonal(const Points& p)
-{
-  return (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
-}
+double diagonal(const Points& p);
 
 /// the root of the mean squared distance, by the diagonal of the bounding box of b
-inline double rms_distance(const Points& a, const Points& b)
-{
-  return (a - b).norm() / std::sqrt(static_cast<double>(b.cols())) / diagonal(b);
-}
+double rms_distance(const Points& a, const Points& b);
 
 /// the same up to a similarity
-inline double shape_error(const Points& a, const Points& b)
-{
-  return CGP::align(a, b).rms;
-}
+double shape_error(const Points& a, const Points& b);
 
 /// by a single transformation, around holes too: closed forms and tables are those of one
-inline CGP::Spin_result transformed(const Mesh_view& mesh, const Boundary_condition& condition,
-                                    const Curvature_potential& rho,
-                                    const CGP::Dirac_options& options = {})
-{
-  return CGP::Spin_transformation<>(mesh, {condition, std::nullopt}).transform(rho, options);
-}
+CGP::Spin_result transformed(const Mesh_view& mesh, const Boundary_condition& condition,
+                             const Curvature_potential& rho,
+                             const CGP::Dirac_options& options = {});
 
-inline double mean_Q(const CGP::Spin_result& r)
-{
-  return r.report.conformality.quasi_conformal.mean;
-}
+double mean_Q(const CGP::Spin_result& r);
 
 /// Q - 1 of the result agrees with that of a table, to 2 %
-inline void expect_Q(const CGP::Spin_result& r, double Q)
-{
-  EXPECT_NEAR(mean_Q(r) - 1, Q - 1, .02 * (Q - 1));
-}
+void expect_Q(const CGP::Spin_result& r, double Q);
 
-inline double degrees(double radians)
-{
-  return 180 / pi * radians;
-}
+double degrees(double radians);
 
 /// errors at sizes that double fall with this power, to 5 % of a slope of one and 10 % of others
-inline void expect_order(double order, const std::vector<double>& errors)
-{
-  std::vector<double> h;
-  for (std::size_t i = 0; i < errors.size(); ++i) h.push_back(std::ldexp(1., -int(i)));
-  const double found = slope(h, errors);
-  EXPECT_NEAR(found, order, .05 * order * order);
-}
+void expect_order(double order, const std::vector<double>& errors);
 
 /// Returns the message with which a transformation, or its condition, is rejected
 template <class Call>

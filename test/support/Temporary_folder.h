@@ -40,16 +40,9 @@ class Temporary_folder {
   std::filesystem::path m_path;
 };
 
-inline std::string content(const std::filesystem::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+std::string content(const std::filesystem::path& path);
 
-inline void put_file(const std::filesystem::path& path, const std::string& bytes)
-{
-  std::ofstream(path, std::ios::binary) << bytes;
-}
+void put_file(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace cgp_test
 

@@ -17,19 +17,10 @@ namespace cgp_test {
 
 using Quaternion_matrix = Conformal_geometry_processing::Block<Quaternion<double>>;
 
-inline Quaternion_matrix zero_matrix(int rows, int cols)
-{
-  return Quaternion_matrix::Constant(rows, cols, Quaternion<double>{});
-}
+Quaternion_matrix zero_matrix(int rows, int cols);
 
-inline Quaternion_matrix dense(
-    const Conformal_geometry_processing::internal::Quaternionic_sparse_matrix<double>& A)
-{
-  Quaternion_matrix M = zero_matrix(A.rows(), A.cols());
-  for (int f = 0; f < A.rows(); ++f)
-    for (int c = 0; c < 3; ++c) M(f, A.column(f, c)) += A.value(f, c);
-  return M;
-}
+Quaternion_matrix dense(
+    const Conformal_geometry_processing::internal::Quaternionic_sparse_matrix<double>& A);
 
 template <class Scalar>
 Conformal_geometry_processing::Block<Scalar> dense(
@@ -42,77 +33,28 @@ Conformal_geometry_processing::Block<Scalar> dense(
 }
 
 /// A^H diag(m) B
-inline Quaternion_matrix adjoint_product(const Quaternion_matrix& A, const Eigen::VectorXd& m,
-                                         const Quaternion_matrix& B)
-{
-  Quaternion_matrix M = zero_matrix(static_cast<int>(A.cols()), static_cast<int>(B.cols()));
-  for (Eigen::Index f = 0; f < A.rows(); ++f)
-    for (Eigen::Index i = 0; i < A.cols(); ++i) {
-      if (A(f, i) == Quaternion<double>{}) continue;
-      for (Eigen::Index j = 0; j < B.cols(); ++j) M(i, j) += m[f] * (conjugate(A(f, i)) * B(f, j));
-    }
-  return M;
-}
+Quaternion_matrix adjoint_product(const Quaternion_matrix& A, const Eigen::VectorXd& m,
+                                  const Quaternion_matrix& B);
 
 /// the greatest |A_ij|
-inline double greatest_entry(const Quaternion_matrix& A)
-{
-  double greatest = 0;
-  for (Eigen::Index k = 0; k < A.size(); ++k) greatest = std::max(greatest, norm(A.data()[k]));
-  return greatest;
-}
+double greatest_entry(const Quaternion_matrix& A);
 
 /// the greatest |A_ij - B_ij| relative to the greatest |B_ij|
-inline double relative_difference(const Quaternion_matrix& A, const Quaternion_matrix& B)
-{
-  return greatest_entry(A - B) / greatest_entry(B);
-}
+double relative_difference(const Quaternion_matrix& A, const Quaternion_matrix& B);
 
 /// the greatest |A_ij - conjugate(A_ji)| relative to the greatest |A_ij|
-inline double hermitian_defect(const Quaternion_matrix& A)
-{
-  double defect = 0;
-  for (Eigen::Index i = 0; i < A.rows(); ++i)
-    for (Eigen::Index j = 0; j < A.cols(); ++j)
-      defect = std::max(defect, norm(A(i, j) - conjugate(A(j, i))));
-  return defect / greatest_entry(A);
-}
+double hermitian_defect(const Quaternion_matrix& A);
 
-inline Eigen::MatrixXd real_part(const Quaternion_matrix& A)
-{
-  Eigen::MatrixXd M(A.rows(), A.cols());
-  for (Eigen::Index k = 0; k < A.size(); ++k) M.data()[k] = A.data()[k].w;
-  return M;
-}
+Eigen::MatrixXd real_part(const Quaternion_matrix& A);
 
 /// the real 4n x 4n matrix of x -> A x; columns are images of the units 1, i, j, k
-inline Eigen::MatrixXd real_form(const Quaternion_matrix& A)
-{
-  const Quaternion<double> units[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-  Eigen::MatrixXd M(4 * A.rows(), 4 * A.cols());
-  for (Eigen::Index i = 0; i < A.rows(); ++i)
-    for (Eigen::Index j = 0; j < A.cols(); ++j)
-      for (int u = 0; u < 4; ++u) {
-        const Quaternion<double> q = A(i, j) * units[u];
-        M.block<4, 1>(4 * i, 4 * j + u) << q.w, q.x, q.y, q.z;
-      }
-  return M;
-}
+Eigen::MatrixXd real_form(const Quaternion_matrix& A);
 
 /// the greatest |a_i - b_i|
-inline double greatest_difference(const Quaternion_vector<double>& a,
-                                  const Quaternion_vector<double>& b)
-{
-  return greatest_entry(a - b);
-}
+double greatest_difference(const Quaternion_vector<double>& a, const Quaternion_vector<double>& b);
 
 /// the vectors of R^3 in the columns, as imaginary quaternions
-inline Quaternion_vector<double> imaginary_columns(const Eigen::Matrix3Xd& v)
-{
-  Quaternion_vector<double> q(v.cols());
-  for (Eigen::Index i = 0; i < v.cols(); ++i) q[i] = {0, v(0, i), v(1, i), v(2, i)};
-  return q;
-}
+Quaternion_vector<double> imaginary_columns(const Eigen::Matrix3Xd& v);
 
 }  // namespace cgp_test
 

@@ -11,22 +11,9 @@
 namespace cgp_test {
 
 /// two balls with a neck between them along y, irregular
-inline Mesh_view dumbbell(int level)
-{
-  const Mesh_view mesh = mapped(icosphere(level), [](const Eigen::Vector3d& p) {
-    const double y = p.y(), radius = .35 + .65 * y * y;
-    return Eigen::Vector3d(radius * p.x(), 2.5 * y, radius * p.z());
-  });
-  return perturbed(mesh, .01);
-}
+Mesh_view dumbbell(int level);
 
-inline Eigen::VectorXd rings(const Mesh_view& mesh, double amplitude, double frequency)
-{
-  Eigen::VectorXd rho(mesh.size_of_vertices());
-  for (int v = 0; v < rho.size(); ++v)
-    rho[v] = amplitude * std::sin(frequency * mesh.position(v).y() + .4);
-  return rho;
-}
+Eigen::VectorXd rings(const Mesh_view& mesh, double amplitude, double frequency);
 
 }  // namespace cgp_test
 

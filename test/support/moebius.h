@@ -8,13 +8,7 @@
 namespace cgp_test {
 
 /// the inversion in the unit sphere around `center`, with a reflection so that it keeps orientation
-inline Mesh_view inverted(const Mesh_view& mesh, const Eigen::Vector3d& center)
-{
-  return mapped(mesh, [&center](const Eigen::Vector3d& p) -> Eigen::Vector3d {
-    const Eigen::Vector3d q = p - center;
-    return Eigen::Vector3d(q.x(), q.y(), -q.z()) / q.squaredNorm();
-  });
-}
+Mesh_view inverted(const Mesh_view& mesh, const Eigen::Vector3d& center);
 
 }  // namespace cgp_test
 

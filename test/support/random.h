@@ -47,61 +47,26 @@ class Random {
   }
 
   /// a rotation of R^3
-  Eigen::Matrix3d rotation()
-  {
-    const double angle = pi * number();
-    return Eigen::AngleAxisd(angle, vector().normalized()).toRotationMatrix();
-  }
+  Eigen::Matrix3d rotation();
 
  private:
   std::mt19937_64 m_engine;  // its sequence is fixed by the standard
 };
 
 /// n numbers in [-1, 1)
-inline Eigen::VectorXd random_numbers(int n, std::uint64_t seed)
-{
-  Random random(seed);
-  Eigen::VectorXd x(n);
-  for (double& value : x) value = random.number();
-  return x;
-}
+Eigen::VectorXd random_numbers(int n, std::uint64_t seed);
 
 /// n quaternions with components in [-1, 1)
-inline Quaternion_vector<double> random_quaternions(int n, std::uint64_t seed)
-{
-  Random random(seed);
-  Quaternion_vector<double> q(n);
-  for (int i = 0; i < n; ++i) q[i] = random.quaternion();
-  return q;
-}
+Quaternion_vector<double> random_quaternions(int n, std::uint64_t seed);
 
 /// a permutation of 0..n-1
-inline std::vector<int> random_permutation(int n, std::uint64_t seed)
-{
-  Random random(seed);
-  std::vector<int> order(at(n));
-  std::iota(order.begin(), order.end(), 0);
-  for (int i = n - 1; i > 0; --i) std::swap(order[at(i)], order[at(random.below(i + 1))]);
-  return order;
-}
+std::vector<int> random_permutation(int n, std::uint64_t seed);
 
 /// every coordinate of every vertex moves by up to `amount`
-inline Mesh_view perturbed(const Mesh_view& mesh, double amount, std::uint64_t seed = 1)
-{
-  Random random(seed);
-  return mapped(mesh, [&](const Eigen::Vector3d& p) {
-    return Eigen::Vector3d(p + amount * random.vector());
-  });
-}
+Mesh_view perturbed(const Mesh_view& mesh, double amount, std::uint64_t seed = 1);
 
 /// every vertex of a surface around the origin moves to or from it by up to the share `amount`
-inline Mesh_view radially_perturbed(const Mesh_view& mesh, double amount, std::uint64_t seed = 1)
-{
-  Random random(seed);
-  return mapped(mesh, [&](const Eigen::Vector3d& p) {
-    return Eigen::Vector3d(p * (1 + amount * random.number()));
-  });
-}
+Mesh_view radially_perturbed(const Mesh_view& mesh, double amount, std::uint64_t seed = 1);
 
 }  // namespace cgp_test
 

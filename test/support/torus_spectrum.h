@@ -15,15 +15,7 @@ namespace cgp_test {
 
 /// \brief the derivatives at n equidistant points of the circle of the functions with
 /// f(t + 2 pi) = -f(t) that n points determine, n even
-inline Eigen::MatrixXd antiperiodic_derivative(int n)
-{
-  Eigen::MatrixXd d = Eigen::MatrixXd::Zero(n, n);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      for (double k = 0.5; k < n / 2; ++k)
-        d(i, j) -= 2 * k * std::sin(2 * pi * k * (i - j) / n) / n;
-  return d;
-}
+Eigen::MatrixXd antiperiodic_derivative(int n);
 
 /// \brief the eigenvalues of D of modulus below `most` on the torus of revolution of radii R and r,
 /// ascending, with quaternionic multiplicities.
@@ -33,39 +25,10 @@ inline Eigen::MatrixXd antiperiodic_derivative(int n)
 /// ... around the axis satisfy, with the distance d(t) from it, the arc length s = r t, and
 /// antiperiodic u: -u2' + (k/d) u2 = (g + H) u1, u1' + (k/d) u1 = (g + H) u2. Those of -k are their
 /// images under j.
-inline std::vector<double> torus_spectrum(double R, double r, double most)
-{
-  const int n = 64;
-  const Eigen::MatrixXd derivative = antiperiodic_derivative(n) / r;
-  Eigen::VectorXd distance(n), H(n);
-  for (int i = 0; i < n; ++i) {
-    const double c = std::cos(2 * pi * i / n);
-    distance[i] = R + r * c;
-    H[i] = (1 / r + c / distance[i]) / 2;
-  }
-  std::vector<double> all;
-  for (double k = 0.5; k / (R + r) < most + 1 / r; ++k) {
-    const Eigen::MatrixXd turn = (k / distance.array()).matrix().asDiagonal();
-    Eigen::MatrixXd A(2 * n, 2 * n);
-    A << Eigen::MatrixXd((-H).asDiagonal()), turn - derivative, turn + derivative,
-        Eigen::MatrixXd((-H).asDiagonal());
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A, Eigen::EigenvaluesOnly);
-    for (const double g : solver.eigenvalues())
-      if (std::abs(g) < most) all.push_back(g);
-  }
-  std::sort(all.begin(), all.end());
-  return all;
-}
+std::vector<double> torus_spectrum(double R, double r, double most);
 
 /// the torus of revolution with vertices moved along it by up to the share `amount` of an edge
-inline Mesh_view jittered_torus(double R, double r, int m, int n, double amount)
-{
-  const Mesh_view mesh = perturbed(torus(R, r, m, n), amount * 2 * pi * r / n);
-  return mapped(mesh, [R, r](const Eigen::Vector3d& p) {
-    const Eigen::Vector3d axis = R * Eigen::Vector3d(p.x(), p.y(), 0).normalized();
-    return Eigen::Vector3d(axis + r * (p - axis).normalized());
-  });
-}
+Mesh_view jittered_torus(double R, double r, int m, int n, double amount);
 
 }  // namespace cgp_test
 

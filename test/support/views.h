@@ -20,10 +20,7 @@ Mesh_view view_of(const Mesh& mesh)
 }
 
 /// of points with the same number
-inline double greatest_distance(const Points& a, const Points& b)
-{
-  return (a - b).colwise().norm().maxCoeff();
-}
+double greatest_distance(const Points& a, const Points& b);
 
 }  // namespace cgp_test
 

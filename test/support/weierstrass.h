@@ -17,27 +17,11 @@ namespace cgp_test {
 /// coefficients, the constant one first
 using Polynomial = std::vector<std::complex<double>>;
 
-inline Polynomial product(const Polynomial& a, const Polynomial& b)
-{
-  Polynomial c(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j) c[i + j] += a[i] * b[j];
-  return c;
-}
+Polynomial product(const Polynomial& a, const Polynomial& b);
 
-inline std::complex<double> value(const Polynomial& a, std::complex<double> z)
-{
-  std::complex<double> sum = 0;
-  for (std::size_t i = a.size(); i-- > 0;) sum = sum * z + a[i];
-  return sum;
-}
+std::complex<double> value(const Polynomial& a, std::complex<double> z);
 
-inline Polynomial integral(const Polynomial& a)
-{
-  Polynomial b(a.size() + 1);
-  for (std::size_t i = 0; i < a.size(); ++i) b[i + 1] = a[i] / static_cast<double>(i + 1);
-  return b;
-}
+Polynomial integral(const Polynomial& a);
 
 /// X = Re of the integral of (f (1 - g^2)/2, i f (1 + g^2)/2, f g)
 class Weierstrass_surface {

@@ -1,0 +1,12 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "support/views.h"
+
+namespace cgp_test {
+
+double greatest_distance(const Points& a, const Points& b)
+{
+  return (a - b).colwise().norm().maxCoeff();
+}
+
+}  // namespace cgp_test
