@@ -20,10 +20,7 @@ using cgp_test::Points;
 
 class Bounded_program : public Program {
  protected:
-  nlohmann::json json(const std::string& name) const
-  {
-    return nlohmann::json::parse(content(path(name)));
-  }
+  nlohmann::json json(const std::string& name) const { return read_json(name); }
 
   Points points(const std::string& name) const
   {

@@ -22,7 +22,7 @@ TEST_F(Compare, similar_meshes_are_perfect)
   write("b.off", off(cgp_test::scaled(mesh, 5)));
   const Program_run r = run("compare a.off b.off --json c.json");
   ASSERT_EQ(r.code, 0) << r.err;
-  const auto result = nlohmann::json::parse(content(path("c.json")))["result"];
+  const auto result = read_json("c.json")["result"];
   EXPECT_NEAR(result["quasi_conformal"]["max"], 1, 1e-9);
   EXPECT_NEAR(result["length_cross_ratio"]["max"], 0, 1e-9);
   EXPECT_NEAR(result["scale"]["min"], 5, 1e-9);
@@ -39,7 +39,7 @@ TEST_F(Compare, a_stretch_by_two_has_error_two_at_most)
   write("a.off", off(mesh));
   write("b.off", off({points, mesh.corners()}));
   ASSERT_EQ(run("compare a.off b.off --json c.json -o q.ply").code, 0);
-  const auto result = nlohmann::json::parse(content(path("c.json")))["result"];
+  const auto result = read_json("c.json")["result"];
   EXPECT_NEAR(result["quasi_conformal"]["max"], 2, 0.05);
   const auto q = conformal::read_surface(path("q.ply"));
   EXPECT_NE(find_property(q.vertices, "quality"), nullptr);
@@ -55,7 +55,7 @@ TEST_F(Compare, the_identity_flips_nothing_though_the_mesh_has_folds)
   write("folded.off", off({points, disk.corners()}));
   const auto flips = [&](const std::string& before, const std::string& after) -> int {
     EXPECT_EQ(run("compare " + before + ' ' + after + " --json c.json").code, 0);
-    return nlohmann::json::parse(content(path("c.json")))["result"]["flipped_faces"];
+    return read_json("c.json")["result"]["flipped_faces"];
   };
   EXPECT_EQ(flips("folded.off", "folded.off"), 0);
   EXPECT_EQ(flips("flat.off", "folded.off"), 2);

@@ -18,10 +18,7 @@ using cgp_test::Curve;
 
 class Curve_command : public Program {
  protected:
-  nlohmann::json json(const std::string& name) const
-  {
-    return nlohmann::json::parse(content(path(name)));
-  }
+  nlohmann::json json(const std::string& name) const { return read_json(name); }
 
   std::vector<conformal::Plane_curve> curves(const std::string& name) const
   {

@@ -24,10 +24,7 @@ using conformal::read_surface;
 
 class Each_component : public Program {
  protected:
-  nlohmann::json json(const std::string& name) const
-  {
-    return nlohmann::json::parse(content(path(name)));
-  }
+  nlohmann::json json(const std::string& name) const { return read_json(name); }
 
   /// the points of the vertices in a file, 3 x count
   cgp_test::Points points(const std::string& name, const std::vector<int>& vertices) const

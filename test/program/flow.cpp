@@ -21,10 +21,7 @@ using conformal::read_surface;
 
 class Flow : public Program {
  protected:
-  nlohmann::json json(const std::string& name) const
-  {
-    return nlohmann::json::parse(content(path(name)));
-  }
+  nlohmann::json json(const std::string& name) const { return read_json(name); }
 };
 
 /// the standard deviation of the distances from the mean point by their mean, of even meshes

@@ -41,7 +41,7 @@ TEST_F(Harmonic, tells_genus_residuals_and_the_modulus_of_a_torus)
   write("a.off", off(cgp_test::torus(2.5, 1, 48, 24)));
   const Program_run r = run("harmonic a.off --json a.json");
   ASSERT_EQ(r.code, 0) << r.err;
-  const auto json = nlohmann::json::parse(content(path("a.json")));
+  const auto json = read_json("a.json");
   EXPECT_EQ(json["command"], "harmonic");
   EXPECT_EQ(json["input"]["genus"], 1);
   EXPECT_EQ(json["result"]["genus"], 1);
@@ -70,7 +70,7 @@ TEST_F(Harmonic, writes_orthonormal_fields_in_the_planes_of_the_faces)
     EXPECT_LT((v * mesh.double_area_vector(f).normalized()).norm(), 1e-12);
   }
   EXPECT_LT((gram - Eigen::Matrix4d::Identity()).norm(), 1e-10);
-  const auto json = nlohmann::json::parse(content(path("b.json")));
+  const auto json = read_json("b.json");
   EXPECT_FALSE(json["result"].contains("conformal_modulus"));
 }
 
@@ -154,7 +154,7 @@ TEST_F(Harmonic, writes_nothing_that_is_not_harmonic)
   const Program_run r = run("harmonic a.off -o b.ply --json b.json");
   EXPECT_TRUE(fails(r, 1, "residual of the forms"));
   EXPECT_FALSE(has("b.ply"));
-  EXPECT_FALSE(nlohmann::json::parse(content(path("b.json")))["verified"]);
+  EXPECT_FALSE(read_json("b.json")["verified"]);
 }
 
 TEST_F(Harmonic, has_help_with_an_example)

@@ -28,7 +28,7 @@ TEST_F(Spectrum, tells_eigenvalues_with_their_multiplicities)
   write("a.off", off(cgp_test::scaled(cgp_test::icosphere(2), 2)));
   const Program_run r = run("spectrum a.off --count 7 --csv a.csv --json a.json");
   ASSERT_EQ(r.code, 0) << r.err;
-  const auto json = nlohmann::json::parse(content(path("a.json")));
+  const auto json = read_json("a.json");
   const std::vector<double> values = json["result"]["eigenvalues"];
   const double expected[] = {0, .5, .5, -1, 1, 1, 1};
   ASSERT_EQ(values.size(), 7u);
@@ -63,7 +63,7 @@ TEST_F(Spectrum, says_that_the_mesh_does_not_resolve_what_was_asked_for)
   const Program_run r = run("spectrum a.off --count 42 --json a.json");
   EXPECT_EQ(r.code, 1);
   EXPECT_NE(r.err.find("of the 42 eigenvalues that were asked for"), std::string::npos) << r.err;
-  const auto json = nlohmann::json::parse(content(path("a.json")));
+  const auto json = read_json("a.json");
   EXPECT_FALSE(json["result"]["is_complete"]);
   EXPECT_FALSE(json["verified"]);
   EXPECT_GE(json["result"]["eigenvalues"].size(), 7u);  // what was found is told all the same
@@ -75,7 +75,7 @@ TEST_F(Spectrum, next_to_a_shift_and_with_a_boundary)
 {
   write("a.off", off(cgp_test::disk(8)));
   ASSERT_EQ(run("spectrum -q a.off --count 3 --shift 2.1 --json a.json").code, 0);
-  const auto json = nlohmann::json::parse(content(path("a.json")));
+  const auto json = read_json("a.json");
   const std::vector<double> values = json["result"]["pencil_eigenvalues"];
   std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());
@@ -112,7 +112,7 @@ TEST_F(Sphere, has_the_eigenvalue_and_the_energy_of_its_kappa)
 {
   const Program_run r = run("sphere --kappa -2 --s 0 --level 4 -o a.ply --json a.json");
   ASSERT_EQ(r.code, 0) << r.err;
-  const auto json = nlohmann::json::parse(content(path("a.json")));
+  const auto json = read_json("a.json");
   EXPECT_NEAR(json["result"]["eigenvalue"], 1, 2e-3);
   EXPECT_NEAR(json["result"]["willmore_energy"], 4, 0.04);
   EXPECT_NE(r.out.find("Willmore energy"), std::string::npos);

@@ -24,7 +24,7 @@ TEST_F(Spin, report_has_the_agreed_fields)
   write("a.off", off(cgp_test::icosphere(2)));
   const Program_run r = run("spin a.off --rho-expression 'x*y' -o b.ply --json b.json");
   ASSERT_EQ(r.code, 0) << r.err;
-  const auto json = nlohmann::json::parse(content(path("b.json")));
+  const auto json = read_json("b.json");
   EXPECT_EQ(json["command"], "spin");
   EXPECT_EQ(json["input"]["vertices"], 162);
   EXPECT_EQ(json["input"]["genus"], 0);
@@ -58,18 +58,18 @@ TEST_F(Spin, handles_stay_closed_unless_they_may_open)
   const std::string rho = "spin a.off --rho-expression 'sin(3*x+1)' ";
   const Program_run r = run(rho + "-o b.ply --json b.json");
   ASSERT_EQ(r.code, 0) << r.err;
-  const auto closed = nlohmann::json::parse(content(path("b.json")));
+  const auto closed = read_json("b.json");
   EXPECT_LT(closed["result"]["quasi_conformal"]["mean"], 1.1);
   EXPECT_GT(closed["result"]["missing_share"], 0.5);
   EXPECT_NE(r.err.find(" % of rho is left out"), std::string::npos) << r.err;
   EXPECT_EQ(closed["result"]["reached"], 1);
   EXPECT_NE(r.out.find("left out of rho"), std::string::npos) << r.out;
   ASSERT_EQ(run(rho + "--max-period-defect 1e-5 -o d.ply --json d.json").code, 0);
-  const auto tight = nlohmann::json::parse(content(path("d.json")));
+  const auto tight = read_json("d.json");
   EXPECT_LE(tight["result"]["period_defect"], 1e-5);
   EXPECT_GT(closed["result"]["period_defect"], 1e-5);
   ASSERT_EQ(run(rho + "--open-handles --force -o c.ply --json c.json").code, 0);
-  const auto open = nlohmann::json::parse(content(path("c.json")));
+  const auto open = read_json("c.json");
   EXPECT_GT(open["result"]["quasi_conformal"]["mean"], closed["result"]["quasi_conformal"]["mean"]);
   EXPECT_EQ(open["result"]["missing_share"], 0);
 }
@@ -127,7 +127,7 @@ TEST_F(Spin, mollify_takes_faces_of_area_zero_and_tells_what_it_did)
     const Program_run r = run("spin " + option + " a.off" + rho + "b.ply --json b.json");
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_NE(r.out.find("edges flipped"), std::string::npos) << r.out;
-    const auto json = nlohmann::json::parse(content(path("b.json")));
+    const auto json = read_json("b.json");
     EXPECT_TRUE(json["verified"]);
     const auto made = json["result"]["mollification"];
     EXPECT_EQ(made["share"], option == "--mollify" ? 1e-6 : 1e-5);
@@ -149,7 +149,7 @@ TEST_F(Spin, mollify_changes_nothing_where_there_is_nothing_to_be_changed)
   write("a.off", off(cgp_test::bumpy_sphere(2)));
   ASSERT_EQ(run("spin a.off --rho-expression 'x*y' -o b.ply").code, 0);
   ASSERT_EQ(run("spin a.off --rho-expression 'x*y' --mollify -o c.ply --json c.json").code, 0);
-  const auto made = nlohmann::json::parse(content(path("c.json")))["result"]["mollification"];
+  const auto made = read_json("c.json")["result"]["mollification"];
   for (const char* name : {"thin_faces", "longer_edges", "added_length", "flipped_edges"})
     EXPECT_EQ(made[name], 0) << name;
   const auto b = read_surface(path("b.ply")), c = read_surface(path("c.ply"));
@@ -183,7 +183,7 @@ TEST_F(Spin, of_slivers_is_mollified_and_says_so)
   write("clean.off", off(clean));
   const std::string rho = " --rho-expression '0.7*sin(4*y)' -o ";
   ASSERT_EQ(run("spin clean.off" + rho + "clean.ply --json clean.json").code, 0);
-  const auto unspoilt = nlohmann::json::parse(content(path("clean.json")));
+  const auto unspoilt = read_json("clean.json");
   EXPECT_FALSE(unspoilt["result"].contains("mollification"));
   EXPECT_TRUE(unspoilt["notes"].empty());
   const auto expected = read_surface(path("clean.ply"));
@@ -196,7 +196,7 @@ TEST_F(Spin, of_slivers_is_mollified_and_says_so)
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_NE(r.err.find("solved as with --mollify: without, "), std::string::npos) << r.err;
     EXPECT_EQ(r.err.find("try"), std::string::npos) << r.err;
-    const auto json = nlohmann::json::parse(content(path("b.json")));
+    const auto json = read_json("b.json");
     EXPECT_TRUE(json["verified"]);
     EXPECT_EQ(json["notes"].size(), 1);
     EXPECT_EQ(json["result"]["mollification"]["share"], 1e-6);
@@ -219,11 +219,11 @@ TEST_F(Spin, mollify_measures_thin_faces_that_are_large)
       "-o b.ply --json b.json ";
   EXPECT_TRUE(fails(run(spin), 1, "the mean quasi-conformal error is"));
   EXPECT_EQ(run(spin + "--force").code, 0);
-  const auto result = nlohmann::json::parse(content(path("b.json")))["result"];
+  const auto result = read_json("b.json")["result"];
   EXPECT_GE(result["mollification"]["measured_area"], .95);
   EXPECT_GE(result["mollification"]["measured_faces"], 79);
   ASSERT_EQ(run("compare a.off b.ply --json c.json").code, 0);
-  const auto found = nlohmann::json::parse(content(path("c.json")))["result"];
+  const auto found = read_json("c.json")["result"];
   const double told = result["quasi_conformal"]["mean"], mean = found["quasi_conformal"]["mean"];
   EXPECT_NEAR(told, mean, .05 * mean);
 }
@@ -270,7 +270,7 @@ TEST_F(Spin, result_that_does_not_verify_is_written_only_by_force)
       "spin -q a.off --rho-expression 'x*y' -o b.ply --json b.json --max-quasi-conformal 1.0001";
   EXPECT_TRUE(fails(run(spin), 1, "mean quasi-conformal error is"));
   EXPECT_FALSE(has("b.ply"));
-  const auto json = nlohmann::json::parse(content(path("b.json")));
+  const auto json = read_json("b.json");
   EXPECT_FALSE(json["verified"]);
   EXPECT_TRUE(json["error"].is_string());
   EXPECT_EQ(run(spin + " --force").code, 0);

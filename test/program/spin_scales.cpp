@@ -19,13 +19,13 @@ TEST_F(Spin_scales, lengths_stay_within_a_bound_of_two)
   write("a.off", off(cgp_test::dumbbell(3)));
   const std::string rho = "spin a.off --rho-expression '6*sin(4*y+.4)' --force ";
   ASSERT_EQ(run(rho + "-o b.ply --json b.json").code, 0);
-  const auto bounded = nlohmann::json::parse(content(path("b.json")))["result"];
+  const auto bounded = read_json("b.json")["result"];
   EXPECT_GE(bounded["scale_control"]["low"], .5);
   EXPECT_LE(bounded["scale_control"]["high"], 2);
   EXPECT_GT(bounded["scale_control"]["weight"], 0);
   EXPECT_LT(bounded["scale_control"]["kept_norm"], 1);
   ASSERT_EQ(run(rho + "--max-scale none -o c.ply --json c.json").code, 0);
-  const auto plain = nlohmann::json::parse(content(path("c.json")))["result"];
+  const auto plain = read_json("c.json")["result"];
   EXPECT_FALSE(plain.contains("scale_control"));
   EXPECT_LT(plain["scale"]["min"], .5);
 }
@@ -37,7 +37,7 @@ TEST_F(Spin_scales, sizes_can_be_wanted_and_locked)
       run("spin a.off --rho-expression 0 --max-scale 1.3 -o b.ply --json b.json "
           "--target-scale-expression 'exp(.35*tanh(4*y))' --lock-expression 'y<0'");
   ASSERT_EQ(r.code, 0) << r.err;
-  const auto scale = nlohmann::json::parse(content(path("b.json")))["result"]["scale"];
+  const auto scale = read_json("b.json")["result"]["scale"];
   EXPECT_GT(scale["max"].get<double>() / scale["min"].get<double>(), 1.4);
   EXPECT_TRUE(fails(run("spin a.off --rho-expression 0 -o c.ply --max-scale none "
                         "--lock-expression 1"),

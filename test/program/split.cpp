@@ -17,7 +17,7 @@ using conformal::read_surface;
 
 class Split : public Program {
  protected:
-  nlohmann::json report() const { return nlohmann::json::parse(content(path("r.json"))); }
+  nlohmann::json report() const { return read_json("r.json"); }
 };
 
 TEST_F(Split, writes_each_component_in_its_order)

@@ -24,7 +24,7 @@ TEST_F(Suggested_factor, is_told_by_the_amplitude_with_which_a_refused_result_ve
       "--json b.json -o b.ply ";
   const Program_run r = run(spin + "--amplitude 4 --max-quasi-conformal 1.05");
   EXPECT_EQ(r.code, 1);
-  const auto json = nlohmann::json::parse(content(path("b.json")));
+  const auto json = read_json("b.json");
   const double amplitude = json["result"]["suggested_amplitude"];
   EXPECT_GT(amplitude, 0);
   EXPECT_LT(amplitude, 4);
@@ -41,7 +41,7 @@ TEST_F(Suggested_factor, is_left_out_where_nothing_smaller_verifies)
   const Program_run r =
       run("spin -q a.off --rho-expression 'x*y' --max-closure 1e-12 -o b.ply --json b.json");
   EXPECT_EQ(r.code, 1);
-  const auto json = nlohmann::json::parse(content(path("b.json")));
+  const auto json = read_json("b.json");
   EXPECT_FALSE(json["result"].contains("suggested_amplitude"));
   EXPECT_EQ(r.err.find("with which it verifies"), std::string::npos) << r.err;
 }
