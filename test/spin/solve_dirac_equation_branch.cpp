@@ -4,8 +4,12 @@
 // Tests include/Conformal_geometry_processing/spin/Dirac_branch.h
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
+#include <cmath>
+#include <utility>
+
 #include "spin/branch_tools.h"
 #include "spin/coarse_cases.h"
+#include "support/limbs.h"
 
 namespace {
 
@@ -119,5 +123,32 @@ TEST(Branch_on_a_coarse_mesh, is_found_with_at_most_two_factors_where_rho_is_mil
       EXPECT_NEAR(s.eigenvalue, expected.gamma, 1e-6) << c.name << ' ' << amplitude;
       EXPECT_LE(s.factorizations, amplitude <= 1 ? 2 : 4) << c.name << " " << amplitude;
     }
+  }
+}
+
+/// varies along all axes
+Curvature_potential waves(const Mesh_view& mesh)
+{
+  Eigen::VectorXd rho(mesh.size_of_vertices());
+  for (int v = 0; v < rho.size(); ++v) {
+    const Eigen::Vector3d p = mesh.position(v);
+    rho[v] = std::sin(3 * p.x() + 1) * std::cos(4 * p.z()) + p.y() / 2;
+  }
+  return Curvature_potential::on_vertices(std::move(rho));
+}
+
+// Where balls hang together by a neck, branches that belong to one ball each cross.
+TEST(Branch_on_a_dumbbell, is_not_left_for_another_as_rho_grows)
+{
+  const Mesh_view mesh = scaled_to_area(dumbbell(2), 4 * pi);
+  CGP::internal::Dirac_system<> system(mesh);
+  Quaternion_vector<double> last = identity_spins(mesh);
+  for (int k = 1; k <= 30; ++k) {
+    const Curvature_potential rho = scaled(waves(mesh), .1 * k, 0);
+    const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
+    EXPECT_TRUE(s.converged) << k;
+    EXPECT_GT(system.overlap(s.lambda, last), .9) << k;
+    EXPECT_LE(s.factorizations, 10) << k;
+    last = s.lambda;
   }
 }

@@ -66,6 +66,18 @@ class Dirac_branch {
   /// whether the factor at hand is a good preconditioner at the point
   bool is_near_pole(const Branch_point& p) const;
 
+  /// the derivative of the eigenvalue of lambda with respect to t, minus a mean of rho
+  double slope(const Quaternion_vector<double>& lambda) const;
+
+  /// \brief whether a stage seems to have left its branch: the eigenvalue at its end is not what
+  /// its derivatives at both ends lead to.
+  ///
+  /// A rough span couples branches that cross, and may turn off without a jump of its vectors.
+  /// Short stages count as right, because branches that repel each other do bend.
+  /// \param before vector at `from`; that at `to` is the present one
+  bool turns_off(const Branch_point& from, const Quaternion_vector<double>& before,
+                 const Branch_point& to) const;
+
   /// adds a vector to the span, unless it is in it
   bool add(Quaternion_vector<double> v);
 

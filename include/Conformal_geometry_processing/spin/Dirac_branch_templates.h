@@ -54,7 +54,7 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::solve()
     m_s.lambda = predicted;
     refine(next, next.t < 1 ? 1e-3 : m_options.tolerance);
     if (m_s.cancelled || (!m_s.converged && m_s.iterations >= m_options.max_iterations)) break;
-    if (m_system.overlap(m_s.lambda, predicted) < same_vector) {
+    if (m_system.overlap(m_s.lambda, predicted) < same_vector || turns_off(at, before, next)) {
       end = (at.t + next.t) / 2;
       m_s.lambda = before;
       continue;
@@ -106,6 +106,24 @@ template <class SolverTraits, class EigensolverTraits>
 bool Dirac_branch<SolverTraits, EigensolverTraits>::is_near_pole(const Branch_point& p) const
 {
   return p.t == m_pole.t && std::abs(p.gamma - m_pole.gamma) <= p.least_gap / 4;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+double Dirac_branch<SolverTraits, EigensolverTraits>::slope(
+    const Quaternion_vector<double>& lambda) const
+{
+  return dirac_quotient(m_system.surface(), potential(1, 0), lambda) -
+         dirac_quotient(m_system.surface(), potential(0, 0), lambda);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Dirac_branch<SolverTraits, EigensolverTraits>::turns_off(
+    const Branch_point& from, const Quaternion_vector<double>& before, const Branch_point& to) const
+{
+  const double shortest = 1. / 16, greatest_bend = 0.2, step = to.t - from.t;
+  if (step <= shortest) return false;
+  const double expected = step * (slope(before) + slope(m_s.lambda)) / 2;
+  return std::abs(to.gamma - from.gamma - expected) > greatest_bend * to.least_gap;
 }
 
 template <class SolverTraits, class EigensolverTraits>
