@@ -20,6 +20,7 @@
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver_templates.h>
 #include <Conformal_geometry_processing/parameterization/Least_energy_map_templates.h>
+#include <Conformal_geometry_processing/spin/Conformal_deformation_templates.h>
 #include <Conformal_geometry_processing/spin/Conformal_shape_space_templates.h>
 #include <Conformal_geometry_processing/spin/Dirac_branch_templates.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem_templates.h>

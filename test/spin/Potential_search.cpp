@@ -167,10 +167,14 @@ TEST(Linear_constraints, are_met_by_the_shortest_step)
   Eigen::MatrixXd C(30, 4);
   for (int k = 0; k < 4; ++k) C.col(k) = random_numbers(30, k + 1);
   const Eigen::VectorXd masses = random_numbers(30, 9).cwiseAbs().array() + .1;
-  const CGP::internal::Linear_constraints constraints(C, masses.cwiseInverse().asDiagonal() * C);
+  const Eigen::MatrixXd directions = masses.cwiseInverse().asDiagonal() * C;
+  const CGP::internal::Linear_constraints constraints(C, directions,
+                                                      Eigen::VectorXd::Constant(4, .01));
+  const CGP::internal::Linear_constraints exact(C, directions, Eigen::VectorXd::Zero(4));
   const Eigen::VectorXd c = random_numbers(4, 10), v = random_numbers(30, 11);
   const Eigen::VectorXd d = constraints.least_solution(c), rest = constraints.project_out(v);
   EXPECT_LT((C.transpose() * d - c).norm(), 1e-2 * c.norm());  // damped
+  EXPECT_LT((C.transpose() * exact.least_solution(c) - c).norm(), 1e-10 * c.norm());
   EXPECT_LT((C.transpose() * rest).norm(), 1e-9 * v.norm());
   EXPECT_NEAR(d.dot(masses.cwiseProduct(rest)), 0, 1e-9 * d.norm() * v.norm());
   EXPECT_NEAR(constraints.project_gradient(c[0] * v).dot(v), c[0] * v.dot(rest),

@@ -10,6 +10,7 @@ std::vector<Command> commands()
   return {
       info_command(),
       spin_command(),
+      deform_command(),
       flow_command(),
       boundary_command(),
       fit_command(),

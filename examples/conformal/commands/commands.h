@@ -12,6 +12,7 @@ namespace conformal {
 // One function for each row of the table, each in the file of its name.
 Command info_command();
 Command spin_command();
+Command deform_command();
 Command flow_command();
 Command boundary_command();
 Command fit_command();

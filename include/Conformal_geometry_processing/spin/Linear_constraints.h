@@ -15,14 +15,16 @@ namespace internal {
 /// \ingroup PkgSpin
 /// \brief the constraints C^T d = c of a step d, with an inner product K.
 ///
-/// Damped least squares: a constraint that steps meet a hundred times less than others would take
-/// large ones, and is nearly left out, such as the period that does not change on an isothermic
-/// surface.
+/// Damped least squares: a constraint that steps meet by its damping times less than others would
+/// take large ones, and is nearly left out, such as the period that does not change on an
+/// isothermic surface.
 class Linear_constraints {
  public:
   /// \param gradients C, one column for each constraint
   /// \param directions K^-1 C
-  Linear_constraints(Eigen::MatrixXd gradients, Eigen::MatrixXd directions);
+  /// \param dampings of each constraint, see `Spin_residual::damping()`
+  Linear_constraints(Eigen::MatrixXd gradients, Eigen::MatrixXd directions,
+                     const Eigen::VectorXd& dampings);
 
   /// the shortest d with C^T d = c, K^-1 C (C^T K^-1 C)^-1 c
   Eigen::VectorXd least_solution(const Eigen::VectorXd& c) const;

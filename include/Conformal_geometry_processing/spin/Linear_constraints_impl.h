@@ -14,16 +14,17 @@ namespace Conformal_geometry_processing {
 namespace internal {
 
 CGP_INLINE Linear_constraints::Linear_constraints(Eigen::MatrixXd gradients,
-                                                  Eigen::MatrixXd directions)
+                                                  Eigen::MatrixXd directions,
+                                                  const Eigen::VectorXd& dampings)
     : m_gradients(std::move(gradients)), m_directions(std::move(directions))
 {
   if (m_gradients.cols() == 0) return;
-  const double damping = 0.01, rounding = 1e-12;
+  const double rounding = 1e-12;
   Eigen::MatrixXd gram = m_gradients.transpose() * m_directions;
   const double largest = gram.diagonal().maxCoeff();
   gram.diagonal().array() += rounding * largest;
   m_gram.compute(gram);
-  gram.diagonal().array() += damping * damping * largest;
+  gram.diagonal() += largest * dampings.cwiseAbs2();
   m_damped.compute(gram);
 }
 

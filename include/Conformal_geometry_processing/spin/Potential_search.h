@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -67,6 +68,9 @@ class Potential_search {
   /// the present rho'
   const Candidate& present() const { return m_now; }
 
+  /// goes back to a rho' found before
+  void restore(Candidate candidate) { m_now = std::move(candidate); }
+
   /// starts again from rho' = 0, for another rho
   void restart(Curvature_potential rho);
 
@@ -77,11 +81,12 @@ class Potential_search {
   using Spins = Quaternion_vector<double>;
   using Derivative = Spin_derivative<SolverTraits>;
 
-  /// a change of rho', of its solution, and by how much it reduces the sum to first order
+  /// a change of rho', and of its solution to first order
   struct Step {
     Eigen::VectorXd change;
     Spins lambda;
-    double gamma = 0, gain = 0;
+    double gamma = 0;
+    bool is_improvement = false;  // not only a correction of the constraints
   };
 
   /// \param guess predicted solution
@@ -92,9 +97,10 @@ class Potential_search {
   std::optional<Step> best_step();
   Step best_step(const Derivative& S);
 
-  /// \brief minimises the quadratic model, <d, (K + S^T S) d> / 2 + <g, d>, among the changes that
-  /// satisfy the linearised constraints
-  Eigen::VectorXd minimum_of_model(const Derivative& S, const Eigen::VectorXd& g) const;
+  /// what to add to a step that corrects the constraints, so that it minimises the sum; empty if
+  /// the sum would become less smaller than 1 %
+  Eigen::VectorXd improvement(const Derivative& S, const Linear_constraints& constraints,
+                              const Eigen::VectorXd& g, const Eigen::VectorXd& first) const;
 
   /// the solution after t times the step, to first order
   Dirac_solution predicted(const Step& step, double t) const;
@@ -113,6 +119,9 @@ class Potential_search {
 
   /// (K + S^T S) d
   Eigen::VectorXd curvature(const Derivative& S, const Eigen::VectorXd& d) const;
+
+  /// the dampings of all constraints
+  Eigen::VectorXd dampings() const;
 
   /// the gradients of the constraints with respect to rho, one column each
   Eigen::MatrixXd constraint_gradients(const Derivative& S) const;

@@ -49,7 +49,6 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
                                                                  double tolerance)
 {
   const int max_steps = 40;
-  const double least_gain = 1e-2;
   // Spins that take more are too far from the predicted ones, or near a crossing of branches.
   Dirac_options limited = options;
   limited.max_iterations = (std::min)(options.max_iterations, 40);
@@ -58,7 +57,7 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
   for (int i = 0; i < max_steps && !m_costs.cancelled; ++i) {
     const std::optional<Step> step = best_step();
     if (!step) return false;
-    if (step->gain <= least_gain * m_now.sum && m_now.constraints.norm() <= tolerance) return true;
+    if (!step->is_improvement && m_now.constraints.norm() <= tolerance) return true;
     if (!take(*step, limited, go_further)) return false;
   }
   return false;
@@ -161,38 +160,45 @@ auto Potential_search<SolverTraits, EigensolverTraits>::best_step() -> std::opti
 template <class SolverTraits, class EigensolverTraits>
 auto Potential_search<SolverTraits, EigensolverTraits>::best_step(const Derivative& S) -> Step
 {
+  const Eigen::MatrixXd gradients = constraint_gradients(S);
+  const Linear_constraints constraints(gradients, m_metric.solve(gradients), dampings());
   const Eigen::VectorXd g = gradient(S);
   Step step;
-  step.change = minimum_of_model(S, g);
+  step.change = constraints.least_solution(-m_now.constraints);
+  const Eigen::VectorXd rest = improvement(S, constraints, g, step.change);
+  step.is_improvement = rest.size() > 0;
+  if (step.is_improvement) step.change += rest;
   step.lambda = S.apply(step.change).col(0);
   step.gamma = S.gamma_change(step.change)[0];
-  step.gain = -g.dot(step.change);
+  double rise = 2 * g.dot(step.change) + m_metric.squared_norm(step.change);
+  for (const Spin_residual* r : m_residuals) rise += r->change(step.lambda).squaredNorm();
   // The sum may rise to satisfy the constraints, but not by more than their price.
   const double violation = m_now.constraints.norm();
-  if (violation > 0) m_penalty = (std::max)(m_penalty, -4 * step.gain / violation);
+  if (violation > 0) m_penalty = (std::max)(m_penalty, 2 * rise / violation);
   m_costs.solves += S.number_of_solves();
   return step;
 }
 
 template <class SolverTraits, class EigensolverTraits>
-Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::minimum_of_model(
-    const Derivative& S, const Eigen::VectorXd& g) const
+Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::improvement(
+    const Derivative& S, const Linear_constraints& constraints, const Eigen::VectorXd& g,
+    const Eigen::VectorXd& first) const
 {
-  const double tolerance = 5e-2;
-  const Eigen::MatrixXd gradients = constraint_gradients(S);
-  const Linear_constraints constraints(gradients, m_metric.solve(gradients));
+  const double least_gain = 1e-2, tolerance = 5e-2;
   const auto hessian = [&](const Block<double>& d, Block<double>& y) { y = curvature(S, d); };
   const auto precondition = [&](const Block<double>& r, Block<double>& z) {
     z = constraints.project_out(m_metric.solve(r));
   };
-  const Eigen::VectorXd first = constraints.least_solution(-m_now.constraints);
-  // Near the minimum nearly all of g is in the span of the constraints, and would be rounding.
-  Block<double> b = -constraints.project_gradient(g), d;
-  if (first.squaredNorm() > 0) b -= curvature(S, first);
+  Eigen::VectorXd slope = -g;
+  if (first.squaredNorm() > 0) slope -= curvature(S, first);
+  // Near the minimum nearly all of it is in the span of the constraints, and would be rounding.
+  const Block<double> b = constraints.project_gradient(slope);
+  Block<double> d;
   Conjugate_gradients_options options;
   options.tolerance = tolerance;
   conjugate_gradients(hessian, precondition, b, d, options);
-  return first + d.col(0);
+  if (b.col(0).dot(d.col(0)) <= least_gain * m_now.sum) return {};
+  return d.col(0);
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -208,10 +214,24 @@ template <class SolverTraits, class EigensolverTraits>
 Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::curvature(
     const Derivative& S, const Eigen::VectorXd& d) const
 {
+  if (m_residuals.empty()) return m_metric.apply(d);
   const Spins dlambda = S.apply(d).col(0);
   Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(dlambda.size(), 1, {});
   for (const Spin_residual* r : m_residuals) q.col(0) += r->gradient(r->change(dlambda));
   return m_metric.apply(d) + S.apply_transpose(q);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::dampings() const
+{
+  Eigen::VectorXd all(m_now.constraints.size());
+  Eigen::Index first = 0;
+  for (const Spin_residual* r : m_constraints) {
+    const Eigen::Index n = r->values().size();
+    all.segment(first, n).setConstant(r->damping());
+    first += n;
+  }
+  return all;
 }
 
 template <class SolverTraits, class EigensolverTraits>

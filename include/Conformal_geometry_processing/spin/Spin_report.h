@@ -41,7 +41,7 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
   /// not close up either, and the distortion of the map is what counts
   bool has_positions = false;
 
-  /// the distances of the boundary from the prescribed positions, in lengths
+  /// the distances from prescribed positions, of the boundary or of control points, in lengths
   struct Position_error {
     double mean = 0, max = 0;
   } position_error;

@@ -32,6 +32,10 @@ class Spin_residual {
 
   /// the transpose: the gradient q of <y, r>, whose change is Re <q, dlambda>
   virtual Spins gradient(const Eigen::VectorXd& y) const = 0;
+
+  /// as constraints: numbers that rho changes this many times less than others are nearly left
+  /// alone; 0: none are
+  virtual double damping() const { return 0; }
 };
 
 }  // namespace internal

@@ -101,6 +101,13 @@ class Spin_transformation {
   /// \throw Solver_error if a factorization fails, or a solve
   const internal::Exactness_constraints& exactness(Curvature_potential::On on);
 
+  /// \brief these constraints where edges have to close up: around handles or holes, unless the
+  /// options say otherwise; null elsewhere.
+  const internal::Exactness_constraints* exactness_if_looped(Curvature_potential::On on)
+  {
+    return m_options.exactness && has_loops() ? &exactness(on) : nullptr;
+  }
+
   /// whether the boundary has directions that need not be those of the surface
   bool turns_directions() const
   {

@@ -148,7 +148,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
     const Curvature_potential& rho, const Dirac_options& options,
     const internal::Go_further& go_further)
 {
-  const auto* const closing = m_options.exactness && has_loops() ? &exactness(rho.on) : nullptr;
+  const auto* const closing = exactness_if_looped(rho.on);
   internal::Scale_search<SolverTraits, EigensolverTraits> search(
       system(), {rho.on, rho.values * domain().unit()}, m_options.scales, closing);
   Spin_result result = in_units(search.run(options, go_further));

@@ -5,6 +5,7 @@
 
 // Template instantiations of the compiled library, for its own solvers.
 
+#include <Conformal_geometry_processing/spin/Conformal_deformation_templates.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation_templates.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
 #include <Conformal_geometry_processing/spin/Position_derivative_templates.h>
@@ -19,8 +20,11 @@ template class Poisson_reconstruction<Default_solver_traits>;
 template class internal::Spin_derivative<Default_solver_traits>;
 template class internal::Position_derivative<Default_solver_traits>;
 template class internal::Potential_metric<Default_solver_traits>;
+template class internal::Position_residual<Default_solver_traits>;
 template class internal::Potential_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class internal::Scale_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
+template class internal::Control_point_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
+template class internal::Conformal_deformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template internal::Exactness_constraints exactness_constraints<Default_solver_traits>(
     internal::Dirac_system<Default_solver_traits>&,
     const internal::Grounded_solver<Default_solver_traits>&, const Eigen::MatrixXd&,

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "commands.h"
+#include "option_groups.h"
+
+#include "conformal/input/rho.h"
+#include "conformal/input/targets.h"
+#include "conformal/process/text.h"
+#include "conformal/report/certificate.h"
+#include "conformal/transform/each_component.h"
+#include "conformal/transform/solve_deformation.h"
+#include "conformal/transform/suitable_surface.h"
+#include "conformal/transform/watched.h"
+#include "conformal/transform/write_result.h"
+
+#include <utility>
+
+namespace conformal {
+namespace {
+
+const char* const about =
+    "Deforms a surface conformally so that vertices and regions move to given places.\n"
+    "TARGETS is a JSON file in the units of the mesh, with vertices by their numbers from 0:\n"
+    "  {\"targets\": [{\"vertex\": 12, \"to\": [0, 1, 0]},\n"
+    "               {\"vertex\": 40, \"move\": [0, 0, 0]},\n"
+    "               {\"box\": [[0, 0, 0], [1, 1, 1]], \"move\": [0, 1, 0], \"turn\": [0, 0, 1, "
+    "30]}]}\n"
+    "The vertices in a box (or \"vertices\": [1, 2, 3]) are a region: its centre and its axes of\n"
+    "inertia move, and turn about the axis through the centre by so many degrees. What has no\n"
+    "target is free: hold parts by targets where they are. Moving, turning and scaling the whole\n"
+    "costs nothing, so one or two targets do only that. The targets are met exactly, with the\n"
+    "least change rho of mean curvature. The output has the vertex properties quality\n"
+    "(quasi-conformal error, 1 is perfect) and rho.\n"
+    "Targets beyond reach are approached as far as the surface verifies and no face is flipped;\n"
+    "--min-realised tells how much of the way is enough.\n"
+    "A result that does not verify is not written, and the exit code is 1.\n"
+    "Example: conformal deform bear.off --targets lift_a_leg.json -o bear_deformed.ply";
+
+struct Deform_options {
+  Deform_options() { limits.realised = 1; }
+
+  std::string input, targets;
+  std::string lambda;                   ///< the name of the vertex properties, none if empty
+  std::optional<double> scale_bound;    ///< on factors of lengths
+  std::optional<double> weight;         ///< of the positions; none: exact
+  std::optional<double> mollification;  ///< share of the mean edge
+  bool force = false;
+  Verification_limits limits;
+};
+
+void add_options(CLI::App& command, Deform_options& deform, Common_options& common)
+{
+  add_input(command, deform.input);
+  command.add_option("--targets", deform.targets, "JSON file with the targets")->required();
+  command
+      .add_option("--max-scale", deform.scale_bound,
+                  "largest factor by which lengths may grow or shrink, on 98 % of the area, apart "
+                  "from the scale of the whole")
+      ->check(above_zero);
+  command
+      .add_option("--weight", deform.weight,
+                  "weight of the distances from the targets against rho; without it they are zero")
+      ->check(above_zero);
+  add_mollification(command, deform.mollification);
+  add_lambda(command, deform.lambda);
+  add_transformation(command, common);
+  add_eigenvector(command, common);
+  add_limits(command, deform.limits, deform.force);
+}
+
+Files files(const Deform_options& deform)
+{
+  return {{"the input", deform.input, Named_file::Role::replaceable},
+          {"the targets", deform.targets}};
+}
+
+/// what only this method knows to be wrong, empty if nothing
+std::string fault_of_targets(const CGP::Spin_report& report, const Verification_limits& limits)
+{
+  if (report.cancelled || report.reached >= limits.realised) return "";
+  return "only " + text_of(100 * report.reached, 3) +
+         " % of the way to the targets lead to a surface that verifies; try: nearer targets, a "
+         "finer mesh, --weight 30, or --min-realised";
+}
+
+void tell_targets(const CGP::Spin_report& spin, std::size_t count, Report& report)
+{
+  report.tell("result/targets/count", "control points", static_cast<int>(count));
+  report.set("result/targets/reached", spin.reached);
+  report.show("reached of the way to them (%)", text_of(100 * spin.reached, 3));
+  report.set("result/targets/distance/mean", spin.position_error.mean);
+  report.tell("result/targets/distance/max", "distance from the targets, max",
+              spin.position_error.max, 3);
+  report.end_table();
+}
+
+Deformation_solution deform_surface(const Surface_input& input, const Deformation_problem& problem,
+                                    const Deform_options& options, Session& session)
+{
+  Deformation_solution solution;
+  solution.spin = watched(
+      [&](const Go_further& go_further) {
+        solution = solve_deformation(input.mesh, problem, session.options(), go_further);
+        return std::move(solution.spin);
+      },
+      session);
+  session.begin_stage();
+  const CGP::Spin_report& report = solution.spin.report;
+  tell_targets(report, problem.points.size(), session.report());
+  tell_certificate(report, input.mesh.size_of_faces(), session.outcome());
+  const Evidence evidence{
+      solution.spin.positions, report, {}, fault_of_targets(report, options.limits)};
+  const bool can_force = options.force && solution.spin.positions.cols() > 0;
+  session.conclude(judge(evidence, options.limits, "nearer targets"), on_fault(can_force));
+  if (report.reached < 1)
+    session.note("only " + text_of(100 * report.reached, 3) + " % of the way to the targets");
+  return solution;
+}
+
+void deform(const Deform_options& options, Session& session)
+{
+  require_writable(session.options().output);
+  const Surface_input input =
+      read_suitable_surface(options.input, session, flat_faces(options.mollification));
+  const std::vector<Target> targets = read_targets(input, options.targets);
+  const double unit = User_frame(input.mesh).unit();
+  Transformed_surface surface = Transformed_surface::unchanged(input.mesh);
+  surface.rho =
+      CGP::Curvature_potential::on_vertices(Eigen::VectorXd::Zero(input.mesh.size_of_vertices()));
+  each_component(input, session, [&](const Component& component, Session& own) {
+    Deformation_problem problem;
+    problem.points = control_points(targets, component.input.mesh, component.vertices);
+    if (problem.points.empty()) {  // it stays where it is
+      own.conclude(judge({component.input.mesh.positions()}, options.limits, ""), On_fault::refuse);
+      return;
+    }
+    problem.scale_bound = options.scale_bound;
+    problem.position_weight = options.weight;
+    problem.mollification = options.mollification.value_or(0);
+    const Deformation_solution solution = deform_surface(component.input, problem, options, own);
+    surface.set(component, solution.spin);
+    surface.rho.values(component.vertices) = unit * solution.rho.values;
+  });
+  write_result(input, surface, session, options.lambda);
+}
+
+}  // namespace
+
+Command deform_command()
+{
+  return make_command<Deform_options>("deform", about, add_options, files, deform);
+}
+
+}  // namespace conformal

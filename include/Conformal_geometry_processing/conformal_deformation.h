@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_DEFORMATION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_DEFORMATION_H
+
+#include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/control_points.h>
+#include <Conformal_geometry_processing/core/dirac_parameters.h>
+#include <Conformal_geometry_processing/core/geometry_traits.h>
+#include <Conformal_geometry_processing/core/named_parameters.h>
+#include <Conformal_geometry_processing/core/scale_parameters.h>
+#include <Conformal_geometry_processing/core/write_spin_result.h>
+#include <Conformal_geometry_processing/spin/Conformal_deformation.h>
+#include <Conformal_geometry_processing/spin/Spin_visitor.h>
+
+#include <CGAL/number_utils.h>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// the class of the solvers that the named parameters specify
+template <class NamedParameters>
+using Conformal_deformation_for = Conformal_deformation<
+    Parameter_type<NamedParameters, internal_np::sparse_solver_t, Default_solver_traits>,
+    Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t, Lobpcg_eigensolver_traits>>;
+
+template <class TriangleMesh, class NamedParameters>
+Conformal_deformation_options conformal_deformation_options(const Graph_view<TriangleMesh>& graph,
+                                                            const NamedParameters& np)
+{
+  static_assert(
+      only_known_parameters<
+          NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
+          CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::random_seed_t,
+          CGAL::internal_np::visitor_t, internal_np::output_vertex_point_map_t,
+          internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
+          internal_np::eigenvalue_solver_t, internal_np::exactness_t, internal_np::limits_t,
+          internal_np::tolerance_t, internal_np::maximum_number_of_substeps_t,
+          internal_np::position_weight_t, internal_np::mollification_t, internal_np::scale_bound_t,
+          internal_np::vertex_scale_map_t, internal_np::vertex_scale_weight_map_t>,
+      "conformal_deformation(): unknown named parameter, see the manual for those it accepts");
+  Conformal_deformation_options options;
+  read_exactness_and_mollification(np, options.surface);
+  options.surface.scales = scale_control(graph, np);
+  options.position_weight = CGAL::to_double(CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, internal_np::position_weight), options.position_weight));
+  return options;
+}
+
+}  // namespace internal
+
+/// \ingroup PkgEntryPoints
+/// \brief deforms a surface conformally so that given vertices, or regions, move to given places.
+///
+/// Finds the least change rho of mean curvature whose spin transformation [CGP (5.3)-(5.5)], placed
+/// by a similarity, takes the vertices to their targets: angles are preserved up to the
+/// discretisation error, and so are textures and the shapes of small details. All vertices may move
+/// and scale. The targets are met exactly, up to about 1e-9 of the size of the mesh, unless there
+/// is a `position_weight`.
+///
+/// What similarities can do costs nothing: one or two targets, or targets that are the image of the
+/// vertices under a similarity, move, turn and scale the whole surface. Fix parts by targets where
+/// they are. On a surface of genus > 0 the edges stay closed around handles; a boundary is free.
+///
+/// Targets can be beyond what a conformal map of this mesh can reach. They are approached in steps
+/// along straight lines; where the next surface does not verify, or has flipped faces, the way
+/// ends. The report tells the share that was reached (`reached`), and is `false` unless this is 1;
+/// allow less by `limits`, with `Spin_report::Limits::realised_share`.
+///
+/// Each step of the method costs one factorization of the sparse quaternionic matrix on the
+/// vertices and about 9 solves with it for each target.
+///
+/// \tparam TriangleMesh see \ref triangle_mesh_requirements
+/// \tparam TargetRange a range of pairs: of a vertex descriptor and a point; or of a range of
+/// vertex descriptors and a motion of the region, a `CGAL::Aff_transformation_3` \tparam
+/// NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the surface, oriented with normals outward; its points are overwritten
+/// \param targets the new positions of vertices. A region follows its motion in the mean: its
+/// centre and the ends of its axes of inertia do \param np optional named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices; read, and written unless
+///                           `output_vertex_point_map` is given}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{output_vertex_point_map}
+///     \cgalParamDescription{receives the new points}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{the vertex point map}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_spin_map}
+///     \cgalParamDescription{receives lambda, with the turn and the scale of the similarity}
+///     \cgalParamType{a model of `WritablePropertyMap`; its value is any type that
+///                    `Quaternion_access` knows}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamType{a model of `ConformalGeometryTraits_3`}
+///     \cgalParamDefault{the kernel of the points}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{position_weight}
+///     \cgalParamDescription{weight of the distances from the targets against rho, in multiples of
+///                           1 / R with R the radius of the sphere of the same area}
+///     \cgalParamType{a positive number}
+///     \cgalParamDefault{infinity: the targets are met exactly}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{scale_bound}
+///     \cgalParamDescription{lengths change by no more than this factor, on 98 % of the area,
+///                           apart from the similarity}
+///     \cgalParamType{a number > 1}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_scale_map}
+///     \cgalParamDescription{wanted factors of lengths, to which the bound is relative}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
+///                    positive number as value}
+///     \cgalParamDefault{1}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_scale_weight_map}
+///     \cgalParamDescription{weights of the areas; 0: lengths may change freely}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
+///                    number >= 0 as value}
+///     \cgalParamDefault{1}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{exactness}
+///     \cgalParamDescription{how handles are kept closed; `std::nullopt`: not at all}
+///     \cgalParamType{`std::optional<Exactness>`}
+///     \cgalParamDefault{`Exactness::adjoint`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{mollification}
+///     \cgalParamDescription{admits faces of any thinness, see `spin_transform()`}
+///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good value}
+///     \cgalParamDefault{none: faces of area zero are rejected}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{limits}
+///     \cgalParamDescription{what counts as success, see `Spin_report::fault()`}
+///     \cgalParamType{`Spin_report::Limits`}
+///     \cgalParamDefault{`Spin_report::Limits()` with `realised_share` 1}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_solver}
+///     \cgalParamDescription{the linear solver; only its type matters, not its value}
+///     \cgalParamType{a model of `SparseHermitianSolverTraits`}
+///     \cgalParamDefault{`Default_solver_traits`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{eigenvalue_solver}
+///     \cgalParamDescription{the eigenvalue solver; only its type matters, not its value}
+///     \cgalParamType{a model of `SparseHermitianEigensolverTraits`}
+///     \cgalParamDefault{`Lobpcg_eigensolver_traits`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tolerance}
+///     \cgalParamDescription{upper bound of the error estimate of lambda}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-8}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{maximum number of iterations of each solution for lambda}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{40, which is also the most}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_substeps}
+///     \cgalParamDescription{maximum number of substeps in which a branch is followed}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{10}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{seed of start vectors}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is called after every iteration and may cancel}
+///     \cgalParamType{a `std::reference_wrapper` of a model of `SpinVisitor`}
+///     \cgalParamDefault{`Spin_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the report, which converts to `true` if the surface is what was requested. Otherwise
+/// nothing has been written, and `Spin_report::fault()` tells why. `position_error` contains the
+/// distances from the targets.
+/// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
+/// finite coordinates and, without `mollification`, positive areas; if there are no targets, one is
+/// not finite or for no vertex of the mesh, two are for one vertex, or all are at one place; if a
+/// parameter is out of its range. The message names the offending element
+/// \throw Solver_error if a factorization fails
+template <class TriangleMesh, class TargetRange,
+          class NamedParameters = parameters::Default_named_parameters>
+Spin_report conformal_deformation(TriangleMesh& mesh, const TargetRange& targets,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  const char* const function = "conformal_deformation";
+  const Graph_view<TriangleMesh> graph(mesh, np, function);
+  Spin_visitor silent;
+  auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
+  internal::Conformal_deformation_for<NamedParameters> deformation(
+      graph.view(), internal::conformal_deformation_options(graph, np), function);
+  Spin_result result =
+      deformation.deform(internal::read_control_points(
+                             graph, targets, internal::geometry_traits<TriangleMesh>(np), function),
+                         internal::dirac_options(np), internal::asking(visitor));
+  internal::read_limits(np, result.report);
+  if (result.report) internal::write_spin_result(mesh, graph, result, np);
+  return result.report;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

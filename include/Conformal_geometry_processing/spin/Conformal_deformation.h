@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_DEFORMATION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_DEFORMATION_H
+
+#include <Conformal_geometry_processing/spin/Conformal_deformation_options.h>
+#include <Conformal_geometry_processing/spin/Control_point.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <string>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief deforms a surface conformally so that control points on it move to given positions: finds
+/// the least change rho of mean curvature whose spin transformation [CGP (5.3)-(5.5)], placed by a
+/// similarity, takes them there.
+///
+/// Minimises integral rho^2 subject to the positions, by the method of Gauss and Newton, see
+/// `Potential_search`: the gradient of each coordinate by rho is found by the transpose
+/// of the derivative of the transformation, at the cost of two solves with factors at hand.
+/// Similarities cost nothing: if the targets are the image of the control points under one, so is
+/// the result. The targets are approached in steps along straight lines, after the similarity, and
+/// a step counts only if the surface it leads to verifies and no face is flipped. Where that fails,
+/// the result is the last surface that did, and `Spin_report::reached` its share of the way.
+///
+/// Around handles and holes the edges of the surface stay closed, by constraints of the same
+/// search. A boundary is free. With a bound on scales, the weight of a term for them is raised
+/// until the lengths are within it, relative to the result without the similarity.
+///
+/// `Spin_report::limits` of the result demand that all of the way is made.
+///
+/// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
+template <class SolverTraits = Default_solver_traits,
+          class EigensolverTraits = Lobpcg_eigensolver_traits>
+class Conformal_deformation {
+ public:
+  /// \throw as the constructor of `Spin_transformation`, and Precondition_error if the boundary is
+  /// not free, or the position weight not positive
+  explicit Conformal_deformation(const Mesh_view& mesh,
+                                 const Conformal_deformation_options& options = {},
+                                 const std::string& function = "Conformal_deformation");
+
+  /// \brief deforms the surface that was given to the constructor.
+  ///
+  /// The report contains the share of the way (`reached`), the number of `steps`, and the distances
+  /// from the targets (`position_error`). If it was cancelled, there are no positions.
+  /// \param points with targets in the unit of the mesh
+  /// \throw Precondition_error see `require_control_points()`, or all targets are at one place
+  /// though the points are not
+  /// \throw Solver_error if the first factorization fails
+  Spin_result deform(const std::vector<Control_point>& points, const Dirac_options& options = {},
+                     const Go_further& go_further = Always_go_further());
+
+  /// the change of mean curvature found last, in 1/length of the mesh, one number per vertex
+  const Curvature_potential& potential() const { return m_rho; }
+
+ private:
+  /// \brief the targets in the frame, moved to the points by the similarity that fits them best.
+  /// \throw Precondition_error if this shrinks the points to one
+  Points near_targets(const std::vector<Control_point>& points) const;
+
+  /// moves a surface to the targets by a similarity, and measures it there
+  void place(const std::vector<Control_point>& points, Spin_result& result) const;
+
+  std::string m_function;
+  Conformal_deformation_options m_options;
+  Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
+  Curvature_potential m_rho;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Conformal_deformation_templates.h>
+#endif
+
+#endif

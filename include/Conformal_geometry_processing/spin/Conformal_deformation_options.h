@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_DEFORMATION_OPTIONS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_DEFORMATION_OPTIONS_H
+
+#include <Conformal_geometry_processing/spin/Spin_transformation_options.h>
+
+#include <limits>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgSpin
+/// options of `Conformal_deformation`
+struct Conformal_deformation_options {
+  /// how handles stay closed, mollification, and the bound on scales; the boundary has to be free
+  Spin_transformation_options surface = {};
+  /// weight of the distances from the targets against rho, in multiples of 1 / R with R the radius
+  /// of the sphere of the same area; infinity: the targets are met exactly
+  double position_weight = std::numeric_limits<double>::infinity();
+  double min_step = 1. / 32;  ///< the smallest step towards the targets, as a share of the way
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#endif

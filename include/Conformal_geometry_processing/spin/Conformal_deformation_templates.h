@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_DEFORMATION_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_DEFORMATION_TEMPLATES_H
+
+#include <Conformal_geometry_processing/algebra/rotor.h>
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/spin/Conformal_deformation.h>
+#include <Conformal_geometry_processing/spin/Control_point_search_templates.h>
+#include <Conformal_geometry_processing/spin/certify.h>
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// the report of a search, without what is measured on the surface
+template <class Search>
+void tell_search(const Search& of, double unit, Spin_report& report)
+{
+  const Dirac_evidence& costs = of.search().costs();
+  const Dirac_solution& solution = of.search().present().solution;
+  static_cast<Dirac_evidence&>(report) = in_units(solution, unit);
+  static_cast<Dirac_evidence::Seconds&>(report.seconds) = solution.seconds;
+  report.cancelled = costs.cancelled;
+  report.iterations = costs.iterations;
+  report.factorizations = costs.factorizations;
+  report.solves = costs.solves;
+  report.reached = of.reached();
+  report.steps = of.steps();
+  report.limits.realised_share = 1;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Conformal_deformation<SolverTraits, EigensolverTraits>::Conformal_deformation(
+    const Mesh_view& mesh, const Conformal_deformation_options& options,
+    const std::string& function)
+    : m_function(function), m_options(options), m_transformation(mesh, options.surface, function)
+{
+  if (options.surface.boundary.kind != Boundary_condition::Kind::free)
+    throw Precondition_error(function, "the boundary has to be free");
+  if (!(options.position_weight > 0))
+    throw Precondition_error(function, "the position weight is not positive");
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Spin_result Conformal_deformation<SolverTraits, EigensolverTraits>::deform(
+    const std::vector<Control_point>& points, const Dirac_options& options,
+    const Go_further& go_further)
+{
+  require_control_points(points, m_transformation.domain().mesh().size_of_vertices(), m_function);
+  Control_point_search<SolverTraits, EigensolverTraits> search(m_transformation, points,
+                                                               near_targets(points), m_options);
+  search.run(options, go_further);
+  const auto& found = search.search().present();
+  const double unit = m_transformation.domain().unit();
+  m_rho = {found.rho.on, found.rho.values / unit};
+  Spin_result result;
+  if (!search.search().costs().cancelled)
+    result = m_transformation.integrate(found.solution.lambda);
+  tell_search(search, unit, result.report);
+  if (result.report.cancelled) return result;
+  if (m_options.surface.scales.bound) result.report.scales = search.scales();
+  result.report.period_defect = search.period_defect();
+  place(points, result);
+  return result;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Points Conformal_deformation<SolverTraits, EigensolverTraits>::near_targets(
+    const std::vector<Control_point>& points) const
+{
+  const double smallest = 1e-6;
+  const Normalized_frame& frame = m_transformation.domain().frame();
+  const Points from = frame.to_frame(positions_of(points, m_transformation.positions()));
+  const Points to = frame.to_frame(targets_of(points));
+  const Alignment a = placement(from, to);
+  if (!(a.scale > smallest))
+    throw Precondition_error(m_function, "the targets are at one place, the points are not");
+  return a.rotation.transpose() * (to.colwise() - a.translation) / a.scale;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Conformal_deformation<SolverTraits, EigensolverTraits>::place(
+    const std::vector<Control_point>& points, Spin_result& result) const
+{
+  const Framed_surface& domain = m_transformation.domain();
+  const Points f = domain.frame().to_frame(result.positions), targets = targets_of(points);
+  const Alignment a = placement(positions_of(points, f), domain.frame().to_frame(targets));
+  result.positions = domain.frame().from_frame(a.apply(f));
+  const Quaternion<double> turn = spin_of(a.rotation, a.scale);
+  for (Eigen::Index i = 0; i < result.lambda.size(); ++i)
+    result.lambda[i] = result.lambda[i] * turn;
+  certify(domain.measured(), domain.frame().to_frame(result.positions), result.lambda,
+          result.report);
+  const Eigen::RowVectorXd distances =
+      (positions_of(points, result.positions) - targets).colwise().norm();
+  result.report.position_error = {distances.mean(), distances.maxCoeff()};
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class internal::Conformal_deformation<Default_solver_traits,
+                                                      Lobpcg_eigensolver_traits>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONTROL_POINT_SEARCH_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONTROL_POINT_SEARCH_H
+
+#include <Conformal_geometry_processing/spin/Conformal_deformation_options.h>
+#include <Conformal_geometry_processing/spin/Period_residual.h>
+#include <Conformal_geometry_processing/spin/Position_residual.h>
+#include <Conformal_geometry_processing/spin/Potential_search.h>
+#include <Conformal_geometry_processing/spin/Scale_residual.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief finds the least rho whose transformation takes control points to targets up to a
+/// similarity, on a way from where they are, see `Conformal_deformation`.
+/// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
+template <class SolverTraits, class EigensolverTraits>
+class Control_point_search {
+ public:
+  using Transformation = Spin_transformation<SolverTraits, EigensolverTraits>;
+  using Search = Potential_search<SolverTraits, EigensolverTraits>;
+
+  /// \param transformation must outlive the object
+  /// \param targets 3 x number of points, near to the points, in the frame of the transformation
+  Control_point_search(Transformation& transformation, const std::vector<Control_point>& points,
+                       const Points& targets, const Conformal_deformation_options& options);
+
+  /// \brief goes as far as surfaces are good, in steps along straight lines.
+  /// \throw Solver_error if the first factorization fails
+  void run(const Dirac_options& options, const Go_further& go_further);
+
+  double reached() const { return m_reached; }  ///< the share of the way
+  int steps() const { return m_steps; }         ///< that were made
+
+  /// the rho' found, with its solution
+  const Search& search() const { return *m_search; }
+
+  /// the bound on scales and what is within it
+  Spin_report::Scales scales() const;
+
+  /// how far the edges fail to close up around handles and holes
+  double period_defect() const;
+
+ private:
+  /// minimises for targets at a share of the way
+  /// \returns whether the minimum was reached, and the surface can be a result; otherwise all is as
+  /// it was
+  bool go_to(double share, const Dirac_options& options, const Go_further& go_further);
+
+  /// not flipped, and without a fault that a limit tells
+  bool is_good() const;
+
+  /// raises the weight of scales until they are within the bound
+  void bound_scales(const Dirac_options& options, const Go_further& go_further);
+
+  Transformation& m_transformation;
+  const Conformal_deformation_options& m_options;
+  const Exactness_constraints* m_exactness;  // or null
+  Points m_from, m_to;                       // the control points, at first and in the end
+  Position_residual<SolverTraits> m_positions;
+  Scale_residual m_scales;
+  std::optional<Period_residual> m_periods;
+  std::optional<Search> m_search;
+  double m_unit, m_weight = 0;  // the square of R; the weight of scales
+  double m_reached = 0;
+  int m_steps = 0;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Control_point_search_templates.h>
+#endif
+
+#endif

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONTROL_POINT_SEARCH_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONTROL_POINT_SEARCH_TEMPLATES_H
+
+#include <Conformal_geometry_processing/spin/Control_point_search.h>
+#include <Conformal_geometry_processing/spin/Position_residual_templates.h>
+#include <Conformal_geometry_processing/spin/Potential_search_templates.h>
+#include <Conformal_geometry_processing/spin/Scale_search_templates.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+template <class SolverTraits, class EigensolverTraits>
+Control_point_search<SolverTraits, EigensolverTraits>::Control_point_search(
+    Transformation& transformation, const std::vector<Control_point>& points, const Points& targets,
+    const Conformal_deformation_options& options)
+    : m_transformation(transformation),
+      m_options(options),
+      m_exactness(transformation.exactness_if_looped(Curvature_potential::On::vertices)),
+      m_from(transformation.domain().frame().to_frame(
+          positions_of(points, transformation.positions()))),
+      m_to(targets),
+      m_positions(transformation.system().surface(), transformation.reconstruction(), points),
+      m_scales(scale_masses(transformation.system().areas(), options.surface.scales),
+               wanted_log_scales(transformation.system().areas(), options.surface.scales)),
+      m_unit(1 / transformation.system().unit())
+{
+  std::vector<Spin_residual*> residuals, constraints;
+  const double w = options.position_weight;
+  if (std::isfinite(w)) m_positions.set_weight(w * w / (m_unit * m_unit));
+  (std::isfinite(w) ? residuals : constraints).push_back(&m_positions);
+  if (m_exactness) m_periods.emplace(transformation.system().surface(), *m_exactness);
+  if (m_exactness) constraints.push_back(&*m_periods);
+  if (options.surface.scales.bound) residuals.push_back(&m_scales);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(transformation.system().areas().size());
+  m_search.emplace(transformation.system(), Curvature_potential::on_vertices(none), residuals,
+                   constraints);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Control_point_search<SolverTraits, EigensolverTraits>::run(const Dirac_options& options,
+                                                                const Go_further& go_further)
+{
+  const double first_weight = 1;
+  m_weight = first_weight;
+  m_scales.set_weight(m_weight / m_unit);
+  for (double step = 1; m_reached < 1 && step >= m_options.min_step;) {
+    const double rest = 1 - m_reached - step;
+    const bool is_there = go_to(rest < m_options.min_step ? 1 : 1 - rest, options, go_further);
+    if (m_search->costs().cancelled) return;
+    step = is_there ? 2 * step : step / 2;
+  }
+  if (m_options.surface.scales.bound) bound_scales(options, go_further);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Control_point_search<SolverTraits, EigensolverTraits>::go_to(double share,
+                                                                  const Dirac_options& options,
+                                                                  const Go_further& go_further)
+{
+  const double tolerance = 1e-9;  // of distances in the frame
+  const typename Search::Candidate before = m_search->present();
+  m_positions.set_targets(m_from + share * (m_to - m_from));
+  if (m_search->minimize(options, go_further, tolerance) && is_good()) {
+    m_reached = share;
+    ++m_steps;
+    return true;
+  }
+  m_search->restore(before);
+  return false;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Control_point_search<SolverTraits, EigensolverTraits>::is_good() const
+{
+  const Spin_report report = m_transformation.integrate(m_search->present().solution.lambda).report;
+  return report && report.conformality.flipped_faces == 0;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Control_point_search<SolverTraits, EigensolverTraits>::bound_scales(
+    const Dirac_options& options, const Go_further& go_further)
+{
+  const double factor = 4, largest_weight = 1e3;
+  while (scales().excess() > 1 && m_weight < largest_weight) {
+    m_scales.set_weight(factor * m_weight / m_unit);
+    if (!go_to(m_reached, options, go_further)) return;
+    m_weight *= factor;
+  }
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Spin_report::Scales Control_point_search<SolverTraits, EigensolverTraits>::scales() const
+{
+  Spin_report::Scales scales =
+      measured_scales(m_search->present().solution.lambda, m_transformation.system().areas(),
+                      m_options.surface.scales);
+  scales.weight = m_weight;
+  return scales;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+double Control_point_search<SolverTraits, EigensolverTraits>::period_defect() const
+{
+  if (!m_exactness) return 0;
+  return m_exactness->period_defect(
+      transformed_edges(m_transformation.system().surface(), m_search->present().solution.lambda));
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class internal::Control_point_search<Default_solver_traits,
+                                                     Lobpcg_eigensolver_traits>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif
