@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests mesh/Delaunay_view.h, mesh/Common_subdivision.h, mesh/Transported_forms.h
 // Tests mesh/boundary_caps.h
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/mesh/mollified_lengths.h>
@@ -162,6 +163,28 @@ TEST(Delaunay_view, of_points_that_coincide_has_numbers_all_the_same)
     EXPECT_GT(sheet.area, 0);
     for (int c = 0; c < 3; ++c) EXPECT_TRUE(std::isfinite(CGP::cotangent(sheet, c)));
   }
+}
+
+/// two coaxial rings of n vertices, each joined by needles with a third of the other one
+Mesh_view wound(int n)
+{
+  Points p(3, 2 * n);
+  Corners corners;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::acos(-1.) * i / n;
+    p.col(i) << std::cos(angle), std::sin(angle), 0;
+    p.col(n + i) << std::cos(angle), std::sin(angle), 1;
+    const int next = (i + 1) % n, across = n + (i + n / 3) % n, beyond = n + (i + n / 3 + 1) % n;
+    corners.push_back({i, next, across});
+    corners.push_back({next, beyond, across});
+  }
+  return {p, corners};
+}
+
+TEST(Delaunay_view, is_refused_where_it_would_be_quadratic)
+{
+  EXPECT_GT(Delaunay_view(wound(50)).size_of_sheets(), 10 * 100);
+  EXPECT_THROW(Delaunay_view(wound(500)), CGP::Precondition_error);
 }
 
 TEST(Delaunay_view, moves_along_with_the_mesh)

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -36,7 +37,16 @@ class Common_subdivision {
   Common_subdivision(const Mesh_view& mesh, const Intrinsic_triangulation& triangles);
   const std::vector<Piece>& pieces(int face) const;
 
+  /// pieces of all faces
+  std::size_t size() const { return m_size; }
+
+  /// There are no more pieces than so many times the faces.
+  static constexpr std::size_t most_pieces_per_face = 100;
+
   /// \pre the edge of h is about to be flipped
+  /// \throw Precondition_error if there would be more pieces than `most_pieces_per_face` each: thin
+  /// faces that wind about each other have a number of pieces that is quadratic in that of the
+  /// faces
   void before_flip(const Intrinsic_triangulation& triangles, int h);
 
  private:
@@ -46,6 +56,8 @@ class Common_subdivision {
 
     Eigen::Matrix2d rotation() const;
   };
+
+  [[noreturn]] void refuse(const Intrinsic_triangulation& triangles, int h) const;
 
   static Frame halfedge_in_plane(const Intrinsic_triangulation& triangles, int h);
 
@@ -63,6 +75,7 @@ class Common_subdivision {
   void add_face(const Mesh_view& mesh, const Intrinsic_triangulation& triangles, int f);
 
   std::vector<std::vector<Piece>> m_pieces;  // of each intrinsic face
+  std::size_t m_size = 0;
 };
 
 }  // namespace internal

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_COMMON_SUBDIVISION_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Common_subdivision.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,7 +23,10 @@ CGP_INLINE internal::Common_subdivision::Common_subdivision(
     const Mesh_view& mesh, const internal::Intrinsic_triangulation& triangles)
     : m_pieces(static_cast<std::size_t>(mesh.size_of_faces()))
 {
-  for (int f = 0; f < mesh.size_of_faces(); ++f) add_face(mesh, triangles, f);
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    add_face(mesh, triangles, f);
+    m_size += pieces(f).size();
+  }
 }
 
 CGP_INLINE const std::vector<internal::Common_subdivision::Piece>&
@@ -44,8 +49,22 @@ CGP_INLINE void internal::Common_subdivision::before_flip(
   all.insert(all.end(), std::make_move_iterator(b.begin()), std::make_move_iterator(b.end()));
   a = left_of(all, l, k);  // (k, i, l)
   b = left_of(all, k, l);  // (l, j, k)
+  m_size += a.size() + b.size() - all.size();
+  if (m_size > most_pieces_per_face * m_pieces.size()) refuse(triangles, h);
   move(a, {i, (l - i).normalized()}, {{0, 0}, {1, 0}});
   move(b, {j, (k - j).normalized()}, {{0, 0}, {1, 0}});
+}
+
+CGP_INLINE void internal::Common_subdivision::refuse(
+    const internal::Intrinsic_triangulation& triangles, int h) const
+{
+  throw Precondition_error("Delaunay_view",
+                           "the faces are too thin to be mollified: " + std::to_string(m_size) +
+                               " pieces of faces in " + std::to_string(m_pieces.size()) +
+                               " triangles, at most " + std::to_string(most_pieces_per_face) +
+                               " each are allowed (the last one is at the vertices " +
+                               std::to_string(triangles.from(h)) + " and " +
+                               std::to_string(triangles.to(h)) + "); try: a mesh without needles");
 }
 
 CGP_INLINE Eigen::Matrix2d internal::Common_subdivision::Frame::rotation() const

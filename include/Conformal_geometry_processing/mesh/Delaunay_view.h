@@ -27,7 +27,7 @@ namespace Conformal_geometry_processing {
 ///
 /// Faces may have area zero, and points may coincide: the length that edges lack to form triangles
 /// is added to all edges (`mollified_lengths()`). Usually O(|V| + |F|); the number of sheets is
-/// that of the faces plus a few for each flip, but quadratic in the worst case.
+/// that of the faces plus a few for each flip. It could be quadratic, and has a limit.
 ///
 /// Boundary edges are never flipped. A cap along one (`boundary_caps()`) is split into two
 /// triangles, left and right of its height, both ends of which are the same vertex.
@@ -37,6 +37,8 @@ class Delaunay_view {
   /// \param mollification see `mollified_lengths()`
   /// \param forms closed 1-forms of the mesh, |E| x k, to be transferred: temporarily needs three
   /// times their memory, and O(k) for every flip; empty: none
+  /// \throw Precondition_error if there were more than 100 sheets per face, because long thin faces
+  /// wind about each other: try a mesh without needles
   explicit Delaunay_view(const Mesh_view& mesh, double mollification = 1e-6,
                          const Eigen::MatrixXd& forms = {});
 
