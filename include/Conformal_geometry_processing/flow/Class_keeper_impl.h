@@ -18,7 +18,7 @@ CGP_INLINE internal::Class_keeper::Class_keeper(const Mesh_view& initial)
     : m_unit(Normalized_frame(initial.positions()).unit()),
       m_initial(initial.positions() / m_unit, initial.corners()),
       m_class(m_initial),
-      m_fairing(initial)
+      m_fairing(m_initial)
 {}
 
 // A quarter of the limit on length cross-ratios, which sum four residuals. The factor of the last
@@ -65,7 +65,7 @@ CGP_INLINE bool internal::Class_keeper::try_smoothing(
     const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better, Points& f)
 {
   try {
-    f = m_fairing(mesh, m_strength);
+    f = m_unit * m_fairing({mesh.positions() / m_unit, mesh.corners()}, m_strength);
     return snap(f) && is_better(f);
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;

@@ -60,9 +60,9 @@ double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::ener
     const Mesh_view& mesh) const
 {
   const Direction& direction = m_direction.unconstrained();
-  if (!m_options.mollification) return internal::energy_of(direction, mesh, mesh);
-  return internal::energy_of(direction, mesh,
-                             Delaunay_view(in_frame(mesh), *m_options.mollification));
+  const Mesh_view framed = in_frame(mesh);
+  if (!m_options.mollification) return internal::energy_of(direction, mesh, framed);
+  return internal::energy_of(direction, mesh, Delaunay_view(framed, *m_options.mollification));
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>

@@ -42,10 +42,8 @@ auto internal::Constrained_direction<SolverTraits, EigensolverTraits, Direction>
     const Mesh_view& mesh) -> Result
 {
   const internal::Framed_surface& domain = m_transformation.domain();
-  const bool is_mesh = !domain.is_mollified();
   const Eigen::VectorXd raw =
-      internal::direction_of(m_direction, mesh, is_mesh ? Surface_ref(mesh) : domain.surface(),
-                             is_mesh ? 1 : domain.unit());
+      internal::direction_of(m_direction, mesh, domain.surface(), domain.unit());
   require_one_per_vertex(raw);
   try {
     return constrained(raw);

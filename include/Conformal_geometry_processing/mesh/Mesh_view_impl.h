@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_MESH_VIEW_IMPL_H
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_MESH_VIEW_IMPL_H
 
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -38,7 +39,7 @@ CGP_INLINE Sheet Mesh_view::sheet(int f) const
   sheet.triangle = sheet.face = f;
   for (int c = 0; c < 3; ++c) sheet.vectors.col(c) = vector(3 * f + c);
   const Eigen::Vector3d e = sheet.vectors.col(0);
-  sheet.area = e.cross(sheet.vectors.col(1)).norm() / 2;
+  sheet.area = stable_norm(e.cross(sheet.vectors.col(1))) / 2;
   sheet.share = 1;
   return sheet;
 }
