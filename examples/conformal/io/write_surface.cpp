@@ -3,6 +3,7 @@
 #include "write_surface.h"
 
 #include "detect_format.h"
+#include "require_written.h"
 
 #include "conformal/io/file/Temporary_file.h"
 #include "conformal/io/file/io_errors.h"
@@ -45,7 +46,11 @@ File_format output_format(const std::string& path)
 std::vector<std::string> write_surface(const std::string& path, const Surface_file& file)
 {
   std::vector<std::string> notes = file.notes;
-  write_file(path, encoded(path, file, notes));
+  Temporary_file written(path);
+  written.write(encoded(path, file, notes));
+  if (const auto bytes = written.read_back()) require_written(path, file, *bytes, notes);
+  written.commit();
+  if (written.changes_owner()) notes.push_back(path + " has another owner than the file before");
   return notes;
 }
 

@@ -15,7 +15,8 @@ namespace conformal {
 File_format output_format(const std::string& path);
 
 /// Writes a mesh file in the format of its extension; vertices and faces keep their order. Either
-/// the whole file appears or the old one stays; `path` may be the input file.
+/// the whole file appears or the old one stays; `path` may be the input file. The bytes are read
+/// again and compared with the surface before they appear (`require_written()`).
 /// \return the notes of `file`, and data that the format does not support, one line each. \throws
 /// Write_error
 std::vector<std::string> write_surface(const std::string& path, const Surface_file& file);

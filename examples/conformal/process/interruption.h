@@ -7,9 +7,10 @@
 
 namespace conformal {
 
-/// \brief From now on SIGINT and SIGTERM are heard: the first one asks the work to end, which it
-/// does between two iterations, or by force one second later; a second one ends it at once.
-/// Temporary files are removed in any case. A closed pipe becomes a write error.
+/// \brief From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU are heard: the first one asks the work to
+/// end, which it does between two iterations, or by force one second later; a second one ends it at
+/// once. Temporary files are removed in any case. A closed pipe and a file that grows beyond the
+/// system's limit become write errors.
 void listen_to_signals();
 
 /// the signal that has come, or zero

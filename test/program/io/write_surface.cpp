@@ -1,9 +1,10 @@
-// Tests examples/conformal/io/write_surface.cpp
+// Tests examples/conformal/io/write_surface.cpp examples/conformal/io/require_written.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "conformal/io/write_surface.h"
 
 #include "conformal/io/read_surface.h"
+#include "conformal/io/require_written.h"
 #include "program/io/io_support.h"
 #include "tools/fuzz_readers_seeds.h"
 
@@ -67,6 +68,52 @@ TEST(Write_surface, takes_properties_of_every_name_with_numbers_or_lists)
       EXPECT_EQ(read_surface(path).polygons.size(), file.polygons.size()) << format;
     }
   }
+}
+
+TEST(Write_surface, compares_what_it_has_written_with_what_was_meant)
+{
+  const Surface_file meant = parse_surface(fuzz::off_seeds()[0], "a.off");
+  std::vector<std::string> notes;
+  const auto fault = [&](const std::string& bytes) {
+    return message_of<conformal::Write_error>(
+        [&] { conformal::require_written("b.off", meant, bytes, notes); });
+  };
+  const std::string good = fuzz::off_seeds()[0];
+  EXPECT_EQ(fault(good), "no error");
+  std::string moved = good, fewer = good;
+  moved.replace(moved.find("1 0 0"), 5, "1.0000000000000002 0 0");
+  EXPECT_EQ(fault(moved), "b.off: a corner of triangle 0 does not fit into the file");
+  fewer.replace(fewer.find("4 4 6"), 5, "4 3 6");
+  fewer.erase(fewer.find("3 1 2"));
+  EXPECT_EQ(fault(fewer), "b.off: 3 triangles were written, wanted 4");
+  EXPECT_NE(fault(good.substr(0, 40)).find("cannot be read"), std::string::npos);
+}
+
+/// moved and then scaled
+Surface_file placed(double shift, double scale)
+{
+  Surface_file file = parse_surface(fuzz::off_seeds()[0], "a.off");
+  for (Point& point : file.points)
+    for (double& x : point) x = scale * (x + shift);
+  return file;
+}
+
+TEST(Write_surface, refuses_what_single_precision_cannot_hold)
+{
+  const Folder folder;
+  const auto fault = [&](const char* name, double shift, double scale) {
+    return message_of<conformal::Write_error>(
+        [&] { write_surface(folder / name, placed(shift, scale)); });
+  };
+  for (const char* name : {"a.stl", "a.glb"}) {
+    for (const double scale : {1e-30, 1., 1e30}) EXPECT_EQ(fault(name, 0, scale), "no error");
+    for (const double scale : {1e-150, 1e-46, 1e-41, 1e46, 1e150})
+      EXPECT_NE(fault(name, 0, scale), "no error") << name << scale;
+  }
+  EXPECT_NE(fault("b.stl", 1e9, 1).find("single precision; try: .ply"), std::string::npos);
+  EXPECT_EQ(fault("b.glb", 1e9, 1), "no error");  // it has the middle apart
+  EXPECT_EQ(fault("b.ply", 1e9, 1e-150), "no error");
+  EXPECT_EQ(folder.size(), 4u);
 }
 
 TEST(Write_surface, does_not_depend_on_the_locale)

@@ -64,6 +64,12 @@ std::string resolved(const std::string& path)
   return result;
 }
 
+// by which a file without a name can be given one
+std::string path_of_open(int file)
+{
+  return "/proc/self/fd/" + std::to_string(file);
+}
+
 bool is_unsupported(int error)
 {
   return error == EINVAL || error == ENOTSUP || error == ENOSYS;
@@ -71,22 +77,32 @@ bool is_unsupported(int error)
 
 }  // namespace
 
-Temporary_file::Temporary_file(const std::string& target)
+Temporary_file::Temporary_file(const std::string& target, Name name)
     : m_target(target), m_path(resolved(target)), m_slot(slots)
 {
   if (target.empty()) throw Write_error(target, "no name, wanted a file");
-  struct stat status {};
+  struct stat status {
+  }, link{};
   const bool exists = ::stat(m_path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) throw Write_error(m_target, "is a directory");
   if (exists && ::access(m_path.c_str(), W_OK) != 0) fail("cannot be replaced");
+  if (!exists && ::lstat(m_path.c_str(), &link) == 0)
+    throw Write_error(m_target, "is a symbolic link to a file that does not exist");
   if (exists && !S_ISREG(status.st_mode)) {
+    m_is_direct = true;
     m_file = ::open(m_path.c_str(), O_WRONLY | O_CLOEXEC);
     if (m_file < 0) fail("cannot be opened");
     return;
   }
-  open_temporary();
-  // Where the mode cannot be kept, the default one does no harm.
-  if (exists) static_cast<void>(::fchmod(m_file, status.st_mode & 07777));
+  if (name == Name::if_necessary) open_nameless();
+  if (m_file < 0)
+    create_named(
+        [this](const char* path) {
+          m_file = ::open(path, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+          return m_file >= 0;
+        },
+        "cannot be written in its folder");
+  if (exists) take_after(status);
 }
 
 Temporary_file::~Temporary_file()
@@ -96,22 +112,46 @@ Temporary_file::~Temporary_file()
   leave(m_slot);
 }
 
-void Temporary_file::open_temporary()
+// The mode after the owner, whose change takes rights away. Where the mode cannot be kept, the
+// default one does no harm.
+void Temporary_file::take_after(const struct stat& old)
+{
+  struct stat own {};
+  const bool is_same =
+      ::fstat(m_file, &own) == 0 && own.st_uid == old.st_uid && own.st_gid == old.st_gid;
+  m_changes_owner = !is_same && ::fchown(m_file, old.st_uid, old.st_gid) != 0;
+  static_cast<void>(::fchmod(m_file, old.st_mode & 07777));
+}
+
+void Temporary_file::open_nameless()
+{
+#ifdef O_TMPFILE
+  m_file = ::open(folder_of(m_path).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+  if (m_file < 0 || ::access(path_of_open(m_file).c_str(), F_OK) == 0) return;
+  ::close(m_file);
+  m_file = -1;
+#endif
+}
+
+// `create` makes a file of a new name, and is false if it cannot.
+template <class Create>
+void Temporary_file::create_named(const Create& create, const std::string& fault)
 {
   static std::atomic<unsigned> counter{0};
   const std::string stem = folder_of(m_path) + ".conformal-" + std::to_string(::getpid()) + '-';
+  bool is_created = false;
   do {
     leave(m_slot);
     const std::string path = stem + std::to_string(counter++) + ".tmp";
     m_slot = enter(path);  // before it exists: a signal may come at once
-    m_file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (m_file >= 0) m_temporary = path;
-  } while (m_file < 0 && errno == EEXIST);
-  if (m_file >= 0) return;
+    is_created = create(path.c_str());
+    if (is_created) m_temporary = path;
+  } while (!is_created && errno == EEXIST);
+  if (is_created) return;
   const int error = errno;
   leave(m_slot);
   errno = error;
-  fail("cannot be written in its folder");
+  fail(fault);
 }
 
 void Temporary_file::write(std::string_view bytes)
@@ -124,11 +164,34 @@ void Temporary_file::write(std::string_view bytes)
   }
 }
 
+std::optional<std::string> Temporary_file::read_back() const
+{
+  if (m_is_direct) return {};
+  struct stat status {};
+  if (::fstat(m_file, &status) != 0) fail("cannot be examined");
+  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+  for (std::size_t done = 0; done < bytes.size();) {
+    const std::size_t size = std::min(bytes.size() - done, std::size_t{1} << 30);
+    const ssize_t n = ::pread(m_file, bytes.data() + done, size, static_cast<off_t>(done));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) fail("cannot be read again");
+    done += static_cast<std::size_t>(n);
+  }
+  return bytes;
+}
+
 void Temporary_file::commit()
 {
   if (::fsync(m_file) != 0 && !is_unsupported(errno)) fail("cannot be brought to the disk");
+  if (m_temporary.empty() && !m_is_direct)
+    create_named(
+        [this](const char* path) {
+          return ::linkat(AT_FDCWD, path_of_open(m_file).c_str(), AT_FDCWD, path,
+                          AT_SYMLINK_FOLLOW) == 0;
+        },
+        "cannot be named");
   close_file();
-  if (m_temporary.empty()) return;
+  if (m_is_direct) return;
   if (::rename(m_temporary.c_str(), m_path.c_str()) != 0) fail("cannot be replaced");
   m_temporary.clear();
   leave(m_slot);

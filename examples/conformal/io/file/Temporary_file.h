@@ -3,7 +3,10 @@
 #ifndef CONFORMAL_IO_FILE_TEMPORARY_FILE_H
 #define CONFORMAL_IO_FILE_TEMPORARY_FILE_H
 
+#include <sys/stat.h>
+
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,32 +14,46 @@ namespace conformal {
 
 /// A file that appears under its name only when it is complete.
 ///
-/// Writes to `.conformal-PID-N.tmp` in the folder of the target; `commit()` flushes it to disk and
-/// renames it, so that the target is either the old file or the new one, never a part. Without
-/// `commit()` the destructor removes it. A device or pipe is written directly; a symbolic link is
-/// preserved, and its target is replaced. The new file has the old one's mode. Every failure is a
-/// `Write_error` with the system's reason.
+/// Writes to a file without a name in the folder of the target, which the system removes however
+/// the program ends; `commit()` flushes it to disk, and names and renames it, so that the target is
+/// either the old file or the new one, never a part. Where the system has no such files, it is
+/// `.conformal-PID-N.tmp`, and the destructor removes it. A device or pipe is written directly; a
+/// symbolic link is preserved, and its target is replaced. The new file has the old one's mode and,
+/// if the system allows it, its owner. Every failure is a `Write_error` with the system's reason.
 class Temporary_file {
  public:
-  explicit Temporary_file(const std::string& target);
+  enum class Name { if_necessary, at_once };  ///< when the file gets a name before the target's
+
+  explicit Temporary_file(const std::string& target, Name name = Name::if_necessary);
   ~Temporary_file();
   Temporary_file(const Temporary_file&) = delete;
   Temporary_file& operator=(const Temporary_file&) = delete;
 
   void write(std::string_view bytes);
+
+  /// what has been written, as the system has it; nothing of a device or pipe
+  std::optional<std::string> read_back() const;
+
   void commit();
 
+  /// whether the file will have another owner or group than the one that it replaces
+  bool changes_owner() const { return m_changes_owner; }
+
  private:
-  void open_temporary();
+  void take_after(const struct stat& old);
+  void open_nameless();
+  template <class Create>
+  void create_named(const Create& create, const std::string& fault);
   void close_file();
   void flush_folder() const;
   [[noreturn]] void fail(const std::string& what) const;
 
   std::string m_target;     // as the user wrote it, for messages
   std::string m_path;       // what will be replaced
-  std::string m_temporary;  // empty if the target is written directly
+  std::string m_temporary;  // empty if there is none, or it has no name
   std::size_t m_slot;       // of the register of temporaries
   int m_file = -1;
+  bool m_is_direct = false, m_changes_owner = false;
 };
 
 /// Removes all temporary files that exist now. Safe to call in a signal handler.

@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_IO_REQUIRE_WRITTEN_H
+#define CONFORMAL_IO_REQUIRE_WRITTEN_H
+
+#include "conformal/io/data/Surface_file.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace conformal {
+
+/// \brief Requires that the bytes of a file, read again, are the surface that was meant: the same
+/// faces, whose corners are where they were, bit for bit. In GLB and STL, faces are triangles, and
+/// corners are rounded to single precision; they may move by a millionth of the bounding box.
+///
+/// \param notes receives how many faces are distorted by this rounding
+/// \throws Write_error for `path`
+void require_written(const std::string& path, const Surface_file& meant, std::string_view bytes,
+                     std::vector<std::string>& notes);
+
+}  // namespace conformal
+
+#endif
