@@ -3,6 +3,7 @@
 #include "Command_line.h"
 
 #include "conformal/commands/commands.h"
+#include "conformal/commands/option_checks.h"
 #include "conformal/commands/option_groups.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/versions.h"
@@ -43,6 +44,15 @@ void report_options(const CLI::App& app, Report& report)
     report_options(*group, report);
 }
 
+/// No number of any option may be infinite, too large, or none.
+void require_finite_numbers(CLI::App& app)
+{
+  for (CLI::Option* option : app.get_options())
+    if (option->get_type_name().find("FLOAT") == 0) option->check(finite);
+  for (CLI::App* group : app.get_subcommands([](CLI::App*) { return true; }))
+    require_finite_numbers(*group);
+}
+
 class Parser {
  public:
   Parser() : m_app(about, "conformal"), m_commands(commands())
@@ -53,6 +63,7 @@ class Parser {
       CLI::App& app = *m_app.add_subcommand(command.name, command.about);
       add_common(app, m_common);
       command.add_options(app, m_common);
+      require_finite_numbers(app);
     }
   }
 

@@ -9,6 +9,7 @@
 #include "conformal/io/file/io_errors.h"
 #include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
+#include "conformal/process/memory.h"
 #include "conformal/process/text.h"
 #include "conformal/process/threads.h"
 #include "conformal/report/Report_files.h"
@@ -27,12 +28,10 @@
 namespace conformal {
 namespace {
 
-const char* const no_memory = "out of memory; try: a coarser mesh";
-
 Ending ending_of(const CGP::Solver_error& error)
 {
   if (CGP::is_out_of_memory(error))
-    return {Exit_code::out_of_memory, error.message() + "; try: a coarser mesh"};
+    return {Exit_code::out_of_memory, error.message() + ": " + why_memory_is_out()};
   return {Exit_code::failed,
           error.message() + "; try: less of a change, or a mesh without slivers"};
 }
@@ -53,7 +52,7 @@ Ending carry_out(const std::function<void()>& work)
   } catch (const CGP::Precondition_error& error) {
     return {Exit_code::unsuitable, error.message()};
   } catch (const std::bad_alloc&) {
-    return {Exit_code::out_of_memory, no_memory};
+    return {Exit_code::out_of_memory, why_memory_is_out()};
   } catch (const std::exception& error) {
     return {Exit_code::failed, error.what()};
   }
@@ -119,6 +118,7 @@ Ending parse_and_run(int argc, const char* const* argv)
   Ending ending = carry_out([&] { line = parse_command_line(argc, argv); });
   if (ending.code != Exit_code::done) return ending;
   if (line.command) {
+    limit_memory(line.common.max_memory);
     set_threads(line.common.threads);
     return run_command(line);
   }
@@ -131,7 +131,7 @@ Ending parse_and_run(int argc, const char* const* argv)
 // Allocates nothing.
 int tell_that_memory_is_out()
 {
-  std::fprintf(stderr, "conformal: error: %s\n", no_memory);
+  std::fprintf(stderr, "conformal: error: %s\n", why_memory_is_out());
   return static_cast<int>(Exit_code::out_of_memory);
 }
 
@@ -148,6 +148,13 @@ int tell_that_memory_is_out()
   std::abort();
 }
 
+// Threads of the BLAS that wait for memory are not waited for.
+[[noreturn]] void end_at_once(Exit_code code)
+{
+  std::fflush(nullptr);
+  ::_exit(static_cast<int>(code));
+}
+
 }  // namespace
 
 int run(int argc, const char* const* argv)
@@ -158,9 +165,11 @@ int run(int argc, const char* const* argv)
     const Ending ending = parse_and_run(argc, argv);
     if (ending.code != Exit_code::done)
       std::fprintf(stderr, "conformal: error: %s\n", printable_line(ending.error).c_str());
+    if (ending.code == Exit_code::out_of_memory) end_at_once(ending.code);
     return static_cast<int>(ending.code);
   } catch (const std::bad_alloc&) {  // before, or while, there is an outcome
-    return tell_that_memory_is_out();
+    tell_that_memory_is_out();
+    end_at_once(Exit_code::out_of_memory);
   }
 }
 

@@ -52,6 +52,24 @@ TEST_F(Command_line, nonsense_is_a_usage_error_of_one_line)
       fails(run("spin a.off -o b.ply --rho-expression x --projection w"), 2, "{uv,x,y,z,sphere}"));
 }
 
+TEST_F(Command_line, numbers_that_no_work_could_use_are_usage_errors)
+{
+  const std::string spin = "spin a.off -o b.ply --rho-expression x ";
+  for (const std::string number : {"nan", "inf", "1e300"}) {
+    for (const std::string option :
+         {"--amplitude ", "--tolerance ", "--max-closure ", "--max-quasi-conformal ",
+          "--max-scale ", "--max-memory ", "--filter low-pass --filter-weight ", "--mollify="})
+      EXPECT_EQ(run(spin + option + number).code, 2) << option << number;
+    EXPECT_EQ(run("spectrum a.off --resolution " + number).code, 2) << number;
+    EXPECT_EQ(run("spectrum a.off --shift " + number).code, 2) << number;
+    EXPECT_EQ(run("boundary a.off -o b.ply --minimal --position-weight " + number).code, 2);
+    EXPECT_EQ(run("curve a.svg -o b.svg --animate --seconds " + number).code, 2) << number;
+  }
+  EXPECT_EQ(run(spin + "--tolerance 1").code, 2);
+  for (const std::string kappa : {"2000000000", "-2000000000", "1001"})
+    EXPECT_EQ(run("sphere -o b.ply --kappa " + kappa).code, 2) << kappa;
+}
+
 TEST_F(Command_line, unreadable_files_are_named_with_the_reason)
 {
   write("empty.off", "");
@@ -158,15 +176,27 @@ TEST_F(Command_line, numbers_do_not_follow_the_locale)
 TEST_F(Command_line, signals_end_the_program_without_a_trace)
 {
   write("a.off", off(cgp_test::bumpy_sphere(6)));
-  for (const auto& [signal, code] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
+  for (const auto& [signal, code] :
+       {std::pair("INT", 130), std::pair("TERM", 143), std::pair("HUP", 129),
+        std::pair("XCPU", 152), std::pair("KILL", 137)}) {
     // A fifo holds the program back until the signal has come.
-    const Program_run r = shell("rm -f in b.ply; mkfifo in; exec 3<>in; " CGP_CONFORMAL_PROGRAM
-                                " spin - --rho-expression x -o b.ply <in & sleep 0.3; kill -" +
-                                std::string(signal) + " $!; wait $!");
+    const Program_run r =
+        shell("rm -f in b.ply; mkfifo in; exec 3<>in; " CGP_CONFORMAL_PROGRAM
+              " spin - --rho-expression x -o b.ply --json b.json <in & sleep 0.3; kill -" +
+              std::string(signal) + " $!; wait $!");
     EXPECT_EQ(r.code, code) << signal << r.err;
     EXPECT_FALSE(has("b.ply"));
     EXPECT_EQ(temporary_files(), 0u);
   }
+}
+
+TEST_F(Command_line, a_limit_on_the_size_of_files_is_a_write_error)
+{
+  write("a.off", off(cgp_test::icosphere(2)));
+  const Program_run r =
+      shell("ulimit -f 1; " CGP_CONFORMAL_PROGRAM " spin -q a.off --rho-expression x -o b.ply");
+  EXPECT_TRUE(fails(r, 5, "b.ply"));
+  EXPECT_EQ(temporary_files(), 0u);
 }
 
 }  // namespace

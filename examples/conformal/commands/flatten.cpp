@@ -63,7 +63,7 @@ void add_options(CLI::App& command, Flatten_options& options, Common_options& co
   command.add_flag("--planar-mesh", options.planar_mesh,
                    "write the flat mesh, and not the surface with texture coordinates alone");
   command.add_option("--tolerance", options.tolerance, "of the spectral map")
-      ->check(above_zero)
+      ->check(between_zero_and_one)
       ->capture_default_str();
   add_limits(command, options.limits, options.force);
 }

@@ -9,12 +9,13 @@
 namespace conformal {
 namespace {
 
-/// the number that the text consists of, or not a number
+/// the number that the text consists of, or not a number; none is so large that its square, or its
+/// product with a length, could overflow
 double number(const std::string& text)
 {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
-  return *end == 0 && std::isfinite(value) ? value : std::nan("");
+  return *end == 0 && std::abs(value) <= 1e150 ? value : std::nan("");
 }
 
 }  // namespace
@@ -26,7 +27,7 @@ std::string above_zero(const std::string& text)
 
 std::string finite(const std::string& text)
 {
-  return std::isfinite(number(text)) ? "" : "wanted a finite number";
+  return std::isfinite(number(text)) ? "" : "wanted a finite number, of at most 1e150";
 }
 
 std::string below_one(const std::string& text)

@@ -16,6 +16,10 @@ void add_common(CLI::App& command, Common_options& common)
   command.add_option("--threads", common.threads, "threads of the linear algebra")
       ->check(above_zero)
       ->capture_default_str();
+  command
+      .add_option("--max-memory", common.max_memory,
+                  "GiB that the work may take, at least 0.1 (default: half of the machine's)")
+      ->check(CLI::Range(.1, 1e6));
   command.add_flag("-q,--quiet", common.quiet, "print nothing but errors");
   command.add_flag("--strict", common.strict, "refuse what would be repaired with a note");
 }
@@ -182,7 +186,7 @@ void add_scale_control(CLI::App& command, Scale_options& scales)
   const auto is_bound = [](const std::string& text) {
     char* end = nullptr;
     const double bound = std::strtod(text.c_str(), &end);
-    const bool is_good = text == "none" || (*end == 0 && bound > 1 && std::isfinite(bound));
+    const bool is_good = text == "none" || (*end == 0 && bound > 1 && finite(text).empty());
     return is_good ? std::string() : "a number above 1, or none, is needed: " + text;
   };
   command
@@ -225,7 +229,7 @@ void add_eigenvector(CLI::App& command, Common_options& common)
 {
   command.add_option("--seed", common.seed, "of random start vectors")->capture_default_str();
   command.add_option("--tolerance", common.tolerance, "of the eigenvector")
-      ->check(above_zero)
+      ->check(between_zero_and_one)
       ->capture_default_str();
 }
 

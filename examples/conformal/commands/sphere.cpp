@@ -35,8 +35,11 @@ struct Sphere_options {
 
 void add_options(CLI::App& command, Sphere_options& options, Common_options& common)
 {
+  // The work is a loop over kappa for each vertex; no mesh here could resolve more.
   command
-      .add_option("--kappa", options.kappa, "any integer but zero; the eigenvalue is -kappa - 1")
+      .add_option("--kappa", options.kappa,
+                  "from -1000 to 1000, but not zero; the eigenvalue is -kappa - 1")
+      ->check(CLI::Range(-1000, 1000))
       ->capture_default_str();
   command.add_option("--s", options.s, "from -|kappa| to |kappa| - 1; -s - 1 gives the same as s")
       ->capture_default_str();

@@ -13,6 +13,7 @@ struct Common_options {
   int threads = 1;
   unsigned seed = 0;
   double tolerance = 1e-8;
+  double max_memory = 0;  ///< in GiB; 0 for half of the machine's
   bool quiet = false, strict = false, repair = false;
   bool each_component = false;  ///< works on one component after the other
   bool keep_going = false;      ///< writes those that succeed

@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_PROCESS_MEMORY_H
+#define CONFORMAL_PROCESS_MEMORY_H
+
+namespace conformal {
+
+/// \brief From now on the program gets no more memory than this, in GiB: what needs more fails at
+/// once, where the system would end the program, or others, without a word. 0: half of the
+/// machine's.
+void limit_memory(double gibibytes);
+
+/// what to tell when memory has run out, and what to try; allocates nothing
+const char* why_memory_is_out();
+
+}  // namespace conformal
+
+#endif

@@ -1,0 +1,25 @@
+// Tests examples/conformal/process/memory.cpp
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "program/support.h"
+#include "support/spheres.h"
+
+namespace {
+
+using namespace program_test;
+
+using Memory = Program;
+
+TEST_F(Memory, has_a_limit_beyond_which_the_work_ends_with_a_reason)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers reserve more for themselves";
+#endif
+  write("a.off", off(cgp_test::icosphere(6)));
+  const std::string spin = "spin -q a.off --rho-expression z -o b.ply ";
+  EXPECT_TRUE(fails(run(spin + "--max-memory .1"), 6, "out of memory: more than 0.1 GiB"));
+  EXPECT_FALSE(has("b.ply"));
+  EXPECT_EQ(run(spin + "--max-memory .01").code, 2);
+}
+
+}  // namespace
