@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests examples/conformal/commands/deform.cpp examples/conformal/transform/solve_deformation.cpp
 // Tests examples/conformal/input/targets.cpp
+#include "conformal/io/file/numbers.h"
 #include "program/bounded_support.h"
 #include "support/control_points.h"
 #include "support/limbs.h"
