@@ -36,6 +36,7 @@ void add(const CGP::Spin_report& report, const std::string& prefix, Record& reco
       .add(prefix + "low", report.scales.low)
       .add(prefix + "high", report.scales.high)
       .add(prefix + "Q", report.conformality.quasi_conformal.mean)
+      .add(prefix + "closure", report.closure_residual)
       .add(prefix + "collapsed", report.conformality.scale.collapsed_share)
       .add(prefix + "factorizations", report.factorizations)
       .add(prefix + "solves", report.solves);

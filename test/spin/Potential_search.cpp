@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Potential_search.h
 // Tests spin/Spin_residual.h spin/Scale_residual.h spin/Period_residual.h spin/Linear_constraints.h
+// Tests spin/Exactness_residual.h
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Exactness_residual.h>
 #include <Conformal_geometry_processing/spin/Linear_constraints.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
 #include <Conformal_geometry_processing/spin/Potential_metric.h>
@@ -151,15 +154,45 @@ TEST(Potential_search, residuals_have_their_transposes)
   const int n = mesh.size_of_vertices();
   CGP::internal::Period_residual periods(transformation.system().surface(), exactness);
   Scale_residual scales(areas, random_numbers(n, 1));
+  CGP::internal::Exactness_residual<> inexact(transformation.system().surface(),
+                                              transformation.reconstruction());
+  inexact.set_weight(3);
   const Quaternion_vector<double> lambda = random_quaternions(n, 2), d = random_quaternions(n, 3);
   for (CGP::internal::Spin_residual* r :
-       std::initializer_list<CGP::internal::Spin_residual*>{&periods, &scales}) {
+       std::initializer_list<CGP::internal::Spin_residual*>{&periods, &scales, &inexact}) {
     r->set_spins(lambda);
     const Eigen::VectorXd y = random_numbers(static_cast<int>(r->values().size()), 4);
     const Eigen::VectorXd change = r->change(d);
     EXPECT_NEAR(y.dot(change), inner_product(r->gradient(y), d).w,
                 1e-12 * y.norm() * change.norm());
   }
+}
+
+// Its norm is the closure residual; its change is that of the values at a constant length.
+TEST(Potential_search, measures_inexact_edges)
+{
+  const Mesh_view mesh = perturbed(icosphere(2), .05);
+  CGP::Spin_transformation<> transformation(mesh);
+  const CGP::Spin_result r = transformation.transform(waves(mesh, 2));
+  const CGP::Surface_ref& surface = transformation.system().surface();
+  CGP::internal::Exactness_residual<> inexact(surface, transformation.reconstruction());
+  inexact.set_weight(4);
+  const Eigen::VectorXd roots = CGP::cotan_weights(surface).cwiseAbs().cwiseSqrt();
+  const Quaternion_vector<double> d = random_quaternions(mesh.size_of_vertices(), 3);
+  double length = 0;
+  const auto values_at = [&](double t) {
+    Quaternion_vector<double> lambda = r.lambda;
+    components(lambda) += t * components(d);
+    inexact.set_spins(lambda);
+    length = (roots.asDiagonal() * CGP::transformed_edges(surface, lambda)).norm();
+    return Eigen::VectorXd(inexact.values() * length);
+  };
+  const double h = 1e-4;
+  const Eigen::VectorXd difference = (values_at(h) - values_at(-h)) / (2 * h);
+  const Eigen::VectorXd values = values_at(0) / length;
+  EXPECT_NEAR(inexact.size(), r.report.closure_residual, 1e-6);
+  EXPECT_NEAR(values.norm(), 2 * inexact.size(), 1e-12);
+  EXPECT_LT((inexact.change(d) * length - difference).norm(), 1e-8 * difference.norm());
 }
 
 TEST(Linear_constraints, are_met_by_the_shortest_step)

@@ -88,6 +88,18 @@ TEST(Scale_search, with_a_smaller_bound_keeps_less)
   }
 }
 
+// Rings that the mesh hardly samples: what it cannot represent is left out.
+TEST(Scale_search, closes_the_edges)
+{
+  const Mesh_view mesh = perturbed(icosphere(1), .02);
+  const Eigen::VectorXd rho = rings(mesh, 3, 5);
+  EXPECT_EQ(transformed(mesh, rho, bounded_by(std::nullopt)).report.fault(),
+            CGP::Spin_report::Fault::open);
+  const CGP::Spin_result r = transformed(mesh, rho, bounded_by(2));
+  EXPECT_TRUE(r.report) << to_string(r.report.fault());
+  EXPECT_GT(r.report.scales.kept_correlation, .9);
+}
+
 // Powers of two are exact, and constants have no effect.
 TEST(Scale_search, depends_neither_on_the_unit_nor_on_constants)
 {

@@ -43,6 +43,39 @@ TEST(Spin_report, of_two_transformations_adds_what_was_spent_and_keeps_the_worse
   EXPECT_EQ(all.gap, 3);
 }
 
+TEST(Spin_report, objects_to_open_handles)
+{
+  CGP::Spin_report report;
+  report.converged = true;
+  report.period_defect = .03;
+  EXPECT_TRUE(report);
+  report.period_limit = .02;
+  EXPECT_EQ(report.fault(), CGP::Spin_report::Fault::open);
+  report.period_limit = .04;
+  EXPECT_TRUE(report);
+}
+
+TEST(Spin_report, of_two_transformations_adds_all_costs)
+{
+  CGP::Spin_report all, next;
+  all.factorizations = 2;
+  all.solves = 30;
+  all.seconds.factorization = .5;
+  all.seconds.reconstruction = 2;
+  next.factorizations = 3;
+  next.solves = 5;
+  next.seconds.setup = 8;
+  next.seconds.factorization = .25;
+  next.seconds.certificate = 4;
+  CGP::append(all, next);
+  EXPECT_EQ(all.factorizations, 5);
+  EXPECT_EQ(all.solves, 35);
+  EXPECT_EQ(all.seconds.setup, 8);
+  EXPECT_EQ(all.seconds.factorization, .75);
+  EXPECT_EQ(all.seconds.reconstruction, 2);
+  EXPECT_EQ(all.seconds.certificate, 4);
+}
+
 TEST(Spin_report, of_several_transformations_has_the_least_gap_that_is_known)
 {
   CGP::Spin_report all, next;

@@ -96,6 +96,9 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
              " % of rho are realised: the rest would open handles or holes; try: a weaker rho, a "
              "finer mesh, --min-realised, or --open-handles";
     case Fault::open:
+      if (report.closure_residual <= limits.closure)
+        return exceeds("the period defect", report.period_defect, report.period_limit) +
+               ": handles or holes do not close up; try: " + easier + ", or a finer mesh";
       return exceeds("the closure residual", report.closure_residual, limits.closure) +
              ": the surface does not close up; try: " + easier + ", or --max-closure";
     case Fault::scales:

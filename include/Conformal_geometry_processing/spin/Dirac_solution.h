@@ -79,6 +79,13 @@ struct Dirac_solution : Dirac_evidence {
   Seconds seconds;    ///< of each stage
 };
 
+/// \ingroup PkgSpin
+/// adds the iterations, factorizations and solves of another solution
+void add_costs(Dirac_evidence& all, const Dirac_evidence& next);
+
+/// \ingroup PkgSpin
+void add_costs(Dirac_evidence::Seconds& all, const Dirac_evidence::Seconds& next);
+
 }  // namespace internal
 
 /// \ingroup PkgSpin

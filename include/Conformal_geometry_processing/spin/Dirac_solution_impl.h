@@ -20,6 +20,21 @@ CGP_INLINE internal::Dirac_evidence in_units(internal::Dirac_evidence evidence, 
   return evidence;
 }
 
+CGP_INLINE void internal::add_costs(Dirac_evidence& all, const Dirac_evidence& next)
+{
+  all.iterations += next.iterations;
+  all.factorizations += next.factorizations;
+  all.solves += next.solves;
+}
+
+CGP_INLINE void internal::add_costs(Dirac_evidence::Seconds& all,
+                                    const Dirac_evidence::Seconds& next)
+{
+  all.assembly += next.assembly;
+  all.factorization += next.factorization;
+  all.eigenvectors += next.eigenvectors;
+}
+
 }  // namespace Conformal_geometry_processing
 
 #endif

@@ -74,8 +74,8 @@ class Potential_search {
   /// starts again from rho' = 0, for another rho
   void restart(Curvature_potential rho);
 
-  /// \brief what all evaluations have cost, and whether they were cancelled
-  const Dirac_evidence& costs() const { return m_costs; }
+  /// \brief what all evaluations and steps have cost, and whether they were cancelled
+  const Dirac_solution& costs() const { return m_costs; }
 
  private:
   using Spins = Quaternion_vector<double>;
@@ -134,7 +134,7 @@ class Potential_search {
   Potential_metric<SolverTraits> m_metric;
   Candidate m_now;
   double m_penalty = 0, m_last_length = 1;
-  Dirac_evidence m_costs;
+  Dirac_solution m_costs;  // without spins
 };
 
 }  // namespace internal

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_TEMPLATES_H
 
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 #include <Conformal_geometry_processing/spin/Potential_metric_templates.h>
 #include <Conformal_geometry_processing/spin/Potential_search.h>
@@ -135,9 +136,8 @@ auto Potential_search<SolverTraits, EigensolverTraits>::evaluate(Eigen::VectorXd
   c.solution =
       correct_dirac_solution<EigensolverTraits>(m_system, c.rho, guess, options, go_further);
   m_costs.cancelled = c.solution.cancelled;
-  m_costs.iterations += c.solution.iterations;
-  m_costs.factorizations += c.solution.factorizations;
-  m_costs.solves += c.solution.solves;
+  add_costs(m_costs, c.solution);
+  add_costs(m_costs.seconds, c.solution.seconds);
   c.residuals = values(m_residuals, c.solution.lambda);
   c.constraints = values(m_constraints, c.solution.lambda);
   c.sum = m_metric.squared_norm(c.rho.values - m_rho.values) + c.residuals.squaredNorm();
@@ -160,6 +160,7 @@ auto Potential_search<SolverTraits, EigensolverTraits>::best_step() -> std::opti
 template <class SolverTraits, class EigensolverTraits>
 auto Potential_search<SolverTraits, EigensolverTraits>::best_step(const Derivative& S) -> Step
 {
+  Stopwatch watch;
   const Eigen::MatrixXd gradients = constraint_gradients(S);
   const Linear_constraints constraints(gradients, m_metric.solve(gradients), dampings());
   const Eigen::VectorXd g = gradient(S);
@@ -176,6 +177,7 @@ auto Potential_search<SolverTraits, EigensolverTraits>::best_step(const Derivati
   const double violation = m_now.constraints.norm();
   if (violation > 0) m_penalty = (std::max)(m_penalty, 2 * rise / violation);
   m_costs.solves += S.number_of_solves();
+  m_costs.seconds.eigenvectors += watch.lap();
   return step;
 }
 

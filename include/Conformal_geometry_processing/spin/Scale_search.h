@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_SEARCH_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_SEARCH_H
 
+#include <Conformal_geometry_processing/spin/Exactness_residual.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
 #include <Conformal_geometry_processing/spin/Potential_search.h>
 #include <Conformal_geometry_processing/spin/Scale_control.h>
@@ -34,11 +35,15 @@ class Scale_search {
 
   /// \param system of the surface, \param rho in 1/length of it
   /// \param control with a bound; must outlive the object
+  /// \param reconstruction of the surface
   /// \param exactness to keep handles and holes closed, or null
   Scale_search(Dirac_system<SolverTraits>& system, Curvature_potential rho,
-               const Scale_control& control, const Exactness_constraints* exactness);
+               const Scale_control& control,
+               const Poisson_reconstruction<SolverTraits>& reconstruction,
+               const Exactness_constraints* exactness);
 
-  /// \brief searches w; where no w will do, for a half, a quarter, an eighth of rho.
+  /// \brief searches w, and a weight for the inexact part of the edges where these do not close up;
+  /// where none will do, for a half, a quarter, an eighth of rho.
   /// \returns the solution for rho', with the costs of the whole search; that nearest to the bound
   /// if none is within it
   Dirac_solution run(const Dirac_options& options, const Go_further& go_further);
@@ -50,13 +55,28 @@ class Scale_search {
   /// tries weights, from 10 in both directions, until the lengths are within the bound
   void search_weight(const Dirac_options& options, const Go_further& go_further);
 
+  /// \brief where the edges of the best result do not close up, adds their inexact part to the sum,
+  /// with weights that grow until they do.
+  ///
+  /// It takes that part out of rho which the mesh cannot represent.
+  void search_exactness(const Dirac_options& options, const Go_further& go_further);
+
   /// minimises for w and takes the result if it is better
   /// \returns whether the minimum was reached
   bool try_weight(double w, const Dirac_options& options, const Go_further& go_further);
 
+  /// whether the last result is better than the best one so far
+  /// \param w its weight
+  bool is_better(double w) const;
+
+  /// whether the best result is within the bound, and its edges close up
+  bool is_found() const { return m_best_excess <= 1 && m_best_inexact <= inexact_limit(); }
+  static double inexact_limit() { return 0.95 * Spin_report::Limits().closure; }
+
   const Surface_ref m_surface;
   const Curvature_potential m_rho;
   Scale_residual m_scales;
+  Exactness_residual<SolverTraits> m_inexact;
   std::optional<Period_residual> m_periods;
   Search m_search;
   const Scale_control& m_control;
@@ -65,7 +85,7 @@ class Scale_search {
   double m_weight = 0;  // best w, times m_unit
   double m_excess = 0;  // of the present rho'
   typename Search::Candidate m_best;
-  double m_best_excess;
+  double m_best_excess, m_best_inexact;
 };
 
 }  // namespace internal

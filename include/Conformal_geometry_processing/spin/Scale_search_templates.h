@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_SEARCH_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_SEARCH_TEMPLATES_H
 
+#include <Conformal_geometry_processing/spin/Exactness_residual_templates.h>
 #include <Conformal_geometry_processing/spin/Potential_search_templates.h>
 #include <Conformal_geometry_processing/spin/Scale_search.h>
 
@@ -35,22 +36,24 @@ inline Curvature_potential effective(Curvature_potential rho, const Surface_ref&
 }
 
 template <class SolverTraits, class EigensolverTraits>
-Scale_search<SolverTraits, EigensolverTraits>::Scale_search(Dirac_system<SolverTraits>& system,
-                                                            Curvature_potential rho,
-                                                            const Scale_control& control,
-                                                            const Exactness_constraints* exactness)
+Scale_search<SolverTraits, EigensolverTraits>::Scale_search(
+    Dirac_system<SolverTraits>& system, Curvature_potential rho, const Scale_control& control,
+    const Poisson_reconstruction<SolverTraits>& reconstruction,
+    const Exactness_constraints* exactness)
     : m_surface(system.surface()),
       m_rho(effective(std::move(rho), m_surface, system.is_closed())),
       m_scales(scale_masses(system.areas(), control), wanted_log_scales(system.areas(), control)),
+      m_inexact(m_surface, reconstruction),
       m_periods(exactness ? std::optional<Period_residual>({system.surface(), *exactness})
                           : std::nullopt),
       m_search(
-          system, m_rho, {&m_scales},
+          system, m_rho, {&m_scales, &m_inexact},
           exactness ? std::vector<Spin_residual*>{&*m_periods} : std::vector<Spin_residual*>{}),
       m_control(control),
       m_areas(system.areas()),
       m_unit(1 / system.unit()),
-      m_best_excess(std::numeric_limits<double>::infinity())
+      m_best_excess(std::numeric_limits<double>::infinity()),
+      m_best_inexact(m_best_excess)
 {}
 
 template <class SolverTraits, class EigensolverTraits>
@@ -58,16 +61,17 @@ Dirac_solution Scale_search<SolverTraits, EigensolverTraits>::run(const Dirac_op
                                                                   const Go_further& go_further)
 {
   const double least_share = 1. / 8;
-  for (double share = 1; share >= least_share && m_best_excess > 1; share /= 2) {
+  for (double share = 1; share >= least_share && !is_found(); share /= 2) {
     if (m_search.costs().cancelled) break;
     m_search.restart({m_rho.on, share * m_rho.values});
     search_weight(options, go_further);
+    search_exactness(options, go_further);
   }
   Dirac_solution s = m_best.solution;
   s.cancelled = m_search.costs().cancelled;
-  s.iterations = m_search.costs().iterations;
-  s.factorizations = m_search.costs().factorizations;
-  s.solves = m_search.costs().solves;
+  s.iterations = s.factorizations = s.solves = 0;
+  s.seconds = m_search.costs().seconds;
+  add_costs(s, m_search.costs());
   return s;
 }
 
@@ -90,6 +94,22 @@ void Scale_search<SolverTraits, EigensolverTraits>::search_weight(const Dirac_op
 }
 
 template <class SolverTraits, class EigensolverTraits>
+void Scale_search<SolverTraits, EigensolverTraits>::search_exactness(const Dirac_options& options,
+                                                                     const Go_further& go_further)
+{
+  const double first_weight = 0.25, factor = 4;
+  const int max_changes = 6;
+  double c = first_weight * curvature_areas(m_surface, m_rho.on).dot(m_rho.values.cwiseAbs2());
+  for (int i = 0; i < max_changes && m_best_excess <= 1 && !is_found(); ++i) {
+    if (m_search.costs().cancelled) break;
+    m_inexact.set_weight(c);
+    try_weight(m_weight, options, go_further);
+    c *= factor;
+  }
+  m_inexact.set_weight(0);
+}
+
+template <class SolverTraits, class EigensolverTraits>
 Spin_report::Scales Scale_search<SolverTraits, EigensolverTraits>::scales() const
 {
   Spin_report::Scales scales = measured_scales(m_best.solution.lambda, m_areas, m_control);
@@ -108,13 +128,20 @@ bool Scale_search<SolverTraits, EigensolverTraits>::try_weight(double w,
   const bool is_minimal = m_search.minimize(options, go_further, period_tolerance);
   const typename Search::Candidate& found = m_search.present();
   m_excess = measured_scales(found.solution.lambda, m_areas, m_control).excess();
-  const bool is_better =
-      m_excess <= 1 ? m_best_excess > 1 || w < m_weight : m_excess < m_best_excess;
-  if (!is_better) return is_minimal;
+  if (!is_better(w)) return is_minimal;
   m_best = found;
   m_best_excess = m_excess;
+  m_best_inexact = m_inexact.size();
   m_weight = w;
   return is_minimal;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Scale_search<SolverTraits, EigensolverTraits>::is_better(double w) const
+{
+  if (m_excess > 1 || m_best_excess > 1) return m_excess < m_best_excess;
+  if (m_best_inexact > inexact_limit()) return m_inexact.size() < m_best_inexact;
+  return w < m_weight && m_inexact.size() <= inexact_limit();
 }
 
 }  // namespace internal

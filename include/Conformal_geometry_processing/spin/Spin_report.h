@@ -6,6 +6,8 @@
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
+#include <limits>
+
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
@@ -29,6 +31,8 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
                              ///< added so that the surface closes up, relative to that of the mean
                              ///< curvature of a round sphere, sqrt(4 pi), for any size
   double period_defect = 0;  ///< remaining period defect, relative to the edges, sum of the steps
+  /// the largest that counts as closed, see `internal::Period_limit`, where no step ensures it
+  double period_limit = std::numeric_limits<double>::infinity();
 
   /// with prescribed directions at a boundary: the angles between the directions of the new surface
   /// and the targets, in radians
@@ -106,7 +110,7 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     directions,    ///< those at the boundary are missed
     nothing_left,  ///< no part of rho keeps the handles closed
     left_out,      ///< too much of rho is left out
-    open,          ///< the new edges do not close up
+    open,          ///< the new edges do not close up, or not around handles and holes
     scales,        ///< lengths change by more than the bound
     map            ///< see `Conformality::fault()`
   };
@@ -133,6 +137,9 @@ const char* to_string(Spin_report::Fault fault);
 namespace internal {
 
 void append(Spin_report::Mollification& all, const Spin_report::Mollification& next);
+
+/// adds what another transformation has cost; the setup is shared
+void add_costs(Spin_report& all, const Spin_report& next);
 
 }  // namespace internal
 

@@ -79,6 +79,7 @@ CGP_INLINE Spin_report::Fault Spin_report::fault() const
   if (!(realised_share() >= limits.realised_share)) return Fault::left_out;
   if (!(scales.kept_norm >= limits.realised_share)) return Fault::left_out;
   if (!has_positions && !(closure_residual <= limits.closure)) return Fault::open;
+  if (!(period_defect <= period_limit)) return Fault::open;
   const double rounding = 1e-9;
   if (!(scales.excess() <= 1 + rounding)) return Fault::scales;
   if (conformality.fault(limits.map) != Conformality::Fault::none) return Fault::map;
@@ -105,19 +106,24 @@ CGP_INLINE void append(Spin_report::Mollification& all, const Spin_report::Molli
   all.flipped_edges = (std::max)(all.flipped_edges, next.flipped_edges);
 }
 
+CGP_INLINE void add_costs(Spin_report& all, const Spin_report& next)
+{
+  add_costs(static_cast<Dirac_evidence&>(all), next);
+  add_costs(all.seconds, next.seconds);
+  all.seconds.reconstruction += next.seconds.reconstruction;
+  all.seconds.certificate += next.seconds.certificate;
+}
+
 }  // namespace internal
 
 CGP_INLINE void append(Spin_report& all, const Spin_report& next)
 {
-  const internal::Dirac_evidence before = all;
+  const Spin_report before = all;
   static_cast<internal::Dirac_evidence&>(all) = next;
   all.residual = (std::max)(before.residual, next.residual);
   all.gap = internal::least_known(before.gap, next.gap);
   all.branch_gap = internal::least_known(before.branch_gap, next.branch_gap);
   if (all.steps > 0) all.overlap = (std::min)(before.overlap, next.overlap);
-  all.iterations += before.iterations;
-  all.factorizations += before.factorizations;
-  all.solves += before.solves;
   all.dirac_residual = (std::max)(before.dirac_residual, next.dirac_residual);
   all.substeps = (std::max)(before.substeps, next.substeps);
   all.steps += next.steps;
@@ -126,12 +132,8 @@ CGP_INLINE void append(Spin_report& all, const Spin_report& next)
   internal::append(all.mollification, next.mollification);
   all.closure_residual = (std::max)(all.closure_residual, next.closure_residual);
   all.period_defect += next.period_defect;
-  all.seconds.setup = next.seconds.setup;
-  all.seconds.assembly += next.seconds.assembly;
-  all.seconds.factorization += next.seconds.factorization;
-  all.seconds.eigenvectors += next.seconds.eigenvectors;
-  all.seconds.reconstruction += next.seconds.reconstruction;
-  all.seconds.certificate += next.seconds.certificate;
+  all.seconds = next.seconds;
+  internal::add_costs(all, before);
 }
 
 }  // namespace Conformal_geometry_processing

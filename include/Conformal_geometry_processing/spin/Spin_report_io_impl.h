@@ -27,6 +27,11 @@ CGP_INLINE std::ostream& operator<<(std::ostream& out, const Spin_report& r)
   if (r.added_share > 0)
     out << "added to close holes   a rho of " << 100 * r.added_share
         << " % of the curvature of a sphere\n";
+  if (r.scales.bound > 0)
+    out << "scale control          98 % of the area scaled by " << r.scales.low << " to "
+        << r.scales.high << " with a bound of " << r.scales.bound << ", "
+        << 100 * r.scales.kept_norm << " % of rho kept, correlation " << r.scales.kept_correlation
+        << '\n';
   if (r.mollification.share > 0)
     out << "mollification          " << r.mollification.thin_faces << " thin faces, "
         << r.mollification.longer_edges << " edges longer by " << r.mollification.added_length

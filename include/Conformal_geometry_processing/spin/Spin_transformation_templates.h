@@ -7,8 +7,8 @@
 #include <Conformal_geometry_processing/spin/Exact_steps_templates.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints_templates.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
-#include <Conformal_geometry_processing/spin/Scale_search_templates.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation_scales_templates.h>
 #include <Conformal_geometry_processing/spin/boundary_fault.h>
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/require_condition.h>
@@ -110,20 +110,6 @@ void Spin_transformation<SolverTraits, EigensolverTraits>::require_potential(
 }
 
 template <class SolverTraits, class EigensolverTraits>
-Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
-    const Curvature_potential& rho, const Dirac_options& options,
-    const internal::Go_further& go_further) &
-{
-  require_potential(rho);
-  Spin_result result = transform_exactly(rho, options, go_further);
-  Spin_report& r = result.report;
-  if (!m_options.scales.bound || r.cancelled) return result;
-  if (!r.converged) return bound_scales(rho, options, go_further);  // lambda may not be finite
-  r.scales = internal::measured_scales(result.lambda, system().areas(), m_options.scales);
-  return r.reached == 1 && r.scales.excess() <= 1 ? result : bound_scales(rho, options, go_further);
-}
-
-template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform_exactly(
     const Curvature_potential& rho, const Dirac_options& options,
     const internal::Go_further& go_further)
@@ -141,23 +127,6 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform_exac
     go_home();
     throw;
   }
-}
-
-template <class SolverTraits, class EigensolverTraits>
-Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
-    const Curvature_potential& rho, const Dirac_options& options,
-    const internal::Go_further& go_further)
-{
-  const auto* const closing = exactness_if_looped(rho.on);
-  internal::Scale_search<SolverTraits, EigensolverTraits> search(
-      system(), {rho.on, rho.values * domain().unit()}, m_options.scales, closing);
-  Spin_result result = in_units(search.run(options, go_further));
-  if (result.report.cancelled) return result;
-  const auto edges = transformed_edges(system().surface(), result.lambda);
-  if (closing) result.report.period_defect = closing->period_defect(edges);
-  reconstruct(result);
-  result.report.scales = search.scales();
-  return result;
 }
 
 template <class SolverTraits, class EigensolverTraits>

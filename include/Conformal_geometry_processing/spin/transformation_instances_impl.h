@@ -19,6 +19,7 @@ namespace Conformal_geometry_processing {
 template class Poisson_reconstruction<Default_solver_traits>;
 template class internal::Spin_derivative<Default_solver_traits>;
 template class internal::Position_derivative<Default_solver_traits>;
+template class internal::Exactness_residual<Default_solver_traits>;
 template class internal::Potential_metric<Default_solver_traits>;
 template class internal::Position_residual<Default_solver_traits>;
 template class internal::Potential_search<Default_solver_traits, Lobpcg_eigensolver_traits>;

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_SCALES_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_SCALES_TEMPLATES_H
+
+// Transformations with a bound on scales.
+
+#include <Conformal_geometry_processing/spin/Exactness_constraints_templates.h>
+#include <Conformal_geometry_processing/spin/Period_limit.h>
+#include <Conformal_geometry_processing/spin/Scale_search_templates.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
+
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+template <class SolverTraits, class EigensolverTraits>
+Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
+    const Curvature_potential& rho, const Dirac_options& options,
+    const internal::Go_further& go_further) &
+{
+  require_potential(rho);
+  Spin_result result = transform_exactly(rho, options, go_further);
+  Spin_report& r = result.report;
+  if (!m_options.scales.bound || r.cancelled) return result;
+  if (r.converged)  // otherwise lambda may not be finite
+    r.scales = internal::measured_scales(result.lambda, system().areas(), m_options.scales);
+  const bool is_within = r.converged && r.reached == 1 && r.scales.excess() <= 1;
+  if (is_within && r.closure_residual <= r.limits.closure) return result;
+  Spin_result bounded = bound_scales(rho, options, go_further);
+  const bool is_better = !is_within || bounded.report || bounded.report.cancelled;
+  Spin_result& best = is_better ? bounded : result;
+  internal::add_costs(best.report, is_better ? r : bounded.report);
+  return std::move(best);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
+    const Curvature_potential& rho, const Dirac_options& options,
+    const internal::Go_further& go_further)
+{
+  const auto* const closing = exactness_if_looped(rho.on);
+  internal::Scale_search<SolverTraits, EigensolverTraits> search(
+      system(), {rho.on, rho.values * domain().unit()}, m_options.scales, reconstruction(),
+      closing);
+  Spin_result result = in_units(search.run(options, go_further));
+  if (result.report.cancelled) return result;
+  const auto edges = transformed_edges(system().surface(), result.lambda);
+  if (closing) result.report.period_defect = closing->period_defect(edges);
+  reconstruct(result);
+  if (closing)
+    result.report.period_limit =
+        internal::Period_limit{m_options.max_period_defect, options.tolerance}(result.report, 1);
+  result.report.scales = search.scales();
+  return result;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif
