@@ -10,6 +10,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
 
 #include "support/Off_file.h"
@@ -21,12 +22,17 @@ namespace {
 using namespace cgp_benchmark;
 using Rho = CGP::Curvature_potential;
 
-CGP::Spin_report transformed(const CGP::Mesh_view& mesh, const Rho& rho, double bound)
+CGP::Spin_report transformed(const CGP::Mesh_view& mesh, const Rho& rho,
+                             std::optional<double> bound)
 {
   CGP::Spin_transformation_options options;
   options.scales.bound = bound;
   CGP::Spin_transformation<> transformation(mesh, options);
-  return transformation.transform(rho).report;
+  CGP::Spin_result result = transformation.transform(rho);
+  if (!bound)
+    result.report.scales =
+        CGP::internal::measured_scales(result.lambda, CGP::vertex_areas(mesh), options.scales);
+  return result.report;
 }
 
 void add(const CGP::Spin_report& report, const std::string& prefix, Record& record)
@@ -36,7 +42,6 @@ void add(const CGP::Spin_report& report, const std::string& prefix, Record& reco
       .add(prefix + "low", report.scales.low)
       .add(prefix + "high", report.scales.high)
       .add(prefix + "Q", report.conformality.quasi_conformal.mean)
-      .add(prefix + "closure", report.closure_residual)
       .add(prefix + "collapsed", report.conformality.scale.collapsed_share)
       .add(prefix + "factorizations", report.factorizations)
       .add(prefix + "solves", report.solves);
@@ -48,7 +53,7 @@ void survey(const std::string& path)
   CGP::require_surface(mesh, "benchmark_scale_control");
   CGP::require_closed(mesh, "benchmark_scale_control");
   const int chi = mesh.size_of_vertices() - mesh.size_of_edges() + mesh.size_of_faces();
-  const double no_bound = 1e300, bound = 2;
+  const double bound = 2;
   for (const Potential& potential : potentials)
     for (const double amplitude : {.75, 1.5, 3.}) {
       const Rho rho = sampled(mesh, potential, amplitude);
@@ -58,12 +63,13 @@ void survey(const std::string& path)
           .add("genus", 1 - chi / 2)
           .add("potential", potential.name)
           .add("amplitude", amplitude);
-      add(transformed(mesh, rho, no_bound), "plain_", record);
+      add(transformed(mesh, rho, std::nullopt), "plain_", record);
       const CGP::Spin_report report = transformed(mesh, rho, bound);
       add(report, "", record);
       record.add("weight", report.scales.weight)
           .add("kept_norm", report.scales.kept_norm)
           .add("kept_correlation", report.scales.kept_correlation)
+          .add("closure", report.closure_residual)
           .add("period_defect", report.period_defect);
       record.print();
     }
