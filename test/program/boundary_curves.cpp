@@ -7,6 +7,7 @@
 #include "conformal/input/Closed_curve.h"
 #include "conformal/input/boundary_curves.h"
 #include "conformal/io/file/io_errors.h"
+#include "conformal/io/file/numbers.h"
 
 #include <cmath>
 
