@@ -192,9 +192,10 @@ TEST_F(Command_line, signals_end_the_program_without_a_trace)
 
 TEST_F(Command_line, a_limit_on_the_size_of_files_is_a_write_error)
 {
-  write("a.off", off(cgp_test::icosphere(2)));
+  // Not too small for the counts of executed lines, which an instrumented program writes.
+  write("a.off", off(cgp_test::icosphere(5)));
   const Program_run r =
-      shell("ulimit -f 1; " CGP_CONFORMAL_PROGRAM " spin -q a.off --rho-expression x -o b.ply");
+      shell("ulimit -f 512; " CGP_CONFORMAL_PROGRAM " spin -q a.off --rho-expression x -o b.ply");
   EXPECT_TRUE(fails(r, 5, "b.ply"));
   EXPECT_EQ(temporary_files(), 0u);
 }

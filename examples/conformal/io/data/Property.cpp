@@ -31,8 +31,6 @@ constexpr std::array<Type_facts, 8> types = {
     integer_facts<std::int32_t>("int", "int32"),   integer_facts<std::uint32_t>("uint", "uint32"),
     Type_facts{"float", "float32", 4, 0, 0},       Type_facts{"double", "float64", 8, 0, 0}};
 
-constexpr std::string_view blanks(" \t\v\f\r\n\0", 7);
-
 const Type_facts& facts(Value_type type)
 {
   return types[static_cast<std::size_t>(type)];
@@ -100,9 +98,15 @@ bool fits(Value_type type, std::int64_t value)
   return value >= facts(type).lowest && value <= facts(type).highest;
 }
 
+bool is_property_name(std::string_view name)
+{
+  constexpr std::string_view blanks(" \t\v\f\r\n\0", 7);
+  return name.find_first_of(blanks) == std::string_view::npos;
+}
+
 Property::Property(std::string name, Value_type type) : m_name(std::move(name)), m_type(type)
 {
-  if (m_name.find_first_of(blanks) != std::string::npos)
+  if (!is_property_name(m_name))
     throw std::invalid_argument("Property: the name '" + m_name + "' has blanks, wanted one word");
 }
 

@@ -35,6 +35,9 @@ std::optional<Value_type> value_type(std::string_view name);
 
 bool is_integer(Value_type type);
 
+/// whether a PLY header can have a property of that name: it separates by blanks and line ends
+bool is_property_name(std::string_view name);
+
 /// A column of a file: a name and, per row, one value or a list of values.
 ///
 /// Values are kept in the bytes of their own type, so that they go back to a file bit for bit
@@ -42,8 +45,7 @@ bool is_integer(Value_type type);
 class Property {
  public:
   /// \brief one value per row
-  /// \throws std::invalid_argument for a name with blanks or line ends, which a PLY header
-  /// separates
+  /// \throws std::invalid_argument unless `is_property_name(name)`
   Property(std::string name, Value_type type);
 
   /// a list per row; `count_type` is the type its length has in a PLY file

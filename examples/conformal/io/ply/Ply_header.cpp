@@ -136,6 +136,8 @@ class Header_reader {
       fail("the length of a list is no integer, wanted uchar or the like");
     const Value_type type = read_type(words);
     const std::string name(words.word("the name of a property"));
+    if (!is_property_name(name))
+      fail("the property " + in_quotes(name) + " has blanks in its name");
     Element& element = m_header.elements.back();
     if (find_property(element, name) != nullptr)
       fail("the property " + in_quotes(name) + " comes twice, wanted different names");
