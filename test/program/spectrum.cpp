@@ -125,6 +125,7 @@ TEST_F(Sphere, refuses_numbers_that_do_not_belong_to_one)
   EXPECT_TRUE(fails(run("sphere --kappa 2 --s 2 -o a.ply"), 2, "wanted -2 to 1"));
   EXPECT_TRUE(fails(run("sphere --level 10 -o a.ply"), 2, "--level"));
   EXPECT_TRUE(fails(run("sphere --kappa 2"), 2, "--output"));
+  EXPECT_TRUE(fails(run("sphere --kappa -40 --level 3 -o a.ply"), 1, "error: the mean quasi"));
   EXPECT_FALSE(has("a.ply"));
 }
 

@@ -29,7 +29,7 @@ void Session::conclude(Verdict verdict, On_fault on_fault, const std::string& wh
 {
   const bool is_verified = verdict.is_verified();
   const std::string fault = verdict.fault;
-  if (!is_verified) verdict.fault = what + ": " + fault;
+  if (!is_verified && !what.empty()) verdict.fault = what + ": " + fault;
   verdict.is_forced = on_fault == On_fault::force;
   // One result that does not verify, of several, decides on all.
   if (!m_outcome.verdict || m_outcome.verdict->is_verified()) m_outcome.verdict = verdict;
