@@ -3,10 +3,23 @@
 """The part of doc/branches.md about amplitudes, constants and spectra on single meshes."""
 
 import statistics
+import subprocess
+import tempfile
 
 from page import tables
 
 MESHES = ["armadillo.off", "bear.off", "fandisk.off", "homer.off", "triceratops.off"]
+
+COMMANDS = [
+    "spin bear.off --rho-expression sin(5*y) --tolerance 1e300",
+    "spin homer.off --rho-expression 3*sin(6*y) --max-scale none",
+    "spin homer.off --rho-expression 3*sin(6*y)",
+    "spin knot1.off --rho-expression x",
+    "spin knot1.off --rho-expression x --min-realised 0.95",
+    "sphere --kappa -40 --level 4",
+    "sphere --kappa 3 --level 5",
+    "spectrum homer.off --count 10 --surface 9",
+]
 
 TEXT = """\
 ## An amplitude as a slider
@@ -33,6 +46,13 @@ of a value to the nearest exact one, the largest of the twelve; *found* and *exa
 the window that is reported as complete, less 0.1.
 
 {spectra}
+
+## Verdicts
+
+What the program says of requests that cannot be met, and of results that are not conformal, have collapsed, or are
+not what was asked for: it exits with 2 or 1, and writes nothing.
+
+{verdicts}
 
 The convergence of edits on surfaces with handles is on the page [Surfaces with handles](handles.md), and so is
 what makes the class of the twisted torus drift.
@@ -79,7 +99,28 @@ def spectrum_table(rows):
          str(row["exact"]), f"{row['error']:.3f}"] for row in rows if "spectrum" in row])
 
 
+def run_command(program, command, folder):
+    with tempfile.TemporaryDirectory() as output:
+        words = [str(folder / word) if word.endswith(".off") else word
+                 for word in command.split()]
+        run = subprocess.run([program, *words, "-q", "-o", f"{output}/result.ply"],
+                             capture_output=True, text=True, check=False)
+    reason = run.stderr.strip().splitlines()[-1:] if run.returncode else []
+    words = "".join(reason).replace(f"{folder}/", "").removeprefix("conformal: error: ")
+    return {"command": command, "code": run.returncode, "reason": words}
+
+
+def verdicts(program, folder):
+    return [run_command(program, command, folder) for command in COMMANDS]
+
+
+def verdict_table(rows):
+    header = ["command", "exit", "reason"]
+    return tables.table(header, [[f"`{row['command']}`", str(row["code"]), row["reason"]]
+                                 for row in rows if "command" in row])
+
+
 def page(rows):
     meshes = [mesh for mesh in MESHES if sweep_of(rows, mesh)]
     return TEXT.format(sweeps=sweep_table(rows, meshes), amplitudes=amplitude_table(rows, meshes),
-                       spectra=spectrum_table(rows))
+                       spectra=spectrum_table(rows), verdicts=verdict_table(rows))
