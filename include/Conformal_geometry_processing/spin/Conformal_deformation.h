@@ -19,9 +19,10 @@ namespace internal {
 /// the least change rho of mean curvature whose spin transformation [CGP (5.3)-(5.5)], placed by a
 /// similarity, takes them there.
 ///
-/// Minimises integral rho^2 subject to the positions, by the method of Gauss and Newton, see
-/// `Potential_search`: the gradient of each coordinate by rho is found by the transpose
-/// of the derivative of the transformation, at the cost of two solves with factors at hand.
+/// Minimises <rho, K rho> with the inner product K of `Potential_metric`, so that rho is smooth,
+/// subject to the positions, by the method of Gauss and Newton, see `Potential_search`: the
+/// gradient of each coordinate by rho is found by the transpose of the derivative of the
+/// transformation, at the cost of two solves with factors at hand.
 /// Similarities cost nothing: if the targets are the image of the control points under one, so is
 /// the result. The targets are approached in steps along straight lines, after the similarity, and
 /// a step counts only if the surface it leads to verifies and no face is flipped. Where that fails,

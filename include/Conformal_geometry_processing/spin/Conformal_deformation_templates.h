@@ -21,14 +21,13 @@ namespace internal {
 template <class Search>
 void tell_search(const Search& of, double unit, Spin_report& report)
 {
-  const Dirac_evidence& costs = of.search().costs();
+  const Dirac_solution& costs = of.search().costs();
   const Dirac_solution& solution = of.search().present().solution;
   static_cast<Dirac_evidence&>(report) = in_units(solution, unit);
-  static_cast<Dirac_evidence::Seconds&>(report.seconds) = solution.seconds;
+  static_cast<Dirac_evidence::Seconds&>(report.seconds) = costs.seconds;
   report.cancelled = costs.cancelled;
-  report.iterations = costs.iterations;
-  report.factorizations = costs.factorizations;
-  report.solves = costs.solves;
+  report.iterations = report.factorizations = report.solves = 0;
+  add_costs(static_cast<Dirac_evidence&>(report), costs);
   report.reached = of.reached();
   report.steps = of.steps();
   report.limits.realised_share = 1;

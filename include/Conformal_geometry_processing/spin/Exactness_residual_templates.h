@@ -44,12 +44,14 @@ Eigen::VectorXd Exactness_residual<SolverTraits>::values() const
 template <class SolverTraits>
 Eigen::VectorXd Exactness_residual<SolverTraits>::change(const Spins& dlambda) const
 {
+  if (m_weight == 0) return Eigen::VectorXd::Zero(m_inexact.size());  // saves a solve
   return std::sqrt(m_weight) * inexact_part(edge_change(m_surface, m_lambda, dlambda)).reshaped();
 }
 
 template <class SolverTraits>
 auto Exactness_residual<SolverTraits>::gradient(const Eigen::VectorXd& y) const -> Spins
 {
+  if (m_weight == 0) return Spins::Constant(m_lambda.size(), {});
   Eigen::MatrixX3d q =
       (std::sqrt(m_weight) / m_length) * m_roots.asDiagonal() * y.reshaped(y.size() / 3, 3);
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(m_roots.size());
