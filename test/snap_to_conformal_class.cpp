@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/snap_to_conformal_class.h
-// Tests surfaces/snap_to_class.h
+// Tests spin/snap_to_class.h
 #include <Conformal_geometry_processing/snap_to_conformal_class.h>
+#include <Conformal_geometry_processing/spin_transform_components.h>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cmath>
 #include <limits>
 
 #include "support/cgal_meshes.h"
@@ -67,7 +71,35 @@ void expect_exact_class(const Mesh_view& reference)
   EXPECT_LT(report.displacement, .1);
 }
 
+/// by the named parameter of spin transformations, on one mesh or each of its components
+template <class Mesh>
+void expect_exact_spin_transform(const Mesh_view& reference)
+{
+  namespace params = CGP::parameters;
+  for (const bool by_components : {false, true}) {
+    Case<Mesh> a(reference, reference.positions());
+    const auto rho =
+        boost::make_function_property_map<typename boost::graph_traits<Mesh>::vertex_descriptor,
+                                          double>([&](auto v) {
+          return .5 * std::sin(3 * CGAL::to_double(get(a.reference_points, v).y()));
+        });
+    const auto np = params::exact_conformal_class(true).scale_bound(2);
+    EXPECT_TRUE(by_components ? bool(CGP::spin_transform_components(a.mesh, rho, np))
+                              : bool(CGP::spin_transform(a.mesh, rho, np)));
+    EXPECT_LT(a.change(), 1e-10);
+    EXPECT_GT((points_of(a.mesh) - reference.positions()).norm(), .1);
+  }
+}
+
 }  // namespace
+
+TEST(Snap_to_conformal_class, is_a_parameter_of_spin_transformations)
+{
+  for (const Mesh_view& mesh : {bumpy_sphere(2), torus(2, 1, 20, 10), disk(5)}) {
+    expect_exact_spin_transform<Surface>(mesh);
+    expect_exact_spin_transform<CGAL::Polyhedron_3<Kernel>>(mesh);
+  }
+}
 
 TEST(Snap_to_conformal_class, keeps_length_cross_ratios_on_any_surface_and_any_mesh_type)
 {

@@ -8,7 +8,7 @@
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/write_points.h>
 #include <Conformal_geometry_processing/mesh/simple_delaunay.h>
-#include <Conformal_geometry_processing/surfaces/snap_to_class.h>
+#include <Conformal_geometry_processing/spin/snap_to_class.h>
 
 #include <string>
 

@@ -42,13 +42,15 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
           internal_np::boundary_direction_map_t, internal_np::vertex_target_point_map_t,
           internal_np::position_weight_t, internal_np::kernel_tolerance_t, internal_np::branch_t,
           internal_np::mollification_t, internal_np::scale_bound_t, internal_np::vertex_scale_map_t,
-          internal_np::vertex_scale_weight_map_t, CGAL::internal_np::vertex_is_constrained_t,
-          CGAL::internal_np::vertex_normal_map_t>,
+          internal_np::vertex_scale_weight_map_t, internal_np::exact_conformal_class_t,
+          CGAL::internal_np::vertex_is_constrained_t, CGAL::internal_np::vertex_normal_map_t>,
       "spin_transform(): unknown named parameter, see the manual for those it accepts");
   Spin_transformation_options options;
   options.boundary = boundary_condition(graph, np, function);
   read_exactness_and_mollification(np, options);
   options.scales = scale_control(graph, np);
+  options.exact_conformal_class = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, internal_np::exact_conformal_class), false);
   return options;
 }
 
@@ -157,6 +159,14 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
 ///                    number >= 0 as value}
 ///     \cgalParamDefault{1}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{exact_conformal_class}
+///     \cgalParamDescription{whether the result is moved, by as little as possible, to the surface
+///                           with exactly the length cross-ratios of the mesh, up to rounding:
+///                           `Spin_report::exact_class`. Takes one or two factorizations more; with
+///                           `scale_bound` and `mollification`, too, not with target points}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{limits}
 ///     \cgalParamDescription{what counts as success, see `Spin_report::fault()`}

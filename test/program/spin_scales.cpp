@@ -7,6 +7,7 @@
 
 #include "program/support.h"
 #include "support/limbs.h"
+#include "support/tori.h"
 
 namespace {
 
@@ -48,3 +49,21 @@ TEST_F(Spin_scales, sizes_can_be_wanted_and_locked)
 }
 
 }  // namespace
+
+TEST_F(Spin_scales, exact_class_keeps_length_cross_ratios_with_and_without_a_bound)
+{
+  write("a.off", off(cgp_test::irregular_torus(2, 1, 24, 12)));
+  for (const std::string bound : {"1.3", "none"}) {
+    const std::string spin = "spin -q a.off --rho-expression 'sin(3*x)' --max-scale " + bound +
+                             " -o b.ply --json b.json";
+    ASSERT_EQ(run(spin + " --exact-class").code, 0);
+    const auto result = read_json("b.json")["result"];
+    EXPECT_TRUE(result["exact_class"]["reached"]);
+    EXPECT_GT(result["exact_class"]["length_cross_ratio"]["before"], 1e-4);
+    EXPECT_LT(result["exact_class"]["length_cross_ratio"]["after"], 1e-10);
+    EXPECT_LT(result["length_cross_ratio"]["max"], 1e-10);
+    ASSERT_EQ(run(spin).code, 0);
+    EXPECT_GT(read_json("b.json")["result"]["length_cross_ratio"]["max"], 1e-4);
+    EXPECT_FALSE(read_json("b.json")["result"].contains("exact_class"));
+  }
+}

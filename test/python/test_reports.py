@@ -50,7 +50,7 @@ def members(header, struct):
     ("measure/Conformality.h", "Conformality", cg.Conformality),
     ("parameterization/Parameterization_report.h", "Parameterization_report",
      cg.Parameterization_report),
-    ("surfaces/snap_to_class.h", "Class_snap_report", cg.Class_snap_report),
+    ("spin/Class_snap_report.h", "Class_snap_report", cg.Class_snap_report),
 ])
 def test_reports_have_all_fields(header, struct, report):
     wanted = members(header, struct)

@@ -54,6 +54,9 @@ void add_options(CLI::App& command, Spin_options& spin, Common_options& common)
              "standard, or generalized for rho on faces where that can be trusted");
   command.add_flag("--open-handles", spin.open_handles,
                    "apply rho in one step, also the part of it that shears handles and holes");
+  command.add_flag("--exact-class", spin.exact_class,
+                   "move the result to the exact discrete conformal class: length cross-ratios "
+                   "are kept to rounding");
   add_eigenvector(command, common);
   add_limits(command, spin.limits, spin.force);
 }
@@ -116,6 +119,7 @@ Spin_problem problem_of(CGP::Curvature_potential rho, const Spin_options& spin)
   problem.rho = std::move(rho);
   problem.scales.bound = spin.scales.bound;
   problem.boundary = kept_boundary(spin.boundary);
+  problem.exact_class = spin.exact_class;
   problem.closes_loops = !spin.open_handles;
   problem.mollification = spin.mollification.value_or(0);
   if (!spin.mollification) problem.second_try = 1e-6;

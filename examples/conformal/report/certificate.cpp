@@ -32,6 +32,18 @@ void report_details(const CGP::Spin_report& spin, Report& report)
   report.set("steps", Report::Value(std::vector<double>()));
 }
 
+void tell_exact_class(const std::optional<CGP::internal::Class_snap_report>& snap, Report& report)
+{
+  if (!snap) return;
+  report.set("result/exact_class/reached", snap->converged);
+  report.set("result/exact_class/length_cross_ratio/before", snap->initial_length_cross_ratio.max);
+  report.tell("result/exact_class/length_cross_ratio/after",
+              "log length cross-ratio change, on the exact class", snap->length_cross_ratio.max, 3);
+  report.tell("result/exact_class/displacement", "moved to the exact class by (of the diagonal)",
+              snap->displacement, 3);
+  report.set("result/exact_class/factorizations", snap->factorizations);
+}
+
 }  // namespace
 
 void tell_scales(const CGP::Spin_report::Scales& scales, Report& report)
@@ -70,6 +82,7 @@ void tell_certificate(const CGP::Spin_report& spin, int faces, Outcome& outcome)
     report.show("added to rho, to close holes (% of the curvature of a sphere)",
                 text_of(100 * spin.added_share, 3));
   tell_scales(spin.scales, report);
+  tell_exact_class(spin.exact_class, report);
   tell_mollification(spin.mollification, report);
   tell_conformality(spin.conformality, measured_faces(spin, faces), report);
   report_details(spin, report);

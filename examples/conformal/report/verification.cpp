@@ -105,6 +105,9 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
       return "lengths change by factors of " + text_of(report.scales.low, 3) + " to " +
              text_of(report.scales.high, 3) + ", beyond the bound of " +
              text_of(report.scales.bound, 3) + "; try: " + easier + ", or a larger --max-scale";
+    case Fault::exact_class:
+      return "the exact conformal class is not reached; try: " + easier +
+             ", or without --exact-class";
     case Fault::map:
     case Fault::none:
       break;

@@ -32,6 +32,7 @@ struct Spin_options {
   bool open_handles = false;  ///< rho is applied as it is, though it opens handles and holes
   std::optional<double> max_period_defect;  ///< of handles and holes; none: by the edge length
   Scale_options scales;
+  bool exact_class = false;       ///< length cross-ratios are kept to rounding
   std::string solver = "native";  // or cholmod, eigen
   Verification_limits limits;
 };

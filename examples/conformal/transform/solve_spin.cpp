@@ -28,6 +28,7 @@ Spin_solution solve_by(const CGP::Mesh_view& mesh, const Spin_problem& problem,
   CGP::Spin_transformation_options own{problem.boundary};
   own.max_period_defect = max_period_defect;
   own.scales = problem.scales;
+  own.exact_conformal_class = problem.exact_class;
   if (!problem.closes_loops) own.exactness.reset();
   if (problem.mollification > 0) own.mollification = problem.mollification;
   CGP::Spin_result result = problem.minimal

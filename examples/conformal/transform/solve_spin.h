@@ -38,6 +38,7 @@ struct Spin_problem {
   double mollification = 0;  ///< if not 0, on the intrinsic Delaunay triangulation
   double second_try = 0;     ///< the mollification where a result without does not verify; 0: none
   CGP::internal::Scale_control scales = {};
+  bool exact_class = false;  ///< length cross-ratios are kept to rounding
   bool closes_loops = true;  ///< in as many steps as it takes; leaves out what opens them
 };
 

@@ -112,6 +112,7 @@ CGP::Spin_transformation_options transformation_options(const py::dict& options,
   take(options, "boundary", condition);
   o.boundary = boundary_condition(condition, mesh, function);
   take_closing(options, function, o);
+  take(options, "exact_conformal_class", o.exact_conformal_class);
   take(options, "max_scale", o.scales.bound);
   o.scales.factors = take_numbers(options, "vertex_scale", function);
   o.scales.weights = take_numbers(options, "vertex_scale_weight", function);

@@ -132,6 +132,7 @@ py::dict as_dict(const CGP::Spin_report& r)
   d["position_error"] = mean_and_max(r.position_error);
   d["mollification"] = as_dict(r.mollification);
   d["scales"] = as_dict(r.scales);
+  d["exact_class"] = r.exact_class ? py::object(as_dict(*r.exact_class)) : py::object(py::none());
   d["closure_residual"] = r.closure_residual;
   d["conformality"] = as_dict(r.conformality);
   d["min_spin_ratio"] = r.min_spin_ratio;

@@ -7,7 +7,7 @@
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/parameterization/Parameterization_report.h>
 #include <Conformal_geometry_processing/spin/Spin_report.h>
-#include <Conformal_geometry_processing/surfaces/snap_to_class.h>
+#include <Conformal_geometry_processing/spin/snap_to_class.h>
 
 #include <pybind11/pybind11.h>
 

@@ -4,9 +4,11 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_REPORT_H
 
 #include <Conformal_geometry_processing/measure/Conformality.h>
+#include <Conformal_geometry_processing/spin/Class_snap_report.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
 #include <limits>
+#include <optional>
 
 namespace Conformal_geometry_processing {
 
@@ -75,6 +77,10 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     double excess() const;
   } scales;
 
+  /// how the surface was moved to its exact discrete conformal class; none if that was not
+  /// requested
+  std::optional<internal::Class_snap_report> exact_class;
+
   /// how far the new edges are from conjugate(lambda) df lambda, relative; over several steps from
   /// the first surface to the last
   double closure_residual = 0;
@@ -112,14 +118,15 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     left_out,      ///< too much of rho is left out
     open,          ///< the new edges do not close up, or not around handles and holes
     scales,        ///< lengths change by more than the bound
+    exact_class,   ///< the exact discrete conformal class is not reached
     map            ///< see `Conformality::fault()`
   };
 
   /// \brief the verdict: the first reason why the transformation is not what was requested, or
   /// none.
   ///
-  /// It is solved, conformal, closed, not flipped, not collapsed, and has the boundary and the
-  /// better part of the rho that were requested.
+  /// It is solved, conformal, closed, not flipped, not collapsed, and has the boundary, the better
+  /// part of the rho, and the exact conformal class that were requested.
   Fault fault() const;
 
   Limits limits;  ///< what `fault()` and the conversion to `bool` judge by

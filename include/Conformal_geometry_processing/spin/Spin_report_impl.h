@@ -48,6 +48,8 @@ CGP_INLINE const char* to_string(Spin_report::Fault fault)
       return "the edges of the new surface do not close up";
     case Fault::scales:
       return "lengths change by more than the bound";
+    case Fault::exact_class:
+      return "the exact conformal class is not reached";
     case Fault::map:
       return "the map is not conformal, flips or collapses";
     case Fault::none:
@@ -82,6 +84,7 @@ CGP_INLINE Spin_report::Fault Spin_report::fault() const
   if (!(period_defect <= period_limit)) return Fault::open;
   const double rounding = 1e-9;
   if (!(scales.excess() <= 1 + rounding)) return Fault::scales;
+  if (exact_class && !*exact_class) return Fault::exact_class;
   if (conformality.fault(limits.map) != Conformality::Fault::none) return Fault::map;
   return Fault::none;
 }

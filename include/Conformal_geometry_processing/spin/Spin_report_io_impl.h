@@ -32,6 +32,11 @@ CGP_INLINE std::ostream& operator<<(std::ostream& out, const Spin_report& r)
         << r.scales.high << " with a bound of " << r.scales.bound << ", "
         << 100 * r.scales.kept_norm << " % of rho kept, correlation " << r.scales.kept_correlation
         << '\n';
+  if (r.exact_class)
+    out << "exact conformal class  " << (r.exact_class->converged ? "reached" : "NOT reached")
+        << ", length cross-ratios kept to " << r.exact_class->length_cross_ratio.max
+        << ", before to " << r.exact_class->initial_length_cross_ratio.max << ", "
+        << r.exact_class->factorizations << " factorizations\n";
   if (r.mollification.share > 0)
     out << "mollification          " << r.mollification.thin_faces << " thin faces, "
         << r.mollification.longer_edges << " edges longer by " << r.mollification.added_length

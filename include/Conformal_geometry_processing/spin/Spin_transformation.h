@@ -50,6 +50,10 @@ namespace Conformal_geometry_processing {
 /// is replaced by the nearest one within, see `internal::Scale_search`; a rho within it is applied
 /// as it is. The report contains what was kept (`Spin_report::scales`).
 ///
+/// On request the result is moved to the exact discrete conformal class of the mesh
+/// (`Spin_transformation_options::exact_conformal_class`), from which the discretisation error
+/// takes it.
+///
 /// Computes in a frame of unit size around the centre, so that scale and position have no effect.
 ///
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
@@ -168,14 +172,24 @@ class Spin_transformation {
   /// whether there are loops around handles or holes, which have to close
   bool has_loops() const;
 
+  /// `transform()` off the exact conformal class
+  Spin_result transform_freely(const Curvature_potential& rho, const Dirac_options& options,
+                               const internal::Go_further& go_further);
+
+  /// \brief moves a transformed surface to its exact conformal class; where that takes lengths
+  /// beyond their bound, that of one transformed with a tighter bound.
+  Spin_result on_class(Spin_result result, const Curvature_potential& rho,
+                       const Dirac_options& options, const internal::Go_further& go_further);
+  void move_to_class(Spin_result& result);
+
   /// `transform()` without control of scale
   Spin_result transform_exactly(const Curvature_potential& rho, const Dirac_options& options,
                                 const internal::Go_further& go_further);
 
   /// \brief the transformation by the rho' nearest to rho that keeps to the bound on lengths.
   /// \pre no positions are prescribed
-  Spin_result bound_scales(const Curvature_potential& rho, const Dirac_options& options,
-                           const internal::Go_further& go_further);
+  Spin_result bound_scales(const Curvature_potential& rho, const internal::Scale_control& control,
+                           const Dirac_options& options, const internal::Go_further& go_further);
 
   /// a solution in the frame, with its part of the report in the unit of the mesh
   Spin_result in_units(internal::Dirac_solution s) const;

@@ -29,6 +29,10 @@ struct Spin_transformation_options {
   double min_step = 1. / 256;  ///< the smallest share of rho for a step but the last
   /// with a bound on the change of lengths, rho is replaced by the nearest one that keeps to it
   internal::Scale_control scales = {};
+  /// whether `transform()` ends with the nearest surface whose length cross-ratios are those of the
+  /// mesh, up to rounding; with mollification, of its intrinsic Delaunay triangulation. Cannot be
+  /// combined with prescribed positions. See `internal::move_to_class()`
+  bool exact_conformal_class = false;
 };
 
 }  // namespace Conformal_geometry_processing

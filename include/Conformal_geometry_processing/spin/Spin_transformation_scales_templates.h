@@ -3,14 +3,16 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_SCALES_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_SCALES_TEMPLATES_H
 
-// Transformations with a bound on scales.
+// Transformations with a bound on scales, and those on the exact conformal class.
 
 #include <Conformal_geometry_processing/spin/Exactness_constraints_templates.h>
 #include <Conformal_geometry_processing/spin/Period_limit.h>
 #include <Conformal_geometry_processing/spin/Scale_search_templates.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/move_to_class.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
+#include <cmath>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -21,6 +23,51 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const internal::Go_further& go_further) &
 {
   require_potential(rho);
+  Spin_result result = transform_freely(rho, options, go_further);
+  if (!m_options.exact_conformal_class || !result.report.converged) return result;
+  return on_class(std::move(result), rho, options, go_further);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::on_class(
+    Spin_result result, const Curvature_potential& rho, const Dirac_options& options,
+    const internal::Go_further& go_further)
+{
+  move_to_class(result);
+  const int max_tries = 3;
+  internal::Scale_control tighter = m_options.scales;
+  for (int i = 0; i < max_tries && result.report.scales.excess() > 1; ++i) {
+    const double margin = 1.05;
+    tighter.bound = std::pow(*tighter.bound, 1 / (margin * result.report.scales.excess()));
+    Spin_result next = bound_scales(rho, tighter, options, go_further);
+    if (next.report.converged && !next.report.cancelled) move_to_class(next);
+    internal::add_costs(next.report, result.report);
+    result = std::move(next);
+    if (result.report.cancelled || !result.report.converged) break;
+  }
+  return result;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Spin_transformation<SolverTraits, EigensolverTraits>::move_to_class(Spin_result& result)
+{
+  internal::move_to_class(domain(), result);
+  Spin_report& r = result.report;
+  judge_boundary(domain().frame().to_frame(result.positions), r);
+  if (!m_options.scales.bound) return;
+  Spin_report::Scales now =
+      internal::measured_scales(result.lambda, system().areas(), m_options.scales);
+  now.weight = r.scales.weight;
+  now.kept_norm = r.scales.kept_norm;
+  now.kept_correlation = r.scales.kept_correlation;
+  r.scales = now;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform_freely(
+    const Curvature_potential& rho, const Dirac_options& options,
+    const internal::Go_further& go_further)
+{
   Spin_result result = transform_exactly(rho, options, go_further);
   Spin_report& r = result.report;
   if (!m_options.scales.bound || r.cancelled) return result;
@@ -28,7 +75,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
     r.scales = internal::measured_scales(result.lambda, system().areas(), m_options.scales);
   const bool is_within = r.converged && r.reached == 1 && r.scales.excess() <= 1;
   if (is_within && r.closure_residual <= r.limits.closure) return result;
-  Spin_result bounded = bound_scales(rho, options, go_further);
+  Spin_result bounded = bound_scales(rho, m_options.scales, options, go_further);
   const bool is_better = !is_within || bounded.report || bounded.report.cancelled;
   Spin_result& best = is_better ? bounded : result;
   internal::add_costs(best.report, is_better ? r : bounded.report);
@@ -37,13 +84,12 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
-    const Curvature_potential& rho, const Dirac_options& options,
-    const internal::Go_further& go_further)
+    const Curvature_potential& rho, const internal::Scale_control& control,
+    const Dirac_options& options, const internal::Go_further& go_further)
 {
   const auto* const closing = exactness_if_looped(rho.on);
   internal::Scale_search<SolverTraits, EigensolverTraits> search(
-      system(), {rho.on, rho.values * domain().unit()}, m_options.scales, reconstruction(),
-      closing);
+      system(), {rho.on, rho.values * domain().unit()}, control, reconstruction(), closing);
   Spin_result result = in_units(search.run(options, go_further));
   if (result.report.cancelled) return result;
   const auto edges = transformed_edges(system().surface(), result.lambda);

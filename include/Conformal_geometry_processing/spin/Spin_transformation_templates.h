@@ -14,6 +14,7 @@
 #include <Conformal_geometry_processing/spin/require_condition.h>
 #include <Conformal_geometry_processing/spin/require_potential.h>
 #include <Conformal_geometry_processing/spin/restore_area.h>
+#include <Conformal_geometry_processing/spin/snap_to_class.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
@@ -35,6 +36,13 @@ Spin_transformation<SolverTraits, EigensolverTraits>::Spin_transformation(
   options.scales.require(mesh.size_of_vertices(), function);
   if (options.scales.bound && options.boundary.kind == Boundary_condition::Kind::positions)
     throw Precondition_error(function, "a scale bound and prescribed positions: these fix scales");
+  if (options.exact_conformal_class) {
+    internal::require_edge_lengths(mesh, function);
+    if (options.boundary.kind == Boundary_condition::Kind::positions)
+      throw Precondition_error(function,
+                               "the exact conformal class and prescribed positions: no surface of "
+                               "the class need have these");
+  }
   const int chi = mesh.size_of_vertices() - mesh.size_of_edges() + mesh.size_of_faces();
   const bool has_loops = chi < 1;  // a sphere has 2, a disk 1
   m_generators = has_loops ? closed_generators(mesh) : Eigen::MatrixXd(mesh.size_of_edges(), 0);
@@ -134,7 +142,9 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const Curvature_potential& rho, const Dirac_options& options,
     const internal::Go_further& go_further) &&
 {
-  if (m_options.scales.bound) return transform(rho, options, go_further);  // needs both factors
+  // Control of scale needs both factors, the exact class the surface before all steps.
+  if (m_options.scales.bound || m_options.exact_conformal_class)
+    return transform(rho, options, go_further);
   require_potential(rho);
   if (m_options.exactness && has_loops())
     return internal::Exact_steps(*this, rho, m_options).run(options, go_further);

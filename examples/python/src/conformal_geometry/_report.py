@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import dataclasses
 import html
-from typing import Any, Dict, Iterator, Optional, Tuple, Type, TypeVar, get_type_hints
+from typing import Any, Dict, Iterator, Optional, Tuple, Type, TypeVar, get_args, get_type_hints
 
 T = TypeVar("T")
 
@@ -16,8 +16,10 @@ def build(cls: Type[T], fields: Dict[str, Any]) -> T:
     hints = get_type_hints(cls)
     made = {}
     for name, value in fields.items():
-        if dataclasses.is_dataclass(hints.get(name)):
-            value = build(hints[name], value)
+        hint = hints.get(name)
+        for inner in (hint, *get_args(hint)):  # itself, or what may be there
+            if dataclasses.is_dataclass(inner) and isinstance(value, dict):
+                value = build(inner, value)
         made[name] = value
     return cls(**made)
 

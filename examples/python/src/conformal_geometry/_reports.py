@@ -81,6 +81,19 @@ class Scales:
 
 
 @dataclass(frozen=True)
+class Class_snap_report(Report):
+    """The numbers that verify a snap to a conformal class; the displacement is relative to the
+    diagonal of the mesh."""
+    fault: Optional[str]
+    converged: bool
+    iterations: int
+    factorizations: int
+    initial_length_cross_ratio: Length_cross_ratio_change
+    length_cross_ratio: Length_cross_ratio_change
+    displacement: float
+
+
+@dataclass(frozen=True)
 class Spin_seconds:
     """Wall clock seconds of each stage."""
     setup: float
@@ -140,6 +153,7 @@ class Spin_report(Report):
     position_error: Mean_and_max
     mollification: Mollification
     scales: Scales
+    exact_class: Optional[Class_snap_report]
     closure_residual: float
     conformality: Conformality
     min_spin_ratio: float
@@ -210,19 +224,6 @@ class Parameterization_report(Report):
     conformality: Conformality
     uniform_quasi_conformal: Distribution
     seconds: Parameterization_seconds
-
-
-@dataclass(frozen=True)
-class Class_snap_report(Report):
-    """The numbers that verify a snap to a conformal class; the displacement is relative to the
-    diagonal of the mesh."""
-    fault: Optional[str]
-    converged: bool
-    iterations: int
-    factorizations: int
-    initial_length_cross_ratio: Length_cross_ratio_change
-    length_cross_ratio: Length_cross_ratio_change
-    displacement: float
 
 
 def known(limits: Optional[Dict[str, float]]) -> Dict[str, float]:

@@ -62,7 +62,7 @@ class Spin_transformation:
                  max_scale: Optional[float] = None, vertex_scale: Any = None,
                  vertex_scale_weight: Any = None, exactness: Optional[str] = "adjoint",
                  max_period_defect: Optional[float] = None,
-                 mollification: Optional[float] = None,
+                 mollification: Optional[float] = None, exact_conformal_class: bool = False,
                  function: str = "Spin_transformation") -> None:
         self._function = function
         self._faces = faces(F, function)
@@ -71,7 +71,8 @@ class Spin_transformation:
             boundary=boundary, max_scale=max_scale, exactness=exactness,
             vertex_scale=real_or_none(vertex_scale, function, "vertex_scale"),
             vertex_scale_weight=real_or_none(vertex_scale_weight, function, "vertex_scale_weight"),
-            max_period_defect=max_period_defect, mollification=mollification)
+            max_period_defect=max_period_defect, mollification=mollification,
+            exact_conformal_class=exact_conformal_class)
         self._kernel = _kernels.Transformation(points(V, function), self._faces, options,
                                                function)
 
@@ -118,8 +119,8 @@ def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
                    boundary: Optional[Boundary_condition] = None,
                    exactness: Optional[str] = "adjoint",
                    max_period_defect: Optional[float] = None,
-                   mollification: Optional[float] = None, tolerance: float = 1e-8,
-                   max_iterations: int = 200, max_substeps: int = 10,
+                   mollification: Optional[float] = None, exact_conformal_class: bool = False,
+                   tolerance: float = 1e-8, max_iterations: int = 200, max_substeps: int = 10,
                    eigenproblem: str = "standard", kernel_tolerance: float = 0.,
                    branch: str = "nearest", random_seed: int = 0,
                    limits: Optional[Dict[str, float]] = None,
@@ -159,6 +160,9 @@ def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
         discretisation error
     mollification : float in (0, 1), optional
         admits faces of any thinness, also of area zero; 1e-6 is a good value
+    exact_conformal_class : bool
+        whether the result is moved to the surface with exactly the length cross-ratios of the mesh
+        (``report.exact_class``)
     tolerance : float
         upper bound of the error estimate of lambda
     max_iterations, max_substeps : int
@@ -191,7 +195,7 @@ def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
         V, F, boundary=boundary, max_scale=max_scale, vertex_scale=vertex_scale,
         vertex_scale_weight=vertex_scale_weight, exactness=exactness,
         max_period_defect=max_period_defect, mollification=mollification,
-        function="spin_transform")
+        exact_conformal_class=exact_conformal_class, function="spin_transform")
     return transformation.transform(
         rho, on=on, tolerance=tolerance, max_iterations=max_iterations, max_substeps=max_substeps,
         eigenproblem=eigenproblem, kernel_tolerance=kernel_tolerance, branch=branch,

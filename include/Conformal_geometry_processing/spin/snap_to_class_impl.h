@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_SNAP_TO_CLASS_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_SNAP_TO_CLASS_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SNAP_TO_CLASS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SNAP_TO_CLASS_IMPL_H
 
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/surfaces/snap_to_class.h>
+#include <Conformal_geometry_processing/spin/snap_to_class.h>
 
 #include <Eigen/Core>
 

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_MOVE_TO_CLASS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_MOVE_TO_CLASS_H
+
+#include <Conformal_geometry_processing/spin/Framed_surface.h>
+#include <Conformal_geometry_processing/spin/Spin_result.h>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief moves a transformed surface by as little as possible into the exact discrete conformal
+/// class of the initial one: to its length cross-ratios, up to rounding.
+///
+/// Spins solve the Dirac equation up to the discretisation error, and so do the length
+/// cross-ratios. Afterwards |lambda|^2 at the ends of an edge are factors of its length whose
+/// geometric mean is exactly that by which it has changed; the directions of lambda are those of
+/// the equation. Area and centroid stay those of the initial surface.
+///
+/// One or two factorizations of a real matrix with blocks of 4 x 4 numbers on the vertices.
+/// \param domain the initial surface. With mollification, the class is that of its intrinsic
+/// Delaunay triangulation, with the distances of vertices in space as lengths
+/// \param result of a transformation that was not cancelled; receives positions, lambda, the
+/// certificate, and `Spin_report::exact_class`. Where the class is not reached, only the last
+/// \pre no edge of the surface has length zero
+void move_to_class(const Framed_surface& domain, Spin_result& result);
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/move_to_class_impl.h>
+#endif
+
+#endif
