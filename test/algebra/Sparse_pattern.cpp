@@ -1,7 +1,7 @@
-// Tests algebra/Sparse_pattern.h
+// Tests algebra/Hermitian_sparse_matrix.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/algebra/Sparse_pattern.h>
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #ifndef TEST_LINEAR_ALGEBRA_DENSE_FRONTS_H
 #define TEST_LINEAR_ALGEBRA_DENSE_FRONTS_H
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
-#include <Conformal_geometry_processing/linear_algebra/vector_units/kernels_for.h>
+#include <Conformal_geometry_processing/algebra/scalar.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
 
 #include <Eigen/Dense>
 

@@ -3,7 +3,7 @@
 #ifndef TEST_LINEAR_ALGEBRA_GRAPHS_H
 #define TEST_LINEAR_ALGEBRA_GRAPHS_H
 
-#include <Conformal_geometry_processing/algebra/Sparse_pattern.h>
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_CORE_DIRAC_PARAMETERS_H
 
 #include <Conformal_geometry_processing/core/named_parameters.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_convergence.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 
 namespace Conformal_geometry_processing {

@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_VERTEX_GRAPH_H
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/algebra/Sparse_pattern.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <cstddef>

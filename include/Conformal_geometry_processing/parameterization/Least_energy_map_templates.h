@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_LEAST_ENERGY_MAP_TEMPLATES_H
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/expanded_graph.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/parameterization/Least_energy_map.h>

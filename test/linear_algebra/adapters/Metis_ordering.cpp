@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/linear_algebra/adapters/Metis_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_structure.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/linear_algebra/dense/guarded.h
-#include <Conformal_geometry_processing/linear_algebra/dense/guarded.h>
+// Tests include/Conformal_geometry_processing/linear_algebra/dense/Solver_status.h
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Tests linear_algebra/vector_units/Front_kernels.h
 // Tests linear_algebra/vector_units/Panel_kernels.h
-// Tests linear_algebra/vector_units/Pivot_triangle.h
+// Tests linear_algebra/vector_units/Panel_kernels.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 

@@ -1,9 +1,9 @@
-// Tests include/Conformal_geometry_processing/linear_algebra/vector_units/Plane_products.h
+// Tests include/Conformal_geometry_processing/linear_algebra/vector_units/kernel_arithmetic.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
-#include <Conformal_geometry_processing/linear_algebra/vector_units/Plane_products.h>
+#include <Conformal_geometry_processing/algebra/scalar.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/kernel_arithmetic.h>
 
 #include <gtest/gtest.h>
 

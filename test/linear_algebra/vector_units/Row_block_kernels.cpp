@@ -1,10 +1,10 @@
-// Tests include/Conformal_geometry_processing/linear_algebra/vector_units/Row_block_kernels.h
+// Tests include/Conformal_geometry_processing/linear_algebra/vector_units/Substitution_kernels.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <Conformal_geometry_processing/linear_algebra/vector_units/Row_block_kernels.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Substitution_kernels.h>
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
+#include <Conformal_geometry_processing/algebra/scalar.h>
 
 #include <gtest/gtest.h>
 

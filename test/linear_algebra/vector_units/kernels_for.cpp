@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests linear_algebra/vector_units/kernels_for.h, linear_algebra/vector_units/unit_kernels.h
+// Tests linear_algebra/vector_units/Vector_unit.h, linear_algebra/vector_units/unit_kernels.h
 // Tests linear_algebra/vector_units/compiled_kernels.h, linear_algebra/vector_units/unit_tags.h
-#include <Conformal_geometry_processing/linear_algebra/vector_units/kernels_for.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/unit_kernels.h>
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-// Tests include/Conformal_geometry_processing/linear_algebra/vector_units/plain_functions.h
+// Tests include/Conformal_geometry_processing/linear_algebra/vector_units/kernel_arithmetic.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <Conformal_geometry_processing/linear_algebra/vector_units/plain_functions.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/kernel_arithmetic.h>
 
 #include <gtest/gtest.h>
 

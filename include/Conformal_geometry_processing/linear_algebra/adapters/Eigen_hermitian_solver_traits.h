@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_EIGEN_HERMITIAN_SOLVER_TRAITS_H
 
 #include <Conformal_geometry_processing/linear_algebra/adapters/Embedded_hermitian_solver.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
 #include <Eigen/SparseCholesky>
 

@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Embedded_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/guarded.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
 #include <cstdint>

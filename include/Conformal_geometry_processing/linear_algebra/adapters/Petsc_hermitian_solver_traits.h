@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_multigrid.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/guarded.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/breadth_first_ordering.h>
 
 #include <optional>

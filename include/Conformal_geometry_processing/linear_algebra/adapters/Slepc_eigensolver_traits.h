@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Slepc_lobpcg.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_convergence.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ADAPTERS_SUPERNODAL_REAL_SOLVER_TRAITS_H
 
 #include <Conformal_geometry_processing/linear_algebra/adapters/Embedded_hermitian_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
 
 #include <memory>
 #include <numeric>

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_SOLVER_STATUS_H
 
 #include <cstdint>
+#include <new>
 
 namespace Conformal_geometry_processing {
 
@@ -44,6 +45,22 @@ struct Solver_statistics {
   double flops = 0;                 ///< floating-point operations of one factorization
   double bytes = 0;                 ///< memory of the factor
 };
+
+namespace internal {
+
+// Returns the result of `action`, or `out_of_memory` if it throws std::bad_alloc: solvers report
+// failure by their status only.
+template <class Action>
+Solver_status guarded(const Action& action)
+{
+  try {
+    return action();
+  } catch (const std::bad_alloc&) {
+    return Solver_status::out_of_memory;
+  }
+}
+
+}  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 

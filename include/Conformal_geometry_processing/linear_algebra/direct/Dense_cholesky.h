@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_DENSE_CHOLESKY_H
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Aligned_array.h>
-#include <Conformal_geometry_processing/linear_algebra/vector_units/kernels_for.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
 
 #include <Eigen/Core>
 

@@ -3,6 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_ORDERING_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_ORDERING_H
 
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -21,6 +23,10 @@ using Ordering = std::vector<int>;
 /// \ingroup PkgLinearAlgebra
 /// Permutation from old to new numbers; empty if `order` is not a permutation of 0 ... n - 1
 std::vector<int> inverse_permutation(const internal::Ordering& order);
+
+/// \ingroup PkgLinearAlgebra
+/// Computes an approximate minimum degree ordering (Amestoy, Davis and Duff 1996) with Eigen
+internal::Ordering amd_ordering(const Sparse_pattern& pattern);
 
 }  // namespace Conformal_geometry_processing
 

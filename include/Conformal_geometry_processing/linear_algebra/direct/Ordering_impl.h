@@ -6,6 +6,9 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 
+#include <Eigen/Core>
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
 #include <cstddef>
 #include <vector>
 
@@ -20,6 +23,19 @@ CGP_INLINE std::vector<int> inverse_permutation(const internal::Ordering& order)
     inverse[old] = static_cast<int>(k);
   }
   return inverse;
+}
+
+CGP_INLINE internal::Ordering amd_ordering(const Sparse_pattern& pattern)
+{
+  using Graph = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+  const std::vector<double> ones(pattern.indices.size(), 1.0);
+  const Eigen::Map<const Graph> lower(pattern.size(), pattern.size(), pattern.size_of_entries(),
+                                      pattern.offsets.data(), pattern.indices.data(), ones.data());
+  const Graph graph = lower.selfadjointView<Eigen::Lower>();
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
+  Eigen::AMDOrdering<int>()(graph, permutation);
+  return internal::Ordering(permutation.indices().data(),
+                            permutation.indices().data() + pattern.size());
 }
 
 }  // namespace Conformal_geometry_processing

@@ -3,10 +3,10 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_CHOLESKY_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_CHOLESKY_TEMPLATES_H
 
-#include <Conformal_geometry_processing/linear_algebra/dense/guarded.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_substitution.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
 
 #include <cmath>

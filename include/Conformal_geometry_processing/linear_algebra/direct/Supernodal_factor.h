@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Aligned_array.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Contribution_stack.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Elimination_tasks.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_instances.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Front_kernels.h>
 

@@ -3,10 +3,10 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_FACTOR_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_FACTOR_TEMPLATES_H
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
+#include <Conformal_geometry_processing/algebra/scalar.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
-#include <Conformal_geometry_processing/linear_algebra/vector_units/kernels_for.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
 
 #include <algorithm>
 #include <atomic>

@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_structure.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/supernodes.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/elimination_tree.h>
 
 #include <algorithm>
 #include <cstddef>

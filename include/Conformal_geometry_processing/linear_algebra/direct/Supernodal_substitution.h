@@ -3,9 +3,9 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_SUBSTITUTION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SUPERNODAL_SUBSTITUTION_H
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
+#include <Conformal_geometry_processing/algebra/scalar.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/supernodes.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/elimination_tree.h>
 
 namespace Conformal_geometry_processing {
 

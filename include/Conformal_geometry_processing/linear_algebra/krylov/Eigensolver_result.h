@@ -3,10 +3,16 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGENSOLVER_RESULT_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_EIGENSOLVER_RESULT_H
 
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Ritz_panel.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <string>
 
 namespace Conformal_geometry_processing {
 
@@ -66,6 +72,75 @@ struct Eigensolver_result {
             ///< upper bound found, if any, which is rough for wide gaps
 };
 
+namespace internal {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief Monitors the convergence of an eigensolver: stores the best iterate and decides when to
+/// stop.
+///
+/// At rounding level the iterates fluctuate; if three consecutive iterations reduce neither the
+/// estimate nor the eigenvalue, the iteration has stagnated.
+class Eigensolver_convergence {
+ public:
+  /// \param function the name of the function in error messages
+  Eigensolver_convergence(std::string function, const Eigensolver_options& options,
+                          const Block<Quaternion<double>>& x0);
+
+  /// Returns the basis of the initial vectors, if there is one
+  Ritz_panel initial(Ritz_panel x) const;
+
+  /// \brief Records the iterate x with residual r and T r; returns true if it is the last one.
+  template <class GoFurther>
+  bool is_last(const Ritz_panel& x, const Block<Quaternion<double>>& r,
+               const Block<Quaternion<double>>& Tr, GoFurther&& go_further)
+  {
+    const Vector<double> estimates = error_estimates(x, r, Tr);
+    const double estimate = estimates.head(m_options.wanted).maxCoeff();
+    if (!std::isfinite(estimate))
+      throw Solver_error(m_function, "iteration " + std::to_string(m_result.iterations) +
+                                         " gives values that are not finite");
+    note_progress(x, estimates, estimate);
+    m_result.converged = estimate <= m_options.tolerance;
+    if (m_result.converged) return true;
+    m_result.stagnated = m_idle >= 3;
+    if (m_result.stagnated || m_iterations >= m_options.max_iterations) return true;
+    m_result.cancelled =
+        !go_further(Eigensolver_progress{m_iterations, x.value(0), estimate, &x.v});
+    return m_result.cancelled;
+  }
+
+  void count_iteration() { ++m_iterations; }
+  void count_solve() { ++m_result.solves; }
+
+  /// No search directions are left
+  void stop() { m_result.stagnated = true; }
+
+  /// Records the Ritz value after those of the iterates; it is an upper bound of its eigenvalue
+  void note_next_value(double value) { m_next = (std::min)(m_next, value); }
+
+  /// Returns the best iterate
+  Eigensolver_result result();
+
+ private:
+  Vector<double> error_estimates(const Ritz_panel& x, const Block<Quaternion<double>>& r,
+                                 const Block<Quaternion<double>>& Tr) const;
+  void note_progress(const Ritz_panel& x, const Vector<double>& estimates, double estimate);
+
+  std::string m_function;
+  Eigensolver_options m_options;
+  Eigensolver_result m_result;
+  double m_best = std::numeric_limits<double>::infinity();
+  double m_lowest = std::numeric_limits<double>::infinity();
+  double m_next = std::numeric_limits<double>::infinity();
+  int m_iterations = 0, m_idle = 0;
+};
+
+}  // namespace internal
+
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result_impl.h>
+#endif
 
 #endif

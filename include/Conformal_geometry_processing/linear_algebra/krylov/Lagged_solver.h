@@ -4,11 +4,11 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_LAGGED_SOLVER_H
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/algebra/scalar.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Refactorization_rule.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 

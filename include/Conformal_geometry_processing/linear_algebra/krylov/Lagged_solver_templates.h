@@ -3,8 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_LAGGED_SOLVER_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_LAGGED_SOLVER_TEMPLATES_H
 
-#include <Conformal_geometry_processing/linear_algebra/dense/guarded.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/release_factor.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver.h>
 
 #include <Eigen/Core>

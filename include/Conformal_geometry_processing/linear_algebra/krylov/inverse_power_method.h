@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_INVERSE_POWER_METHOD_H
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_convergence.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Ritz_panel.h>
 

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_MULTIGRID_CYCLE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_MULTIGRID_CYCLE_H
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
+#include <Conformal_geometry_processing/algebra/scalar.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_level.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/galerkin_product.h>

@@ -3,9 +3,9 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_MULTIGRID_SOLVER_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_MULTIGRID_MULTIGRID_SOLVER_TEMPLATES_H
 
-#include <Conformal_geometry_processing/linear_algebra/dense/guarded.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Scalar_planes.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
+#include <Conformal_geometry_processing/algebra/scalar.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver.h>
 

@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/amd_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_form.h>
 

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_SCHUR_REDUCED_SOLVER_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_SCHUR_REDUCED_SOLVER_H
 
-#include <Conformal_geometry_processing/linear_algebra/dense/guarded.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_substitution.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_complement.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_form.h>

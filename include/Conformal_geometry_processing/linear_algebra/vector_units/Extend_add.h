@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Front_kernels.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Simd_lanes.h>
-#include <Conformal_geometry_processing/linear_algebra/vector_units/plain_functions.h>
+#include <Conformal_geometry_processing/linear_algebra/vector_units/kernel_arithmetic.h>
 
 #include <cstdint>
 

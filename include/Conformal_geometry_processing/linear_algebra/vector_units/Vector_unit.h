@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_VECTOR_UNIT_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_VECTOR_UNITS_VECTOR_UNIT_H
 
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Front_kernels.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/unit_tags.h>
 
 namespace Conformal_geometry_processing {
@@ -30,6 +31,19 @@ internal::Vector_unit vector_unit();
 /// units differ by rounding. Existing solvers keep their unit. May be called from any thread.
 /// \returns false, and changes nothing, if `has_vector_unit()` is false
 bool set_vector_unit(internal::Vector_unit unit);
+
+/// \ingroup PkgLinearAlgebra
+/// \brief Returns the kernels for scalars of 1, 2 or 4 real components.
+///
+/// \tparam Real the numbers stored, `double` or `float`
+/// \pre `has_vector_unit(unit)`
+template <class Real>
+internal::Front_kernels<Real> kernels_for(int planes, internal::Vector_unit unit = vector_unit());
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+extern template internal::Front_kernels<double> kernels_for<double>(int, internal::Vector_unit);
+extern template internal::Front_kernels<float> kernels_for<float>(int, internal::Vector_unit);
+#endif
 
 }  // namespace Conformal_geometry_processing
 

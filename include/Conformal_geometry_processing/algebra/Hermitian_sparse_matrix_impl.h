@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_SPARSE_PATTERN_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_SPARSE_PATTERN_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_HERMITIAN_SPARSE_MATRIX_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_ALGEBRA_HERMITIAN_SPARSE_MATRIX_IMPL_H
 
-#include <Conformal_geometry_processing/algebra/Sparse_pattern.h>
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/config.h>
 
 #include <algorithm>
