@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/moebius_transform.h
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/measure/length_cross_ratio.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

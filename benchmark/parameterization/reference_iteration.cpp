@@ -5,8 +5,8 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/expanded_graph.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/parameterization/vertex_normal_energy.h>
 

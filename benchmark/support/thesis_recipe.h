@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/algebra/quaternion_blocks.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 

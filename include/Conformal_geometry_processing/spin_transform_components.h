@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/core/for_each_component.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/spin/require_potential.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <string>

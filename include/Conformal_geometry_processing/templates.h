@@ -10,7 +10,6 @@
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow_templates.h>
 #include <Conformal_geometry_processing/flow/Constrained_direction_templates.h>
 #include <Conformal_geometry_processing/flow/Curvature_filter_templates.h>
-#include <Conformal_geometry_processing/forms/Dirac_energy_inverse_templates.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver_templates.h>

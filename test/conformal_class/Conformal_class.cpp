@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
-#include <Conformal_geometry_processing/measure/length_cross_ratio.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 
 #include <gtest/gtest.h>
 

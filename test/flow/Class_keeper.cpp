@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Class_keeper.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/measure/length_cross_ratio.h>
 
 #include <gtest/gtest.h>
 

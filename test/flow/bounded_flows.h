@@ -4,7 +4,7 @@
 #define TEST_FLOW_BOUNDED_FLOWS_H
 
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>

@@ -7,7 +7,6 @@
 #include <Conformal_geometry_processing/forms/tangent_field.h>
 #include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
 #include <Conformal_geometry_processing/operators/exterior_derivative.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 

@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/forms/random_closed_forms.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
 #include <Conformal_geometry_processing/operators/exterior_derivative.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 

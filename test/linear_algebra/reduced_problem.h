@@ -4,7 +4,7 @@
 #define TEST_LINEAR_ALGEBRA_REDUCED_PROBLEM_H
 
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 

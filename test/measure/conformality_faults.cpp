@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/measure/Conformality.h
 #include <Conformal_geometry_processing/measure/Conformality.h>
-#include <Conformal_geometry_processing/measure/area_distortion.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-// Tests include/Conformal_geometry_processing/measure/quasi_conformal_error.h
+// Tests include/Conformal_geometry_processing/measure/distortion.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 
 #include <gtest/gtest.h>
 

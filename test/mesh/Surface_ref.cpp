@@ -3,8 +3,8 @@
 // Tests mesh/Surface_ref.h, mesh/Sheet.h
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Tests include/Conformal_geometry_processing/mesh/boundary_loops.h
+// Tests include/Conformal_geometry_processing/mesh/topology.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/operators/dirac_energy.h
-// Tests include/Conformal_geometry_processing/operators/dirac_forms.h
+// Tests include/Conformal_geometry_processing/operators/dirac_energy.h
 // Tests include/Conformal_geometry_processing/operators/cotan_laplacian.h
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
-#include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 

@@ -1,10 +1,9 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/operators/dirac_forms.h
+// Tests include/Conformal_geometry_processing/operators/dirac_energy.h
 #include <Conformal_geometry_processing/operators/averaging.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
-#include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <gtest/gtest.h>

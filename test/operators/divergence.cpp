@@ -1,8 +1,7 @@
-// Tests include/Conformal_geometry_processing/operators/divergence.h
+// Tests include/Conformal_geometry_processing/operators/cotan_laplacian.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 // Tests parameterization/Parameterization_report.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/measure/alignment.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
 #include <Conformal_geometry_processing/templates.h>
 

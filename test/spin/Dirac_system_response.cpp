@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Dirac_system.h
 #include <Conformal_geometry_processing/mesh/Delaunay_view.h>
-#include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
 
 #include <gtest/gtest.h>
 
@@ -73,6 +73,22 @@ TEST(Dirac_system, responds_on_a_mesh_that_has_moved_with_the_same_analysis)
   EXPECT_EQ(system.solver().structure(), structure);
   const Quaternion_matrix c = sources(mesh.size_of_vertices(), 2);
   expect_solutions(mesh, system.response(c), c);
+}
+
+TEST(Dirac_system, responds_with_the_factor_for_any_rho)
+{
+  const Mesh_view mesh = btorus(12);
+  const auto X = CGP::dirac_energy(mesh, CGP::no_potential(mesh));
+  const Quaternion_matrix c = sources(mesh.size_of_vertices(), 3);
+  for (const double amplitude : {0., 0.2}) {
+    CGP::internal::Dirac_system<> system(mesh);
+    CGP::internal::Dirac_solution::Seconds seconds;
+    CGP::Curvature_potential rho = CGP::no_potential(mesh);
+    rho.values = amplitude * random_numbers(mesh.size_of_vertices(), 5);
+    system.set_potential(rho, seconds);
+    expect_solutions(mesh, CGP::internal::closed_response(X, system.areas(), system.solver(), c),
+                     c);
+  }
 }
 
 TEST(Dirac_system, responds_on_faces_of_area_zero)

@@ -5,7 +5,6 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/closure_residual.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 

@@ -3,9 +3,9 @@
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
 // Tests include/Conformal_geometry_processing/spin/Spin_result.h
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation_options.h
-// Tests include/Conformal_geometry_processing/spin/restore_area.h
+// Tests include/Conformal_geometry_processing/spin/gauge.h
 // Tests include/Conformal_geometry_processing/spin/Spin_report.h
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 

@@ -4,7 +4,7 @@
 #define TEST_SPIN_BRANCH_TOOLS_H
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
-#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,6 @@
 #define TEST_SPIN_DENSE_BRANCH_H
 
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
-#include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Eigenvalues>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/restore_area.h
-#include <Conformal_geometry_processing/spin/restore_area.h>
+// Tests include/Conformal_geometry_processing/spin/gauge.h
+#include <Conformal_geometry_processing/spin/gauge.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Tests include/Conformal_geometry_processing/spin/rotated_normals.h
-#include <Conformal_geometry_processing/spin/rotated_normals.h>
+// Tests include/Conformal_geometry_processing/spin/certify.h
+#include <Conformal_geometry_processing/spin/certify.h>
 
 #include <gtest/gtest.h>
 

@@ -18,8 +18,8 @@
 #include "conformal/transform/write_result.h"
 
 #include <Conformal_geometry_processing/measure/alignment.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/spin/curvature_difference.h>
 #include <Conformal_geometry_processing/spin/turned_binormals.h>

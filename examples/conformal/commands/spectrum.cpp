@@ -12,7 +12,7 @@
 #include "conformal/transform/suitable_surface.h"
 #include "conformal/transform/write_result.h"
 
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
 #include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
 

@@ -8,7 +8,7 @@
 #include "conformal/process/Failure.h"
 #include "conformal/process/text.h"
 
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <cmath>
 #include <utility>

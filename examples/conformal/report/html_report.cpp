@@ -5,7 +5,7 @@
 #include "page_blocks.h"
 #include "report_page.h"
 
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include "conformal/input/User_frame.h"
 #include "conformal/report/certificate.h"
 
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 
 #include <utility>
 

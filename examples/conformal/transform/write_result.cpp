@@ -6,7 +6,7 @@
 #include "conformal/io/write_surface.h"
 #include "conformal/report/keep_exhibit.h"
 
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 

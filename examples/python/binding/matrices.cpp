@@ -4,14 +4,14 @@
 #include "options.h"
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
-#include <Conformal_geometry_processing/spin/require_potential.h>
 
 #include <vector>
 

@@ -49,7 +49,7 @@ struct Scalar_traits<Quaternion<FT_>> {
   static constexpr Quaternion<FT> from_real(FT s) { return {s, 0, 0, 0}; }
 };
 
-/// \ingroup PkgLinearAlgebra
+/// \ingroup PkgAlgebra
 /// \brief Scalars as arrays of their real components, so that the same dense kernels work for real,
 /// complex and quaternionic matrices (see `Plane_products`).
 template <class Scalar>

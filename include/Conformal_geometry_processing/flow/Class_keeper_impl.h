@@ -7,7 +7,7 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/flow/Class_keeper.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
-#include <Conformal_geometry_processing/spin/restore_area.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
 
 #include <algorithm>
 #include <utility>

@@ -7,9 +7,9 @@
 
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/forms/conformal_type.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/simple_delaunay.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <Eigen/Core>
 

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FORMS_HARMONIC_BASIS_H
 
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 
 #include <Eigen/Core>
 

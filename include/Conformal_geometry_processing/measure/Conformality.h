@@ -4,9 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_CONFORMALITY_H
 
 #include <Conformal_geometry_processing/measure/Distribution.h>
-#include <Conformal_geometry_processing/measure/area_distortion.h>
-#include <Conformal_geometry_processing/measure/flipped_faces.h>
-#include <Conformal_geometry_processing/measure/length_cross_ratio.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 namespace Conformal_geometry_processing {

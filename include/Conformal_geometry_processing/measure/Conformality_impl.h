@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
 namespace Conformal_geometry_processing {

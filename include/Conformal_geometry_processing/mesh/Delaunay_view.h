@@ -6,7 +6,7 @@
 #include <Conformal_geometry_processing/mesh/Common_subdivision.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Transported_forms.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <Eigen/Core>
 

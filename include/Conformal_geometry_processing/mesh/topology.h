@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_TOPOLOGY_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
 
 #include <vector>
 
@@ -39,6 +38,15 @@ struct Topology {
 /// \pre `require_manifold_edges(mesh)` and `require_manifold_vertices(mesh)` hold, and no vertex is
 /// isolated
 internal::Topology topology(const Mesh_view& mesh);
+
+/// \ingroup PkgMesh
+/// \brief Returns the boundary curves of a surface, each as its vertices in order, with the surface
+/// on the left.
+///
+/// A loop starts at its vertex of smallest number; loops are sorted by it. O(|V| + |E|).
+/// \pre `require_manifold_edges(mesh)` and `require_manifold_vertices(mesh)` hold: every boundary
+/// vertex has one outgoing boundary edge
+std::vector<std::vector<int>> boundary_loops(const Mesh_view& mesh);
 
 }  // namespace Conformal_geometry_processing
 

@@ -4,11 +4,12 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CURVATURE_POTENTIAL_H
 
 #include <Conformal_geometry_processing/algebra/Quaternionic_sparse_matrix.h>
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
-
+#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -53,6 +54,12 @@ Eigen::VectorXd curvature_areas(const Surface_ref& surface, Curvature_potential:
 /// \ingroup PkgOperators
 /// the mean of rho over the surface, weighted by area
 double mean(const Surface_ref& surface, const Curvature_potential& rho);
+
+/// \ingroup PkgOperators
+/// \throw Precondition_error if rho has the wrong length or a value that is not finite, also after
+/// conversion to 1/`unit`
+void require_potential(const Mesh_view& mesh, const Curvature_potential& rho, double unit,
+                       const std::string& function);
 
 }  // namespace Conformal_geometry_processing
 

@@ -4,12 +4,14 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_CURVATURE_POTENTIAL_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
-
 #include <array>
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -53,6 +55,22 @@ CGP_INLINE double mean(const Surface_ref& surface, const Curvature_potential& rh
 {
   const Eigen::VectorXd areas = curvature_areas(surface, rho.on);
   return areas.dot(rho.values) / areas.sum();
+}
+
+CGP_INLINE void require_potential(const Mesh_view& mesh, const Curvature_potential& rho,
+                                  double unit, const std::string& function)
+{
+  const bool on_faces = rho.on == Curvature_potential::On::faces;
+  const int size = on_faces ? mesh.size_of_faces() : mesh.size_of_vertices();
+  const std::string element = on_faces ? "face" : "vertex";
+  if (rho.values.size() != size)
+    throw Precondition_error(function, "rho has " + std::to_string(rho.values.size()) +
+                                           " values, one per " + element +
+                                           " is needed: " + std::to_string(size));
+  internal::refuse_if_any(
+      size, [&](int i) { return !std::isfinite(rho.values[i] * unit); },
+      [&](int i) { return element + " " + std::to_string(i); }, function,
+      "#value of rho not finite", "finite values are needed");
 }
 
 }  // namespace Conformal_geometry_processing

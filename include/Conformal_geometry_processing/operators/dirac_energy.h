@@ -4,8 +4,11 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_DIRAC_ENERGY_H
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
+
+#include <Eigen/Core>
 
 namespace Conformal_geometry_processing {
 
@@ -39,6 +42,50 @@ Hermitian_sparse_matrix<Quaternion<double>> dirac_energy(const Surface_ref& surf
 /// A sheet contributes its share of (e_i - e_j) / 12 - A (rho_i + rho_j) / 18 to entry (i, j).
 Hermitian_sparse_matrix<Quaternion<double>> dirac_form(const Surface_ref& surface,
                                                        const Curvature_potential& rho);
+
+namespace internal {
+
+/// \ingroup PkgOperators
+/// \brief the two forms whose quotient is the *signed* eigenvalue of D - rho, on k vectors V: |V| x
+/// k. Both are k x k and Hermitian.
+struct Dirac_forms {
+  Block<Quaternion<double>> dirac;  ///< the Hermitian part of V^H B^H M_F (D - R) V; indefinite
+  Block<Quaternion<double>> mass;   ///< V^H B^H M_F B V; positive definite
+};
+
+/// \ingroup PkgOperators
+/// row c of M (D - R) on a sheet, divided by its share; r: rho at the corners
+Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3d& r, int c);
+
+}  // namespace internal
+
+/// \ingroup PkgOperators
+/// the forms on the columns of `vectors`; O(sheets), without assembling a matrix
+internal::Dirac_forms dirac_forms(const Surface_ref& surface, const Curvature_potential& rho,
+                                  const Block<Quaternion<double>>& vectors);
+
+/// \ingroup PkgOperators
+/// \brief H lambda, |V|, where H is the Hermitian part of B^H M_F (D - R): the form `dirac` of
+/// `Dirac_forms` as an operator. O(sheets), without assembling a matrix.
+Quaternion_vector<double> apply_dirac_form(const Surface_ref& surface,
+                                           const Curvature_potential& rho,
+                                           const Quaternion_vector<double>& lambda);
+
+/// \ingroup PkgOperators
+/// \brief gamma = Re <B lambda, M_F (D - R) lambda> / <B lambda, M_F B lambda> for an eigenvector
+/// lambda of X; in 1/length.
+///
+/// The eigenvalue mu of X is gamma^2 plus the discretisation error ([CGP (5.3)] writes gamma for
+/// it): its root has no sign, and is inaccurate near zero.
+double dirac_quotient(const Surface_ref& surface, const Curvature_potential& rho,
+                      const Quaternion_vector<double>& lambda);
+
+/// \ingroup PkgOperators
+/// \brief |(D - R) lambda| / |lambda|, in 1/length: the root of the Rayleigh quotient of X and the
+/// vertex areas. Accurate to all digits even if it is zero up to rounding, because no terms cancel.
+/// O(sheets), without assembling a matrix.
+double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
+                    const Quaternion_vector<double>& lambda);
 
 }  // namespace Conformal_geometry_processing
 

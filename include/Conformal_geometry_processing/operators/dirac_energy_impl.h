@@ -8,6 +8,9 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <cstddef>
 
 namespace Conformal_geometry_processing {
 
@@ -53,6 +56,93 @@ CGP_INLINE Hermitian_sparse_matrix<Quaternion<double>> dirac_form(const Surface_
     internal::add_sheet(sheet, entry, K);
   }
   return K;
+}
+
+CGP_INLINE Quaternion<double> internal::dirac_row(const Sheet& sheet, const Eigen::Vector3d& r,
+                                                  int c)
+{
+  const Eigen::Vector3d e = sheet.vectors.col(c) / -2;
+  Quaternion<double> q = imaginary(e);
+  q.w = -sheet.area * r[c] / 3;
+  return q;
+}
+
+CGP_INLINE internal::Dirac_forms dirac_forms(const Surface_ref& surface,
+                                             const Curvature_potential& rho,
+                                             const Block<Quaternion<double>>& vectors)
+{
+  const Eigen::Index k = vectors.cols();
+  internal::Dirac_forms forms{Block<Quaternion<double>>(k, k), Block<Quaternion<double>>(k, k)};
+  Block<Quaternion<double>> half(k, k);
+  Quaternion_vector<double> average(k), image(k);  // of B, and of M (D - R), on one sheet
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const Eigen::Vector3d r = rho.at_corners(sheet);
+    average.setConstant({});
+    image.setConstant({});
+    for (int c = 0; c < 3; ++c) {
+      const Quaternion<double> row = internal::dirac_row(sheet, r, c);
+      const int v = sheet.corners[static_cast<std::size_t>(c)];
+      for (Eigen::Index a = 0; a < k; ++a) {
+        average[a] += vectors(v, a) / 3.;
+        image[a] += row * vectors(v, a);
+      }
+    }
+    for (Eigen::Index a = 0; a < k; ++a)
+      for (Eigen::Index b = 0; b < k; ++b) {
+        half(a, b) += sheet.share / 2 * (conjugate(average[a]) * image[b]);
+        forms.mass(a, b) += sheet.share * sheet.area * (conjugate(average[a]) * average[b]);
+      }
+  }
+  for (Eigen::Index a = 0; a < k; ++a)
+    for (Eigen::Index b = 0; b < k; ++b) forms.dirac(a, b) = half(a, b) + conjugate(half(b, a));
+  return forms;
+}
+
+CGP_INLINE Quaternion_vector<double> apply_dirac_form(const Surface_ref& surface,
+                                                      const Curvature_potential& rho,
+                                                      const Quaternion_vector<double>& lambda)
+{
+  Quaternion_vector<double> result = Quaternion_vector<double>::Constant(lambda.size(), {});
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const Eigen::Vector3d r = rho.at_corners(sheet);
+    Quaternion<double> average, image;  // as above
+    std::array<Quaternion<double>, 3> row;
+    for (std::size_t c = 0; c < 3; ++c) {
+      row[c] = internal::dirac_row(sheet, r, static_cast<int>(c));
+      average += lambda[sheet.corners[c]] / 3.;
+      image += row[c] * lambda[sheet.corners[c]];
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+      result[sheet.corners[c]] += sheet.share * (image / 6. + conjugate(row[c]) * average / 2.);
+  }
+  return result;
+}
+
+CGP_INLINE double dirac_quotient(const Surface_ref& surface, const Curvature_potential& rho,
+                                 const Quaternion_vector<double>& lambda)
+{
+  const internal::Dirac_forms forms = dirac_forms(surface, rho, lambda);
+  return forms.dirac(0, 0).w / forms.mass(0, 0).w;
+}
+
+CGP_INLINE double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
+                               const Quaternion_vector<double>& lambda)
+{
+  double energy = 0, mass = 0;
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const Eigen::Vector3d r = rho.at_corners(sheet);
+    Quaternion<double> image;
+    for (int c = 0; c < 3; ++c) {
+      const auto& l = lambda[sheet.corners[static_cast<std::size_t>(c)]];
+      image += internal::dirac_row(sheet, r, c) * l;
+      mass += sheet.share * sheet.area / 3 * squared_norm(l);
+    }
+    energy += sheet.share * squared_norm(image) / sheet.area;
+  }
+  return std::sqrt(energy / mass);
 }
 
 }  // namespace Conformal_geometry_processing

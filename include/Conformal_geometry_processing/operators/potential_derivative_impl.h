@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_POTENTIAL_DERIVATIVE_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/potential_derivative.h>
 
 #include <Eigen/Core>

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_NORMALIZED_BOUNDARY_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/normalized_boundary.h>
 
 #include <Eigen/Core>

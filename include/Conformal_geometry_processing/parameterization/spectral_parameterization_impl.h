@@ -7,8 +7,8 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/minimum_degree_with_halo.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/Distribution.h>
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
 
 #include <Eigen/Core>

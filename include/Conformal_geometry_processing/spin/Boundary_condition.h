@@ -4,10 +4,11 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_CONDITION_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
-
 #include <limits>
+#include <string>
 
 namespace Conformal_geometry_processing {
 
@@ -56,6 +57,16 @@ struct Boundary_condition {
   /// whether D is self-adjoint with this condition, so that gamma is a true eigenvalue
   bool is_self_adjoint() const { return kind == Kind::directions && direction.x() == 0; }
 };
+
+/// \ingroup PkgSpin
+/// \brief checks that a condition fits the surface.
+///
+/// \throw Precondition_error if a condition other than `free` is set and there is no boundary; if
+/// the number of targets or normals is not that of the boundary vertices; if one is zero or not
+/// finite; if the direction is the normal (not elliptic), zero or not finite; if the boundary of
+/// the surface folds back at a vertex, which then has no frame
+void require_condition(const Surface_ref& surface, const Boundary_condition& condition,
+                       const std::string& function);
 
 }  // namespace Conformal_geometry_processing
 

@@ -3,12 +3,20 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_CONDITION_IMPL_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_CONDITION_IMPL_H
 
+#include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 
 #include <Eigen/Core>
-
+#include <Eigen/LU>
+#include <cmath>
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -32,6 +40,57 @@ CGP_INLINE Boundary_condition Boundary_condition::positions(Points targets, Poin
                                                             double weight)
 {
   return {Kind::positions, {1, 0, 0}, std::move(targets), std::move(normals), weight};
+}
+
+CGP_INLINE void require_condition(const Surface_ref& surface, const Boundary_condition& condition,
+                                  const std::string& function)
+{
+  using Kind = Boundary_condition::Kind;
+  if (condition.kind == Kind::free) return;
+  const internal::Boundary_frames boundary = boundary_frames(surface);
+  const std::vector<int>& vertices = boundary.vertices;
+  const auto count = static_cast<Eigen::Index>(vertices.size());
+  if (count == 0)
+    throw Precondition_error(function, "the surface is closed; no boundary can be prescribed");
+  internal::refuse_if_any(
+      static_cast<int>(count),
+      [&](int k) { return !(boundary.frames[static_cast<std::size_t>(k)].determinant() > 0.5); },
+      [&](int k) { return internal::name_of_vertex(vertices[static_cast<std::size_t>(k)]); },
+      function, "boundary #vertex without tangent or normal", "the boundary must not fold back");
+  const bool is_directions = condition.kind == Kind::directions;
+  const auto require_size = [&](const Points& p, const std::string& what, bool is_optional) {
+    if (p.cols() != count && !(is_optional && p.cols() == 0))
+      throw Precondition_error(function,
+                               std::to_string(p.cols()) + " " + what +
+                                   ", one per boundary vertex is needed: " + std::to_string(count));
+  };
+  const auto require_good = [&](const Points& p, const std::string& what, bool is_direction) {
+    internal::refuse_if_any(
+        static_cast<int>(p.cols()),
+        [&](int k) {
+          return !p.col(k).allFinite() || (is_direction && !(stable_norm(p.col(k)) > 0));
+        },
+        [&](int k) { return internal::name_of_vertex(vertices[static_cast<std::size_t>(k)]); },
+        function, what,
+        is_direction ? "finite vectors that are not zero are needed"
+                     : "finite coordinates are needed");
+  };
+  require_size(condition.targets, is_directions ? "directions" : "positions", is_directions);
+  require_good(condition.targets,
+               is_directions ? "#direction zero or not finite" : "#position not finite",
+               is_directions);
+  if (!is_directions) {
+    if (!(condition.weight > 0))
+      throw Precondition_error(function, "the weight of positions must be positive");
+    require_size(condition.normals, "normals", false);
+    require_good(condition.normals, "#normal zero or not finite", true);
+    return;
+  }
+  const Eigen::Vector3d d = condition.direction;
+  if (!d.allFinite() || !(std::hypot(d.x(), d.z()) > 1e-3 * std::abs(d.y())))
+    throw Precondition_error(function,
+                             "only tangents, binormals and directions between them and the normal "
+                             "can be prescribed; that of the normal is not elliptic");
 }
 
 }  // namespace Conformal_geometry_processing

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CLASS_SNAP_REPORT_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CLASS_SNAP_REPORT_H
 
-#include <Conformal_geometry_processing/measure/length_cross_ratio.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 
 namespace Conformal_geometry_processing {
 

@@ -8,10 +8,10 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
-#include <Conformal_geometry_processing/operators/Dirac_gram.h>
-#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_branch.h>
 #include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
+#include <Conformal_geometry_processing/spin/follow_branch.h>
 
 #include <Eigen/Core>
 

@@ -4,10 +4,10 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SPECTRAL_PROBLEM_TEMPLATES_H
 
 #include <Conformal_geometry_processing/algebra/random_quaternions.h>
-#include <Conformal_geometry_processing/mesh/boundary_loops.h>
 #include <Conformal_geometry_processing/mesh/mean_edge_length.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
 #include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
 #include <Conformal_geometry_processing/spin/dirac_pencils.h>

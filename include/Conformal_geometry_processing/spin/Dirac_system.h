@@ -9,7 +9,7 @@
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
-#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Conformal_geometry_processing/spin/Prescribed_directions.h>
@@ -18,6 +18,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace Conformal_geometry_processing {
@@ -131,8 +132,9 @@ class Dirac_system {
   /// the solver on all of H^n; its analysis is shared
   const Solver& solver() const { return m_solver; }
 
-  /// the solver for prescribed directions
-  const Reduced_hermitian_solver& reduced_solver() const { return m_reduced; }
+  /// the solver on the space of prescribed directions
+  /// \pre directions are prescribed
+  const Reduced_hermitian_solver& reduced_solver() const { return *m_reduced; }
 
   /// releases the memory of the factors until the next `set_potential()`
   void release();
@@ -160,7 +162,7 @@ class Dirac_system {
   Eigen::VectorXd m_areas;  // |V|
   Matrix m_X;
   Solver m_solver;
-  Reduced_hermitian_solver m_reduced;
+  std::optional<Reduced_hermitian_solver> m_reduced;  // where directions are prescribed
   std::unique_ptr<Directions> m_directions;
   std::unique_ptr<Positions> m_positions;
   double m_shift = 0;

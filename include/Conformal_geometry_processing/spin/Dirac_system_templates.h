@@ -5,27 +5,75 @@
 
 #include <Conformal_geometry_processing/algebra/random_quaternions.h>
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/forms/Dirac_energy_inverse_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
+#include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/Prescribed_directions_templates.h>
 #include <Conformal_geometry_processing/spin/Prescribed_positions_templates.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
 #include <Conformal_geometry_processing/spin/nearness_weight.h>
-#include <Conformal_geometry_processing/spin/require_condition.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {
+
+namespace internal {
+
+inline void remove_mean(Block<Quaternion<double>>& v, const Eigen::VectorXd& masses)
+{
+  for (auto column : v.colwise()) {
+    Quaternion<double> sum{};
+    for (Eigen::Index i = 0; i < v.rows(); ++i) sum += masses[i] * column[i];
+    sum *= 1 / masses.sum();
+    for (Quaternion<double>& value : column) value -= sum;
+  }
+}
+
+/// \brief solves X y = c on a connected closed surface, where the kernel of X = D^H M D consists of
+/// the constants: y has mean zero, and the mean of c, which is not in the range of X, is removed.
+///
+/// Uses conjugate gradients on X itself, preconditioned by any available factor: that of X plus a
+/// small multiple of M_V needs about five iterations; factors of nearby matrices work as well.
+/// \param areas M_V \param solver a model of `SparseHermitianSolver` with such a factor
+/// \throw Solver_error if the solver fails, or the iterations do not converge
+template <class Solver>
+Block<Quaternion<double>> closed_response(const Hermitian_sparse_matrix<Quaternion<double>>& X,
+                                          const Eigen::VectorXd& areas, const Solver& solver,
+                                          Block<Quaternion<double>> c)
+{
+  using Vectors = Block<Quaternion<double>>;
+  const double worst_error = 1e-6;  // relative, in the energy norm
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(c.rows());
+  remove_mean(c, ones);
+  const auto factor = inverse_operator(solver);
+  // The factor amplifies constants, and with them rounding errors, which X does not see.
+  const auto precondition = [&](const Vectors& r, Vectors& z) {
+    factor(r, z);
+    remove_mean(z, ones);
+  };
+  Conjugate_gradients_options options;
+  options.tolerance = 1e-11;
+  Vectors y;
+  const auto result = conjugate_gradients(block_operator(X), precondition, c, y, options);
+  // Slivers leave fewer correct digits, after which the iterations break down.
+  if (!result.converged && !(result.estimates.maxCoeff() <= worst_error))
+    throw Solver_error("Dirac_system", "the iterations do not converge");
+  remove_mean(y, areas);
+  return y;
+}
+
+}  // namespace internal
 
 template <class SolverTraits>
 internal::Dirac_system<SolverTraits>::Dirac_system(const Surface_ref& surface,
@@ -46,8 +94,9 @@ internal::Dirac_system<SolverTraits>::Dirac_system(const Surface_ref& surface,
         std::make_unique<Positions>(surface, condition, m_X.shared_pattern(), m_solver, function);
   if (condition.kind != Kind::directions) return;
   m_directions = std::make_unique<Directions>(surface, condition, m_X.shared_pattern(), m_solver);
-  check("analysis", m_reduced.analyze_with_positions(m_X.pattern(), m_directions->basis().rows(),
-                                                     surface.positions()));
+  m_reduced.emplace();
+  check("analysis", m_reduced->analyze_with_positions(m_X.pattern(), m_directions->basis().rows(),
+                                                      surface.positions()));
 }
 
 template <class SolverTraits>
@@ -113,7 +162,7 @@ template <class SolverTraits>
 auto internal::Dirac_system<SolverTraits>::solve(const Vectors& b) const -> Vectors
 {
   Vectors x;
-  check("solution", m_directions ? m_reduced.solve(b, x) : m_solver.solve(b, x));
+  check("solution", m_reduced ? m_reduced->solve(b, x) : m_solver.solve(b, x));
   return x;
 }
 
@@ -140,7 +189,15 @@ void internal::Dirac_system<SolverTraits>::prepare_response()
 template <class SolverTraits>
 auto internal::Dirac_system<SolverTraits>::response(const Vectors& c) const -> Vectors
 {
-  return m_is_closed ? internal::Dirac_energy_inverse<Solver>(m_X, m_areas, m_solver)(c) : solve(c);
+  if (!m_is_closed) return solve(c);
+  const Eigen::Index at_once = 8;  // columns per solve: the iterations hold five such blocks
+  Vectors y(c.rows(), c.cols());
+  for (Eigen::Index first = 0; first < c.cols(); first += at_once) {
+    const Eigen::Index count = (std::min)(at_once, c.cols() - first);
+    y.middleCols(first, count) =
+        internal::closed_response(m_X, m_areas, m_solver, c.middleCols(first, count));
+  }
+  return y;
 }
 
 template <class SolverTraits>
@@ -160,7 +217,7 @@ template <class SolverTraits>
 void internal::Dirac_system<SolverTraits>::release()
 {
   release_factor(m_solver);
-  m_reduced.release();
+  if (m_reduced) m_reduced->release();
 }
 
 template <class SolverTraits>
@@ -206,8 +263,8 @@ void internal::Dirac_system<SolverTraits>::check(const char* step, Solver_status
 template <class SolverTraits>
 Solver_status internal::Dirac_system<SolverTraits>::factorize(const Eigen::VectorXd& shift)
 {
-  return m_directions ? m_reduced.factorize(m_X, shift, m_directions->basis())
-                      : m_solver.factorize(m_X, shift);
+  return m_reduced ? m_reduced->factorize(m_X, shift, m_directions->basis())
+                   : m_solver.factorize(m_X, shift);
 }
 
 }  // namespace Conformal_geometry_processing

@@ -9,8 +9,7 @@
 #include <Conformal_geometry_processing/spin/Framed_surface.h>
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/closed_step_templates.h>
-#include <Conformal_geometry_processing/spin/closure_residual.h>
-#include <Conformal_geometry_processing/spin/restore_area.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>

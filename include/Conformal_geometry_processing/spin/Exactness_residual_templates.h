@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_EXACTNESS_RESIDUAL_TEMPLATES_H
 
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
 #include <Conformal_geometry_processing/spin/Exactness_residual.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
 #include <Conformal_geometry_processing/spin/edge_derivative.h>

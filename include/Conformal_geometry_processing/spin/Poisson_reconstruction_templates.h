@@ -4,9 +4,8 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POISSON_RECONSTRUCTION_TEMPLATES_H
 
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
-#include <Conformal_geometry_processing/spin/closure_residual.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POSITION_DERIVATIVE_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POSITION_DERIVATIVE_TEMPLATES_H
 
-#include <Conformal_geometry_processing/operators/divergence.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
 #include <Conformal_geometry_processing/spin/Position_derivative.h>

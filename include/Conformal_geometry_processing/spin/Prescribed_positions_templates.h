@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/algebra/rotor.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Prescribed_positions.h>
 #include <Conformal_geometry_processing/spin/boundary_planes.h>

@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
-#include <Conformal_geometry_processing/operators/dirac_forms.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/potential_derivative.h>
 #include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
 #include <Conformal_geometry_processing/spin/Spin_derivative.h>

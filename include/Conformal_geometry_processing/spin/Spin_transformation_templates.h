@@ -4,6 +4,8 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_TEMPLATES_H
 
 #include <Conformal_geometry_processing/forms/tree_cotree.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Exact_steps_templates.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints_templates.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
@@ -11,9 +13,7 @@
 #include <Conformal_geometry_processing/spin/Spin_transformation_scales_templates.h>
 #include <Conformal_geometry_processing/spin/boundary_fault.h>
 #include <Conformal_geometry_processing/spin/certify.h>
-#include <Conformal_geometry_processing/spin/require_condition.h>
-#include <Conformal_geometry_processing/spin/require_potential.h>
-#include <Conformal_geometry_processing/spin/restore_area.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>

@@ -10,6 +10,12 @@
 #include <Eigen/Core>
 
 namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief the expected normals of the faces after a spin transformation: rotated by the mean spin
+/// of their corners, 3 x |F|, not normalised.
+Points rotated_normals(const Mesh_view& mesh, const Quaternion_vector<double>& lambda);
+
 namespace internal {
 
 /// \brief Writes into the report how conformal the map from a surface to new positions is, and the
@@ -21,6 +27,7 @@ void certify(const Mesh_view& measured, const Points& f, const Quaternion_vector
              Spin_report& report);
 
 }  // namespace internal
+
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY

@@ -6,11 +6,21 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/spin/certify.h>
-#include <Conformal_geometry_processing/spin/rotated_normals.h>
 
 #include <Eigen/Core>
 
 namespace Conformal_geometry_processing {
+
+CGP_INLINE Points rotated_normals(const Mesh_view& mesh, const Quaternion_vector<double>& lambda)
+{
+  Points normals(3, mesh.size_of_faces());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const auto& v = mesh.corners(f);
+    normals.col(f) = spin(lambda[v[0]] + lambda[v[1]] + lambda[v[2]], mesh.double_area_vector(f));
+  }
+  return normals;
+}
+
 namespace internal {
 
 CGP_INLINE void certify(const Mesh_view& measured, const Points& f,
@@ -23,6 +33,7 @@ CGP_INLINE void certify(const Mesh_view& measured, const Points& f,
 }
 
 }  // namespace internal
+
 }  // namespace Conformal_geometry_processing
 
 #endif

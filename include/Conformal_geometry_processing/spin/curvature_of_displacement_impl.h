@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
-#include <Conformal_geometry_processing/operators/divergence.h>
 #include <Conformal_geometry_processing/operators/exterior_derivative.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>

@@ -5,12 +5,10 @@
 
 // Template instantiations of the compiled library, for its own solvers.
 
-#include <Conformal_geometry_processing/forms/Dirac_energy_inverse_templates.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
 
 namespace Conformal_geometry_processing {
 
-template class internal::Dirac_energy_inverse<Supernodal_cholesky<Quaternion<double>>>;
 template class internal::Prescribed_directions<Default_solver_traits>;
 template class internal::Prescribed_positions<Default_solver_traits>;
 template class internal::Dirac_system<Default_solver_traits>;

@@ -8,12 +8,98 @@
 #include <Conformal_geometry_processing/spin/follow_branch.h>
 
 #include <Eigen/Core>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace Conformal_geometry_processing {
+
 namespace internal {
+
+/// Row r of the images: those on a sheet, times the root of its area and share, as four real
+/// columns for each quaternion.
+CGP_INLINE void add_images(const Sheet& sheet, const Eigen::Vector3d& rho,
+                           const Block<Quaternion<double>>& vectors, Eigen::Index r,
+                           Eigen::MatrixXd& images)
+{
+  const Eigen::Index k = vectors.cols();
+  const double root = std::sqrt(sheet.share / sheet.area), third = root * sheet.area / 3;
+  for (Eigen::Index a = 0; a < k; ++a) {
+    std::array<Quaternion<double>, 3> image;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Eigen::Vector3d edge = root / -2 * sheet.vectors.col(static_cast<Eigen::Index>(c));
+      const Quaternion<double>& v = vectors(sheet.corners[c], a);
+      image[0] += imaginary(edge) * v;
+      image[1] += (third * rho[static_cast<Eigen::Index>(c)]) * v;
+      image[2] += third * v;
+    }
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const Quaternion<double>& q = image[static_cast<std::size_t>(i)];
+      images.row(r).segment<4>(4 * (i * k + a)) << q.w, q.x, q.y, q.z;
+    }
+  }
+}
+
+/// conjugate(a) b, summed, from the sums of products of their components
+CGP_INLINE Quaternion<double> inner_product_of(const Eigen::Matrix4d& s)
+{
+  return {s(0, 0) + s(1, 1) + s(2, 2) + s(3, 3), s(0, 1) - s(1, 0) - s(2, 3) + s(3, 2),
+          s(0, 2) + s(1, 3) - s(2, 0) - s(3, 1), s(0, 3) - s(1, 2) + s(2, 1) - s(3, 0)};
+}
+
+// Real products, because Eigen's are several times as fast as sums of products of quaternions.
+CGP_INLINE Dirac_gram::Dirac_gram(const Surface_ref& surface, const Curvature_potential& rho,
+                                  const Block<Quaternion<double>>& vectors)
+    : m_products(3 * vectors.cols(), 3 * vectors.cols())
+{
+  const Eigen::Index columns = 4 * m_products.cols();
+  const int all = surface.size_of_sheets(), most = 256;  // images of so many sheets fit the cache
+  Eigen::MatrixXd images(most, columns), sums = Eigen::MatrixXd::Zero(columns, columns);
+  for (int first = 0; first < all; first += most) {
+    const int count = (std::min)(most, all - first);
+    for (int i = 0; i < count; ++i) {
+      const Sheet sheet = surface.sheet(first + i);
+      add_images(sheet, rho.at_corners(sheet), vectors, i, images);
+    }
+    sums.selfadjointView<Eigen::Lower>().rankUpdate(images.topRows(count).transpose());
+  }
+  sums.triangularView<Eigen::StrictlyUpper>() = sums.transpose();
+  for (Eigen::Index j = 0; j < m_products.cols(); ++j)
+    for (Eigen::Index i = 0; i < m_products.rows(); ++i)
+      m_products(i, j) = inner_product_of(sums.block<4, 4>(4 * i, 4 * j));
+}
+
+CGP_INLINE Block<Quaternion<double>> Dirac_gram::energy(double t, double sigma) const
+{
+  const Eigen::Index k = size_of_vectors();
+  const std::array<double, 3> factor{1, -t, -sigma};
+  Block<Quaternion<double>> E = Block<Quaternion<double>>::Constant(k, k, {});
+  for (Eigen::Index a = 0; a < 3; ++a)
+    for (Eigen::Index b = 0; b < 3; ++b) {
+      const double f = factor[static_cast<std::size_t>(a)] * factor[static_cast<std::size_t>(b)];
+      for (Eigen::Index j = 0; j < k; ++j)
+        for (Eigen::Index i = 0; i < k; ++i) E(i, j) += f * m_products(a * k + i, b * k + j);
+    }
+  return E;
+}
+
+CGP_INLINE Quaternion<double> Dirac_gram::form(Image a, Image b,
+                                               const Quaternion_vector<double>& c) const
+{
+  const Eigen::Index k = size_of_vectors();
+  Quaternion<double> sum;
+  for (Eigen::Index j = 0; j < k; ++j)
+    for (Eigen::Index i = 0; i < k; ++i)
+      sum += conjugate(c[i]) * m_products(a * k + i, b * k + j) * c[j];
+  return sum;
+}
+
+CGP_INLINE double Dirac_gram::quotient(double t, const Quaternion_vector<double>& c) const
+{
+  return (form(average, dirac, c).w - t * form(average, potential, c).w) /
+         form(average, average, c).w;
+}
 
 CGP_INLINE double overlap_of(const Quaternion_vector<double>& a, const Quaternion_vector<double>& b)
 {
@@ -63,6 +149,7 @@ CGP_INLINE Branch_point follow_branch(const Dirac_gram& gram, const Branch_point
 }
 
 }  // namespace internal
+
 }  // namespace Conformal_geometry_processing
 
 #endif

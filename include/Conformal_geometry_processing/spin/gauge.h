@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_GAUGE_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
 
@@ -17,6 +18,17 @@ namespace Conformal_geometry_processing {
 /// mean vanishes (it has no direction), the largest value is made real instead.
 /// \param areas the weights of the mean, |V| positive numbers
 void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas);
+
+namespace internal {
+
+Eigen::Vector3d centroid(const Mesh_view& mesh, const Points& f, const Eigen::VectorXd& areas);
+
+}  // namespace internal
+
+/// \ingroup PkgSpin
+/// \brief scales new positions f, and the spins that led to them, so that the area is that of the
+/// mesh, and moves the centroid to that of the mesh.
+void restore_area(const Mesh_view& mesh, Points& f, Quaternion_vector<double>& lambda);
 
 }  // namespace Conformal_geometry_processing
 

@@ -5,7 +5,6 @@
 
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
-#include <Conformal_geometry_processing/operators/dirac_forms.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 
 #include <Eigen/Core>

@@ -8,8 +8,8 @@
 #include <Conformal_geometry_processing/mesh/simple_delaunay.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/certify.h>
+#include <Conformal_geometry_processing/spin/gauge.h>
 #include <Conformal_geometry_processing/spin/move_to_class.h>
-#include <Conformal_geometry_processing/spin/restore_area.h>
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
 
 #include <Eigen/Core>

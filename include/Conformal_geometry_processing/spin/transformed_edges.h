@@ -27,6 +27,18 @@ Eigen::Vector3d transformed_edge(const Eigen::Vector3d& e, const Quaternion<doub
 Eigen::MatrixX3d transformed_edges(const Surface_ref& surface,
                                    const Quaternion_vector<double>& lambda);
 
+namespace internal {
+
+/// \brief |d0 f - e| / |e|: how far the edges of positions f are from given edge vectors e.
+///
+/// The norms use |w|, because w is negative opposite large angles and then defines no norm.
+/// \param weights w, `cotan_weights()` of the surface, |E|
+/// \param f 3 x |V| \param edges |E| x 3, not all zero
+double closure_residual(const Surface_ref& surface, const Eigen::VectorXd& weights, const Points& f,
+                        const Eigen::MatrixX3d& edges);
+
+}  // namespace internal
+
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY

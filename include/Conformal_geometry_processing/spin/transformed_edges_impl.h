@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
+#include <cmath>
 
 namespace Conformal_geometry_processing {
 
@@ -28,6 +29,20 @@ CGP_INLINE Eigen::MatrixX3d transformed_edges(const Surface_ref& surface,
     edges.row(k) = transformed_edge(e, lambda[i], lambda[j]).transpose();
   }
   return edges;
+}
+
+CGP_INLINE double internal::closure_residual(const Surface_ref& surface,
+                                             const Eigen::VectorXd& weights, const Points& f,
+                                             const Eigen::MatrixX3d& edges)
+{
+  double difference = 0, total = 0;
+  for (int k = 0; k < surface.size_of_edges(); ++k) {
+    const Eigen::Vector3d e = edges.row(k);
+    const Eigen::Vector3d d = f.col(surface.ends(k)[1]) - f.col(surface.ends(k)[0]);
+    difference += std::abs(weights[k]) * (d - e).squaredNorm();
+    total += std::abs(weights[k]) * e.squaredNorm();
+  }
+  return std::sqrt(difference / total);
 }
 
 }  // namespace Conformal_geometry_processing

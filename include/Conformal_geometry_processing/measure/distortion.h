@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MEASURE_DISTORTION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_DISTORTION_H
+
+#include <Conformal_geometry_processing/measure/Distribution.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <Eigen/Core>
+#include <array>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// A triangle laid out in the plane, at (0, 0), (length, 0) and (x, y), y >= 0
+struct Flat_triangle {
+  double length, x, y;
+};
+
+Flat_triangle flattened(const Points& positions, const std::array<int, 3>& corners);
+
+}  // namespace internal
+
+/// \ingroup PkgMeasure
+/// \brief Returns Q >= 1 for each face: the ratio of the singular values of the linear map between
+/// the old and the new triangle, 1 if it is a similarity [CGP 5.8.1].
+///
+/// Infinite if the new triangle has area zero. First order in the edge length even for exactly
+/// conformal maps; `length_cross_ratio_change()` is the discretely exact measure.
+/// \param positions the new ones, 3 x |V|
+Eigen::VectorXd quasi_conformal_errors(const Mesh_view& mesh, const Points& positions);
+
+/// \ingroup PkgMeasure
+/// Returns statistics of the quasi-conformal errors, weighted by the areas of the old faces
+internal::Distribution quasi_conformal_error(const Mesh_view& mesh, const Points& positions);
+
+/// \ingroup PkgMeasure
+/// Returns the factor by which the map scales lengths, sqrt(new area / old area), for each face
+/// \param positions the new ones, 3 x |V|
+Eigen::VectorXd length_scales(const Mesh_view& mesh, const Points& positions);
+
+namespace internal {
+
+/// \ingroup PkgMeasure
+/// Measures of the area distortion of a map
+struct Area_distortion {
+  double min_scale = 1, max_scale = 1;  ///< range of `length_scales()`
+  double log_deviation = 0;  ///< standard deviation of the log of the scale, weighted by area
+  /// share of the old area that shrank below a tenth of the root mean square scale, or of the new
+  /// area that grew beyond ten times it, whichever is larger: the same for the inverse map
+  double collapsed_share = 0;
+};
+
+}  // namespace internal
+
+/// \ingroup PkgMeasure
+/// Computes the area distortion from the mesh to the new positions
+internal::Area_distortion area_distortion(const Mesh_view& mesh, const Points& positions);
+
+/// \ingroup PkgMeasure
+/// \brief Returns the logarithm of the length cross-ratio l_il l_jk / (l_lj l_ki) of each interior
+/// edge ij with the opposite vertices k (left) and l (right); zero at the boundary. |E| numbers.
+///
+/// Two meshes of the same connectivity are discretely conformally equivalent if and only if their
+/// length cross-ratios agree; Moebius transformations of the vertices preserve them.
+Eigen::VectorXd log_length_cross_ratios(const Mesh_view& mesh, const Points& positions);
+
+namespace internal {
+
+/// \ingroup PkgMeasure
+/// Deviation of a map from discrete conformality; zero for Moebius transformations
+struct Length_cross_ratio_change {
+  double rms = 0;  ///< over the interior edges
+  double max = 0;  ///< absolute
+};
+
+}  // namespace internal
+
+/// \ingroup PkgMeasure
+/// Returns the change of the log length cross-ratios from the mesh to the new positions, 3 x |V|
+internal::Length_cross_ratio_change length_cross_ratio_change(const Mesh_view& mesh,
+                                                              const Points& positions);
+
+/// \ingroup PkgMeasure
+/// \brief Returns the expected normals of the faces of a surface without folds: the sum of the
+/// area-weighted normals of their corners; 3 x |F|, not of unit length.
+Points neighbourhood_normals(const Mesh_view& mesh);
+
+/// \ingroup PkgMeasure
+/// \brief Returns the expected normals of the faces under a deformation that creates and removes no
+/// folds: the neighbourhood normals of the new surface, reversed if a face was opposite to its
+/// neighbourhood before; 3 x |F|, not of unit length.
+///
+/// If a face was perpendicular to its neighbourhood, or either has no normal (area zero, faces that
+/// cancel out), the orientation is undefined, and the new normal itself is returned.
+/// \param positions the new ones, 3 x |V|
+Points neighbourhood_normals(const Mesh_view& before, const Points& positions);
+
+/// \ingroup PkgMeasure
+/// Returns the number of faces whose new normal makes an obtuse angle with the expected one, or
+/// that have area zero
+/// \param positions the new ones, 3 x |V|
+/// \param expected 3 x |F|, for instance the old normals rotated by the spins of the faces
+int flipped_faces(const Mesh_view& mesh, const Points& positions, const Points& expected);
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/measure/distortion_impl.h>
+#endif
+
+#endif
