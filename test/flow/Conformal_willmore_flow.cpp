@@ -6,13 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <vector>
 
 #include "flow_tools.h"
 #include "linear_algebra/threads.h"
+#include "support/decompositions.h"
 
 /// Laws of the flow on spheres. The energies of the reference runs come from an implementation of
 /// the same formulas that shares no code with this one.
@@ -31,7 +32,7 @@ Eigen::VectorXd amplitudes(const Mesh_view& sphere, const Mesh_view& mesh,
       Y(v, i) = legendre(degrees[static_cast<std::size_t>(i)], sphere.position(v).normalized().z());
   const Eigen::MatrixXd AY = CGP::vertex_areas(sphere).asDiagonal() * Y;
   const Eigen::VectorXd radius = mesh.positions().colwise().norm().transpose();
-  const Eigen::VectorXd a = (AY.transpose() * Y).ldlt().solve(AY.transpose() * radius);
+  const Eigen::VectorXd a = definite_solution(AY.transpose() * Y, AY.transpose() * radius);
   return a / a[0];
 }
 

@@ -11,10 +11,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <limits>
 
+#include "support/decompositions.h"
 #include "support/dense.h"
 #include "support/meshes.h"
 
@@ -47,11 +48,10 @@ double gain(const Mesh_view& mesh, const Eigen::VectorXd& v, const Eigen::Vector
 Eigen::VectorXd expected(const Mesh_view& mesh, double sigma, int k, const Eigen::VectorXd& v)
 {
   const Eigen::MatrixXd M = CGP::vertex_areas(mesh).asDiagonal();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> laplacian(
-      dense(CGP::cotan_laplacian(mesh)), M);
-  const Eigen::VectorXd coefficients = laplacian.eigenvectors().transpose() * M * v;
-  const Eigen::ArrayXd power = sigma * laplacian.eigenvalues().array().max(0).pow(k);
-  return laplacian.eigenvectors() * (power / (1 + power) * coefficients.array()).matrix();
+  const Eigenpairs laplacian = symmetric_eigenpairs(dense(CGP::cotan_laplacian(mesh)), M);
+  const Eigen::VectorXd coefficients = laplacian.vectors.transpose() * M * v;
+  const Eigen::ArrayXd power = sigma * laplacian.values.array().max(0).pow(k);
+  return laplacian.vectors * (power / (1 + power) * coefficients.array()).matrix();
 }
 
 template <class Call>

@@ -9,8 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 
+#include "support/decompositions.h"
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
@@ -89,7 +90,7 @@ TEST(Canonical_metric, does_not_depend_on_the_basis)
   CGP::Harmonic_basis other = basis;
   Eigen::Matrix4d A;
   A << random_numbers(16, 1).reshaped(4, 4);
-  const Eigen::Matrix4d Q = A.householderQr().householderQ();
+  const Eigen::Matrix4d Q = orthogonal_factor(A);
   for (int i = 0; i < 4; ++i) {
     other.fields[at(i)].setZero();
     for (int j = 0; j < 4; ++j) other.fields[at(i)] += Q(i, j) * basis.fields[at(j)];

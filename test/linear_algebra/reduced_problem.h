@@ -8,13 +8,14 @@
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <vector>
 
 #include "linear_algebra/hermitian_matrices.h"
 #include "support/bounded_meshes.h"
+#include "support/decompositions.h"
 
 /// Systems with unknowns in planes of H at some rows, and their dense counterparts.
 namespace cgp_test {
@@ -77,7 +78,7 @@ struct Reduced_problem {
   Eigen::MatrixXd dense_solution(const CGP::Block<Quaternion<double>>& b) const
   {
     const Eigen::MatrixXd B = dense_basis();
-    return B * dense_matrix().ldlt().solve(B.transpose() * real_columns(b));
+    return B * definite_solution(dense_matrix(), B.transpose() * real_columns(b));
   }
 };
 

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <limits>
@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "flat_maps.h"
+#include "support/decompositions.h"
 #include "support/meshes.h"
 
 namespace {
@@ -48,13 +49,14 @@ Eigen::VectorXd eigenvalues_by_definition(const Mesh_view& mesh)
     rows.insert(rows.end(), {2 * v, 2 * v + 1});
   }
   const Eigen::MatrixXd S =
-      A(outside, outside) - A(outside, inside) * A(inside, inside).ldlt().solve(A(inside, outside));
+      A(outside, outside) -
+      A(outside, inside) * definite_solution(A(inside, inside), A(inside, outside));
   const auto n = static_cast<Eigen::Index>(loop.size());
   Eigen::MatrixXd constants = Eigen::MatrixXd::Zero(2 * n, 2);
   for (Eigen::Index i = 0; i < n; ++i) constants(2 * i, 0) = constants(2 * i + 1, 1) = 1;
   // Constants have energy 0; they are put out of the way.
   const Eigen::MatrixXd shifted = S + 100 * constants * constants.transpose();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(shifted).eigenvalues();
+  return symmetric_eigenvalues(shifted);
 }
 
 double distance_from_disk(const CGP::internal::Parameterization_result& result,

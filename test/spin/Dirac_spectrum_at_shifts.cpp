@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/decompositions.h"
 #include "support/dense.h"
 #include "support/fibonacci_sphere.h"
 #include "support/spheres.h"
@@ -128,8 +129,7 @@ Eigen::VectorXd dense_squares(const Mesh_view& mesh, double shift)
       CGP::vertex_areas(mesh).replicate(1, 4).transpose().reshaped().cwiseSqrt();
   const Eigen::MatrixXd X = real_form(dense(CGP::dirac_energy(mesh, rho)));
   const auto scale = roots.cwiseInverse().asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale * X * scale, Eigen::EigenvaluesOnly)
-      .eigenvalues();
+  return symmetric_eigenvalues(scale * X * scale);
 }
 
 /// those in the span of the eigenvectors found, which are M_V-orthogonal

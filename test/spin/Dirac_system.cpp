@@ -5,7 +5,7 @@
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/templates.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "spin/branch_tools.h"
+#include "support/decompositions.h"
 #include "support/dense.h"
 #include "support/meshes.h"
 
@@ -64,9 +65,7 @@ TEST_F(Dirac_system, has_the_smallest_pairs_of_the_dense_matrix)
     const CGP::Eigensolver_result r = smallest_pairs(2);
     const Eigen::MatrixXd X = real_form(dense(system.matrix()));
     const Eigen::VectorXd masses = system.areas().transpose().replicate(4, 1).reshaped(X.rows(), 1);
-    const Eigen::VectorXd mu = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
-                                   X, Eigen::MatrixXd(masses.asDiagonal()))
-                                   .eigenvalues();
+    const Eigen::VectorXd mu = symmetric_eigenvalues(X, masses.asDiagonal());
     ASSERT_TRUE(r.converged);
     EXPECT_NEAR(r.values[0], mu[0], 1e-12);
     EXPECT_NEAR(r.values[1], mu[4], 1e-12);

@@ -8,13 +8,14 @@
 #include <Conformal_geometry_processing/spin/boundary_fault.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "spin/boundary_tools.h"
+#include "support/decompositions.h"
 #include "support/dense.h"
 
 namespace {
@@ -35,9 +36,9 @@ class Directions_search : public testing::Test {
     const Vectors embedded = basis().embed(one);
     const Eigen::MatrixXd K = form(embedded, system.matrix());
     const Eigen::MatrixXd M = form(embedded, masses());
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K, M);
-    values = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
-    vectors = basis().embed(eigen.eigenvectors().leftCols(4));
+    const Eigenpairs eigen = symmetric_eigenpairs(K, M);
+    values = eigen.values.cwiseMax(0).cwiseSqrt();
+    vectors = basis().embed(eigen.vectors.leftCols(4));
   }
 
   const CGP::internal::Reduced_basis<double>& basis() const { return system.directions()->basis(); }

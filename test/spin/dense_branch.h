@@ -6,11 +6,12 @@
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 
+#include "support/decompositions.h"
 #include "support/dense.h"
 #include "support/meshes.h"
 
@@ -54,18 +55,17 @@ inline void move_to(const Mesh_view& mesh,
 {
   const Eigen::MatrixXd X = real_form(dense(dirac_energy(mesh, scaled(rho, 1, at.gamma))));
   const Eigen::VectorXd inverse = at.root.cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> e(
-      Eigen::MatrixXd(inverse.asDiagonal() * X * inverse.asDiagonal()));
+  const Eigenpairs e = symmetric_eigenpairs(inverse.asDiagonal() * X * inverse.asDiagonal());
   Eigen::Index own = 0;
   double most = 0;
   for (Eigen::Index j = 0; j + 4 <= X.rows(); j += 4) {
-    const double overlap = (e.eigenvectors().middleCols(j, 4).transpose() * at.space.col(0)).norm();
+    const double overlap = (e.vectors.middleCols(j, 4).transpose() * at.space.col(0)).norm();
     if (overlap > most) own = j;
     most = std::max(most, overlap);
   }
   at.least_overlap = std::min(at.least_overlap, most);
-  at.space = e.eigenvectors().middleCols(own, 4);
-  at.gap = std::sqrt(e.eigenvalues()[own == 0 ? 4 : 0]);
+  at.space = e.vectors.middleCols(own, 4);
+  at.gap = std::sqrt(e.values[own == 0 ? 4 : 0]);
   at.gamma = Conformal_geometry_processing::dirac_quotient(mesh, rho, at.vector());
 }
 

@@ -6,8 +6,9 @@
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
+#include "support/decompositions.h"
 #include "support/dense.h"
 
 namespace cgp_test {
@@ -22,8 +23,7 @@ inline Eigen::VectorXd dense_eigenvalues(
       vertex_areas(surface).cwiseSqrt().cwiseInverse().transpose().replicate(4, 1).reshaped(
           X.rows(), 1);
   const Eigen::MatrixXd symmetric = scale.asDiagonal() * X * scale.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
-      .eigenvalues();
+  return symmetric_eigenvalues(symmetric);
 }
 
 }  // namespace cgp_test

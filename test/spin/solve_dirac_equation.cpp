@@ -8,13 +8,14 @@
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
 #include <Conformal_geometry_processing/templates.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 #include "spin/solved.h"
+#include "support/decompositions.h"
 #include "support/dense.h"
 #include "support/meshes.h"
 
@@ -55,8 +56,7 @@ Eigen::VectorXd dense_eigenvalues(const Mesh_view& mesh, const Curvature_potenti
   Eigen::VectorXd scale(X.rows());
   for (Eigen::Index i = 0; i < X.rows(); ++i) scale[i] = 1 / std::sqrt(areas[i / 4]);
   const Eigen::MatrixXd symmetric = scale.asDiagonal() * X * scale.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
-      .eigenvalues();
+  return symmetric_eigenvalues(symmetric);
 }
 
 /// rho + c on either

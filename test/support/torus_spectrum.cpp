@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "support/torus_spectrum.h"
+#include "support/decompositions.h"
 
 namespace cgp_test {
 
@@ -30,8 +31,7 @@ std::vector<double> torus_spectrum(double R, double r, double most)
     Eigen::MatrixXd A(2 * n, 2 * n);
     A << Eigen::MatrixXd((-H).asDiagonal()), turn - derivative, turn + derivative,
         Eigen::MatrixXd((-H).asDiagonal());
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A, Eigen::EigenvaluesOnly);
-    for (const double g : solver.eigenvalues())
+    for (const double g : symmetric_eigenvalues(A))
       if (std::abs(g) < most) all.push_back(g);
   }
   std::sort(all.begin(), all.end());

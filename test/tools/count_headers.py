@@ -60,7 +60,7 @@ def main():
     headers = {h.replace("_impl.h", ".h").replace("_templates.h", ".h") for h in headers}
     folders = {}
     for header in sorted(headers):
-        folders.setdefault(header.partition("/")[0], []).append(header)
+        folders.setdefault(header.rpartition("/")[0], []).append(header)
     for name, of_folder in folders.items():
         print(f"| `{name}/` | {len(of_folder)} |")
     print(f"| all | {len(headers)} |")

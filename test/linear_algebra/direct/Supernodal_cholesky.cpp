@@ -15,6 +15,7 @@
 
 #include "linear_algebra/every_unit.h"
 #include "linear_algebra/solver_laws.h"
+#include "support/decompositions.h"
 
 namespace {
 
@@ -72,7 +73,7 @@ TYPED_TEST(Float_factor, solves_to_single_precision)
     ASSERT_EQ(single.analyze(*pattern), Solver_status::success);
     ASSERT_EQ(single.factorize(A, {}), Solver_status::success);
     const auto b = random_block<TypeParam>(A.size(), 2, 4);
-    const Eigen::MatrixXd expected = dense(A).llt().solve(real_columns(b));
+    const Eigen::MatrixXd expected = definite_solution(dense(A), real_columns(b));
     EXPECT_LE((solution(single, b) - expected).norm(), 1e-5 * expected.norm());
   });
 }
@@ -123,7 +124,7 @@ TYPED_TEST(Supernodal_cholesky, solves_with_one_vertex_without_edges_and_in_many
       ASSERT_EQ(this->solver.analyze(*pattern), Solver_status::success);
       ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
       const auto b = random_block<Scalar>(A.size(), 3, 9);
-      const Eigen::MatrixXd expected = dense(A).llt().solve(real_columns(b));
+      const Eigen::MatrixXd expected = definite_solution(dense(A), real_columns(b));
       EXPECT_LE((solution(this->solver, b) - expected).norm(), 1e-12 * expected.norm());
     }
   });
@@ -168,7 +169,7 @@ TYPED_TEST(Supernodal_cholesky, that_does_not_fit_tells_how_much_it_needs_and_wo
   EXPECT_EQ(this->solver.solve(b, x), Solver_status::wrong_state);
   most_bytes = ~std::size_t(0);
   ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
-  const Eigen::MatrixXd expected = dense(A).llt().solve(real_columns(b));
+  const Eigen::MatrixXd expected = definite_solution(dense(A), real_columns(b));
   EXPECT_LE((solution(this->solver, b) - expected).norm(), 1e-12 * expected.norm());
   most_bytes = 1000;
   EXPECT_EQ(this->solver.solve(b, x), Solver_status::out_of_memory);

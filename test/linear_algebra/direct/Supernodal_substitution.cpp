@@ -18,6 +18,7 @@
 #include "linear_algebra/dense_fronts.h"
 #include "linear_algebra/symbolic_elimination.h"
 #include "linear_algebra/threads.h"
+#include "support/decompositions.h"
 #include "support/spheres.h"
 
 namespace cgp_test {
@@ -71,7 +72,7 @@ class Supernodal_substitution : public testing::Test {
         for (int q = 0; q < planes; ++q) parts[q] = from[q];
         x(i, c) = CGP::internal::Scalar_planes<Scalar>::put(parts);
       }
-    const Eigen::MatrixXd expected = dense(A).llt().solve(real_columns(b));
+    const Eigen::MatrixXd expected = definite_solution(dense(A), real_columns(b));
     EXPECT_LE((real_columns(x) - expected).norm(), Kind::precision * expected.norm());
   }
 };

@@ -5,7 +5,7 @@
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "linear_algebra/hermitian_matrices.h"
+#include "support/decompositions.h"
 
 namespace cgp_test {
 namespace {
@@ -35,8 +36,8 @@ class Conjugate_gradients : public testing::Test {
   /// the inverse of a dense matrix, as real columns
   static auto inverse(const Eigen::MatrixXd& D)
   {
-    return [llt = D.llt()](const Vectors& b) {
-      const Eigen::MatrixXd y = llt.solve(real_columns(b));
+    return [D](const Vectors& b) {
+      const Eigen::MatrixXd y = definite_solution(D, real_columns(b));
       Vectors z(b.rows(), b.cols());
       std::copy(y.data(), y.data() + y.size(), reinterpret_cast<double*>(z.data()));
       return z;
@@ -66,7 +67,7 @@ TYPED_TEST(Conjugate_gradients, solves_to_the_tolerance_in_the_energy_norm)
 {
   const Eigen::MatrixXd D = dense(this->A);
   const auto b = random_block<TypeParam>(this->n, 3, 3);
-  const Eigen::MatrixXd expected = D.llt().solve(real_columns(b));
+  const Eigen::MatrixXd expected = definite_solution(D, real_columns(b));
   for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12})
     for (const double change : {0.02, 0.2}) {
       this->options.tolerance = tolerance;

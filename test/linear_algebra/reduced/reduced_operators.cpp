@@ -8,9 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include "linear_algebra/reduced_problem.h"
+#include "support/decompositions.h"
 
 namespace cgp_test {
 namespace {
@@ -68,13 +69,13 @@ Eigen::VectorXd smallest_eigenvalues(const Reduced_problem& p, int iterations, V
   Eigen::VectorXd values;
   for (int i = 0; i < iterations; ++i) {
     const Vectors y = inverse(mass(x));
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(
-        CGP::real_gram_matrix(y, energy(y)), CGP::real_gram_matrix(y, mass(y)));
-    values = ritz.eigenvalues();
+    const Eigenpairs ritz = symmetric_eigenpairs(CGP::real_gram_matrix(y, energy(y)),
+                                                 CGP::real_gram_matrix(y, mass(y)));
+    values = ritz.values;
     for (Eigen::Index r = 0; r < x.rows(); ++r)
       for (Eigen::Index c = 0; c < x.cols(); ++c) {
         x(r, c) = Q{};
-        for (Eigen::Index k = 0; k < x.cols(); ++k) x(r, c) += y(r, k) * ritz.eigenvectors()(k, c);
+        for (Eigen::Index k = 0; k < x.cols(); ++k) x(r, c) += y(r, k) * ritz.vectors(k, c);
       }
   }
   return values;

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "linear_algebra/dense_fronts.h"
+#include "support/decompositions.h"
 
 namespace cgp_test {
 namespace {
@@ -64,7 +65,7 @@ TYPED_TEST(Front_kernels, factor_a_panel_as_a_dense_cholesky_factorization_does)
       const auto A = random_definite_block<TypeParam>(k + u, 3);
       this->set_panel(A, k);
       ASSERT_EQ(this->factor_panel(), -1);
-      const Eigen::MatrixXd expected = dense(A).llt().matrixL();
+      const Eigen::MatrixXd expected = cholesky_factor(dense(A));
       const Eigen::MatrixXd found = dense(this->factor());
       EXPECT_LE((found - expected.leftCols(found.cols())).norm(),
                 TypeParam::precision * expected.norm());
