@@ -114,11 +114,11 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 /// stay closed. Area and centroid are preserved. The energy, the integral of H^2, decreases in
 /// every step: a step that would increase it is repeated with half of tau.
 ///
-/// Closed surfaces stay on the discrete conformal class of their intrinsic Delaunay triangulation:
-/// its length cross-ratios are kept to 1e-10 where double precision allows. So errors of the steps
-/// do not add up, and surfaces with handles keep their conformal type.
-/// `exact_conformal_class(false)` is the flow of the thesis, without this and without smoothing.
-/// Surfaces with boundary always flow like that.
+/// Surfaces stay on the discrete conformal class of their intrinsic Delaunay triangulation: its
+/// length cross-ratios are kept to 1e-10 where double precision allows. So errors of the steps do
+/// not add up, surfaces with handles keep their conformal type, and boundaries their first tangents
+/// or binormals. `exact_conformal_class(false)` is the flow of the thesis, without this and without
+/// smoothing.
 ///
 /// Long thin limbs would have to shrink to nothing: where that is beyond the limits of a conformal
 /// map, or no step is possible, the flow stops with the last surface within them, and reports the
@@ -190,11 +190,12 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///     \cgalParamDescription{the new direction at each vertex on the boundary}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
 ///                    nonzero vector as value}
-///     \cgalParamDefault{the initial direction}
+///     \cgalParamDefault{the initial direction; with `exact_conformal_class(false)`, that before
+///                       each step}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_conformal_class}
-///     \cgalParamDescription{whether closed surfaces stay on their exact discrete conformal class;
-///                           without effect with `mollification`}
+///     \cgalParamDescription{whether surfaces stay on their exact discrete conformal class; without
+///                           effect with `mollification`}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd

@@ -37,10 +37,12 @@ void expect_numbers(const std::vector<double>& found, const std::vector<double>&
 }
 
 /// the default options with this condition
-CGP::Flow_report flown(const Mesh_view& mesh, const Boundary_condition& condition)
+CGP::Flow_report flown(const Mesh_view& mesh, const Boundary_condition& condition,
+                       bool is_exact = true)
 {
   CGP::Flow_options options;
   options.boundary = condition;
+  options.exact_conformal_class = is_exact;
   CGP::Conformal_willmore_flow<> flow(mesh, options);
   return flow.run();
 }
@@ -106,10 +108,24 @@ TEST(Conformal_willmore_flow_with_boundary, stops_at_a_minimal_surface)
 
 TEST(Conformal_willmore_flow_with_boundary, stops_at_constant_mean_curvature)
 {
-  const CGP::Flow_report report = flown(bumpy_cap(12), Boundary_condition::binormals());
+  const CGP::Flow_report report = flown(bumpy_cap(12), Boundary_condition::binormals(), false);
   EXPECT_EQ(report.stop, CGP::Flow_step_report::Stop::energy_settled);
   EXPECT_NEAR(report.energy, 2.99, .03);
   expect_falling(report);
+}
+
+// The first binormals, which it keeps, are those of vertices: first order.
+TEST(Conformal_willmore_flow_with_boundary, on_the_exact_class_tends_to_constant_mean_curvature)
+{
+  std::vector<double> excess;
+  for (const int n : {12, 24}) {
+    const CGP::Flow_report report = flown(bumpy_cap(n), Boundary_condition::binormals());
+    EXPECT_EQ(report.stop, CGP::Flow_step_report::Stop::energy_settled) << report.message;
+    excess.push_back(report.energy - 2.9989);
+    expect_falling(report);
+  }
+  EXPECT_LT(excess[0], .1);
+  EXPECT_LT(excess[1], .65 * excess[0]);
 }
 
 TEST(Conformal_willmore_flow_with_boundary, keeps_a_cap_and_loses_its_bumps_by_a_filter)

@@ -20,8 +20,9 @@ double left_of_bump(int k, double strength)
   const Mesh_view bumped = mapped(sphere, [&](const Eigen::Vector3d& p) {
     return Eigen::Vector3d((1 + 1e-3 * legendre(k, p.z())) * p);
   });
-  const Points f = CGP::internal::Fairing(sphere)(bumped, strength),
-               round = CGP::internal::Fairing(sphere)(sphere, strength);
+  const Points f = CGP::internal::Fairing(sphere, CGP::boundary_vertices(sphere))(bumped, strength),
+               round =
+                   CGP::internal::Fairing(sphere, CGP::boundary_vertices(sphere))(sphere, strength);
   return (f - round).norm() / (bumped.positions() - sphere.positions()).norm();
 }
 
@@ -48,7 +49,8 @@ TEST(Fairing, shrinks_a_round_sphere_to_second_order)
 {
   const Mesh_view sphere = icosphere(4);
   for (const double strength : {2., 20.}) {
-    const Points f = CGP::internal::Fairing(sphere)(sphere, strength);
+    const Points f =
+        CGP::internal::Fairing(sphere, CGP::boundary_vertices(sphere))(sphere, strength);
     const double t = 2 * strength * 4 * pi / 2562;
     EXPECT_NEAR((1 - f.colwise().norm().mean()) / std::pow(t / (1 + t), 2), 1, .05);
   }
@@ -57,15 +59,16 @@ TEST(Fairing, shrinks_a_round_sphere_to_second_order)
 TEST(Fairing, does_not_depend_on_the_unit_of_length)
 {
   const Mesh_view mesh = perturbed(icosphere(3), .02);
-  const Points f = CGP::internal::Fairing(mesh)(mesh, 5),
-               g = CGP::internal::Fairing(scaled(mesh, 1e3))(scaled(mesh, 1e3), 5);
+  const Points f = CGP::internal::Fairing(mesh, CGP::boundary_vertices(mesh))(mesh, 5),
+               g = CGP::internal::Fairing(scaled(mesh, 1e3), CGP::boundary_vertices(mesh))(
+                   scaled(mesh, 1e3), 5);
   EXPECT_LT((g - 1e3 * f).norm(), 1e-8);
 }
 
 TEST(Fairing, takes_noise_away)
 {
   const Mesh_view mesh = radially_perturbed(icosphere(3), .01);
-  const Points f = CGP::internal::Fairing(mesh)(mesh, 5);
+  const Points f = CGP::internal::Fairing(mesh, CGP::boundary_vertices(mesh))(mesh, 5);
   EXPECT_LT(CGP::willmore_energy(Mesh_view(f, mesh.corners())) - 4 * pi,
             .05 * (CGP::willmore_energy(mesh) - 4 * pi));
 }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "flow_tools.h"
@@ -135,6 +136,21 @@ TEST(Flow_on_class, stops_at_the_last_step_within_its_limits)
     EXPECT_LE(report.conformality.quasi_conformal.mean, 1.01);
     EXPECT_NE(report.message.find("not conformal"), std::string::npos) << report.message;
   }
+}
+
+// A tube closes to a sphere with ends that are smaller by a factor exponential in its length.
+TEST(Flow_on_class, tells_that_limbs_are_too_small_for_the_precision)
+{
+  const Mesh_view mesh = stretched(icosphere(4), 40);
+  CGP::Flow_options options = steps(30);
+  options.limits.collapsed_share = 1;
+  Flow flow(mesh, options);
+  const CGP::Flow_report report = flow.run();
+  EXPECT_EQ(report.stop, Stop::scale_range) << to_string(report.stop) << ' ' << report.message;
+  EXPECT_FALSE(report.is_complete());
+  const auto& scale = report.conformality.scale;
+  EXPECT_GT(std::log(scale.max_scale / scale.min_scale), 11);
+  EXPECT_EQ(report.conformality.fault(options.limits), CGP::Conformality::Fault::none);
 }
 
 TEST(Flow_on_class, keeps_area_and_centroid_at_any_scale)

@@ -80,6 +80,23 @@ TEST(Move_to_class, moves_by_less_on_finer_meshes)
   }
 }
 
+// As the tangents of the disk are those of a plane curve, any rho can be had.
+TEST(Move_to_class, leaves_directions_at_the_boundary_as_the_transformation_has_them)
+{
+  const Mesh_view mesh = disk(10);
+  for (const auto& condition :
+       {CGP::Boundary_condition::tangents(), CGP::Boundary_condition::binormals()}) {
+    CGP::Spin_transformation_options options;
+    options.boundary = condition;
+    const auto off = CGP::Spin_transformation<>(mesh, options).transform(waves(mesh, .8));
+    const CGP::Spin_result on = transformed(mesh, .8, options);
+    EXPECT_TRUE(on.report);
+    EXPECT_LT(change(mesh, on), 1e-10);
+    EXPECT_GT(change(mesh, off), 1e-4);
+    EXPECT_NEAR(on.report.direction_error.mean, off.report.direction_error.mean, 1e-3);
+  }
+}
+
 TEST(Move_to_class, keeps_a_bound_on_scales)
 {
   const Mesh_view mesh = bumpy_sphere(3);

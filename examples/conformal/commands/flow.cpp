@@ -21,8 +21,8 @@ const char* const about =
     "Smooths a surface by the conformal Willmore flow: as smooth as its conformal class allows, a\n"
     "sphere where there are no handles. With a boundary that is free, or keeps its tangents, it\n"
     "becomes a minimal surface; with its binormals kept, one of constant mean curvature.\n"
-    "Area, centroid and triangle quality stay. Closed surfaces stay on their exact discrete\n"
-    "conformal class, that of their intrinsic Delaunay triangulation, and are smoothed within it.\n"
+    "Area, centroid and triangle quality stay. Surfaces stay on their exact discrete conformal\n"
+    "class, that of their intrinsic Delaunay triangulation, and are smoothed within it.\n"
     "The output has the vertex property quality (quasi-conformal error against the input, 1 is\n"
     "perfect). The flow stops early where the energy has settled. Where no step lowers it, or the\n"
     "next one would not verify, it writes the surface after the last good step, and the exit code\n"
@@ -57,8 +57,8 @@ void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
       ->capture_default_str();
   command.add_flag(
       "--plain", flow.plain,
-      "the flow of the thesis: closed surfaces drift from their conformal class by the "
-      "error of each step, and are not smoothed otherwise");
+      "the flow of the thesis: surfaces drift from their conformal class by the error of each "
+      "step, and are not smoothed otherwise");
   command.add_flag("--no-fairing", flow.no_fairing,
                    "no smoothing within the conformal class, curvature flow only");
   add_boundary(command, flow.boundary);
@@ -101,8 +101,12 @@ std::string stopped_after(const CGP::Flow_report& report, const Flow_options& op
 
 std::string fault_of_type(const CGP::Flow_report& report)
 {
-  if (report.conformal_type_change <= CGP::Flow_report::max_conformal_type_change) return {};
-  return "the conformal type has changed by " + text_of(report.conformal_type_change, 3) +
+  if (report.keeps_conformal_type()) return {};
+  const bool is_open = report.conformal_type_change <= CGP::Flow_report::max_conformal_type_change;
+  return (is_open
+              ? "the edges have failed to close up around handles and holes by " +
+                    text_of(report.period_defect, 3) + " in all steps"
+              : "the conformal type has changed by " + text_of(report.conformal_type_change, 3)) +
          "; try: without --plain, a smaller --time-step, or a finer mesh";
 }
 

@@ -91,7 +91,9 @@ py::object fault_of(const CGP::Flow_report& r)
   if (!r.is_complete()) return py::str(reason(r.stop, r.message));
   const CGP::Conformality::Fault fault = r.conformality.fault({});
   if (fault != CGP::Conformality::Fault::none) return py::str(to_string(fault));
-  return py::str("the conformal type has changed");
+  return py::str(r.conformal_type_change <= r.max_conformal_type_change
+                     ? "the edges have failed to close up around handles and holes"
+                     : "the conformal type has changed");
 }
 
 }  // namespace
@@ -164,7 +166,8 @@ py::dict as_dict(const CGP::Flow_report& r)
                   "initial_energy"_a = r.initial_energy, "energy"_a = r.energy,
                   "conformality"_a = as_dict(r.conformality),
                   "conformality_of_faces"_a = as_dict(r.conformality_of_faces),
-                  "conformal_type_change"_a = r.conformal_type_change, "seconds"_a = r.seconds);
+                  "conformal_type_change"_a = r.conformal_type_change,
+                  "period_defect"_a = r.period_defect, "seconds"_a = r.seconds);
 }
 
 py::dict as_dict(const CGP::Parameterization_report& r)

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_CONFORMAL_CLASS_H
 
 #include <Conformal_geometry_processing/conformal_class/Edge_scales.h>
+#include <Conformal_geometry_processing/conformal_class/Rim_directions.h>
 #include <Conformal_geometry_processing/conformal_class/Snap_equations.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -30,7 +31,7 @@ struct Snap_options {
 /// The numbers that verify a snap
 struct Snap_report {
   bool converged = false;                     ///< `residual` is within the tolerance
-  double initial_residual = 0, residual = 0;  ///< the largest, absolute, of `Edge_scales`
+  double initial_residual = 0, residual = 0;  ///< the largest, absolute
   int iterations = 0, factorizations = 0;
 };
 
@@ -46,6 +47,9 @@ class Conformal_class {
   /// \pre no edge of the mesh has length zero
   /// \throw Solver_error if the analysis fails
   explicit Conformal_class(const Mesh_view& mesh);
+
+  /// sets the directions at the boundary that snaps keep beside the class; at first there are none
+  void keep(Rim_directions rim);
 
   /// \brief Moves a surface into the class by Gauss-Newton steps of least change, see
   /// `Snap_equations`; a step that does not lower the residuals is halved.
@@ -72,7 +76,11 @@ class Conformal_class {
   /// state is unchanged otherwise
   bool advance(State& state, double factor, int halvings) const;
 
+  /// of the edges, and of the rim
+  Eigen::VectorXd residuals(const Points& f, const Eigen::VectorXd& u) const;
+
   Edge_scales m_scales;
+  Rim_directions m_rim;
   Snap_equations m_equations;
 };
 

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_CONFORMAL_CLASS_SNAP_EQUATIONS_H
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/conformal_class/Rim_directions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
@@ -19,7 +20,7 @@ namespace internal {
 
 /// \ingroup PkgConformalClass
 /// \brief The smallest change (df, du) of a surface and its log scales that removes given residuals
-/// of `Edge_scales`, to first order.
+/// of `Edge_scales` and `Rim_directions`, to first order.
 ///
 /// Minimizes eps G(d) + |c + J d|^2, with G(d) = sum |df_j - df_i|^2 / |f_j - f_i|^2 + .01 |du|^2.
 /// Real, 4|V| x 4|V|, with blocks of 4 x 4 numbers on the vertex graph, ordered like it. G does not
@@ -33,6 +34,9 @@ class Snap_equations {
   /// \param graph the `vertex_graph()` of the mesh
   Snap_equations(const Mesh_view& mesh, const Sparse_pattern& graph);
 
+  /// adds the residuals of a rim, from the next factorization
+  void keep(Rim_directions rim);
+
   /// \brief Linearizes at f and factors the matrix, damped until it is positive definite.
   /// \throw Solver_error if that fails, or an edge has no length
   void factorize(const Points& f);
@@ -43,8 +47,15 @@ class Snap_equations {
   /// \returns false if it is as large as makes sense
   bool damp();
 
+  /// \brief Divides eps by ten for later factorizations: where J is nearly singular, the last
+  /// digits converge slowly otherwise.
+  void undamp();
+
+  double damping() const { return m_eps; }
+  void set_damping(double eps) { m_eps = eps; }
+
   /// \brief Solves with the last factor and the J of that surface.
-  /// \param c |E| residuals
+  /// \param c the residuals: |E|, and those of the rim
   /// \param df 3 x |V|, mean zero on each component; du |V|
   /// \throw Solver_error if the solution is not finite
   void solve(const Eigen::VectorXd& c, Points& df, Eigen::VectorXd& du) const;
@@ -53,6 +64,7 @@ class Snap_equations {
   using Row = Eigen::Vector4d;  // what an end of an edge has in a row of J: three for f, one for u
 
   void assemble(const Points& f);
+  void add_rim_row(const Rim_directions::Row& row);
   void add_edge(int i, int j, int k, double weight);
   double& entry(int block_column, int block, int row, int column);
   void center(Points& df) const;
@@ -63,6 +75,8 @@ class Snap_equations {
   Hermitian_sparse_matrix<double> m_matrix;
   Supernodal_cholesky<double> m_solver;
   Points m_directions;  // (f_j - f_i) / |f_j - f_i|^2, 3 x |E|
+  Rim_directions m_rim;
+  std::vector<Rim_directions::Row> m_rim_rows;
   double m_eps = 1e-6;
   bool m_is_factorized = false;
 };

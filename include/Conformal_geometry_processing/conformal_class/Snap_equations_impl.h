@@ -12,15 +12,17 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 
 namespace internal {
 
 constexpr double snap_scale_weight = .01;  // of |du|^2 in G
-constexpr double largest_snap_eps = 1e-3;
+constexpr double largest_snap_eps = 1e-3, smallest_snap_eps = 1e-11;
 
 inline void require_snap(Solver_status status)
 {
@@ -65,11 +67,36 @@ CGP_INLINE void internal::Snap_equations::add_edge(int i, int j, int k, double w
   }
 }
 
+CGP_INLINE void internal::Snap_equations::add_rim_row(const Rim_directions::Row& row)
+{
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      const int i = row.vertices[static_cast<std::size_t>(b)],
+                j = row.vertices[static_cast<std::size_t>(a)];
+      if (j < i) continue;
+      const int block = m_graph.find(j, i) - m_graph.offsets[static_cast<std::size_t>(i)];
+      for (int c = 0; c < 3; ++c)
+        for (int r = i == j ? c : 0; r < 3; ++r)
+          entry(i, block, r, c) += row.gradients(r, a) * row.gradients(c, b);
+    }
+}
+
+CGP_INLINE void internal::Snap_equations::keep(Rim_directions rim)
+{
+  if (rim.size_of_rows() != m_rim.size_of_rows()) m_is_factorized = false;
+  m_rim = std::move(rim);
+}
+
 CGP_INLINE bool internal::Snap_equations::damp()
 {
   if (m_eps >= largest_snap_eps) return false;
   m_eps *= 10;
   return true;
+}
+
+CGP_INLINE void internal::Snap_equations::undamp()
+{
+  m_eps = (std::max)(m_eps / 10, smallest_snap_eps);
 }
 
 CGP_INLINE void internal::Snap_equations::factorize(const Points& f)
@@ -94,6 +121,8 @@ CGP_INLINE void internal::Snap_equations::assemble(const Points& f)
     m_directions.col(k) = e / e.squaredNorm();
     add_edge(i, j, k, m_eps / e.squaredNorm());
   }
+  m_rim_rows = m_rim.derivative(f);
+  for (const Rim_directions::Row& row : m_rim_rows) add_rim_row(row);
   int components = 0;
   for (int v = 0; v < f.cols(); ++v) {
     entry(v, 0, 3, 3) += m_eps * snap_scale_weight;
@@ -108,12 +137,16 @@ CGP_INLINE void internal::Snap_equations::solve(const Eigen::VectorXd& c, Points
                                                 Eigen::VectorXd& du) const
 {
   Block<double> b = Block<double>::Zero(m_matrix.size(), 1), d;
-  for (int k = 0; k < c.size(); ++k) {
+  for (int k = 0; k < m_directions.cols(); ++k) {
     const auto [i, j] = m_ends[static_cast<std::size_t>(k)];
     b.block<3, 1>(4 * i, 0) += c[k] * m_directions.col(k);
     b.block<3, 1>(4 * j, 0) -= c[k] * m_directions.col(k);
     for (const int v : {i, j}) b(4 * v + 3, 0) += c[k] / 2;
   }
+  for (std::size_t k = 0; k < m_rim_rows.size(); ++k)
+    for (int v = 0; v < 3; ++v)
+      b.block<3, 1>(4 * m_rim_rows[k].vertices[static_cast<std::size_t>(v)], 0) -=
+          c[m_directions.cols() + static_cast<Eigen::Index>(k)] * m_rim_rows[k].gradients.col(v);
   require_snap(m_solver.solve(b, d));
   const auto at_vertices = d.col(0).reshaped(4, d.rows() / 4);
   df = at_vertices.topRows<3>();

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
 #include <Conformal_geometry_processing/flow/Fairing.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/spin/Boundary_condition.h>
 
 #include <functional>
 #include <optional>
@@ -20,13 +21,21 @@ namespace internal {
 ///
 /// The error of a spin transformation is O(h) of the step; those of many steps add up to a drift
 /// away from the class. Area and centroid are those of the initial surface.
+///
+/// At a boundary, smoothing holds the vertices; where binormals are kept, also the others of the
+/// faces there. A snap moves them: with a free boundary without restriction; with tangents,
+/// binormals or directions between them, so that these stay along each edge of the boundary
+/// (`Rim_directions`). They are those that the surface had before: the transformations of a flow
+/// lead them back to the first, or to the prescribed ones.
 class Class_keeper {
  public:
-  /// \param initial closed; a copy is kept
+  /// \param initial a copy is kept
+  /// \param boundary a condition without positions
   /// \throw Solver_error if an analysis fails
-  explicit Class_keeper(const Mesh_view& initial);
+  explicit Class_keeper(const Mesh_view& initial, const Boundary_condition& boundary = {});
 
-  /// \brief moves positions into the class, up to changes of log length cross-ratios of 1e-3.
+  /// \brief moves positions into the class, up to changes of log length cross-ratios of 1e-3; keeps
+  /// their directions at the boundary.
   /// \returns whether it is reached
   /// \throw Solver_error if a factorization fails
   bool snap(Points& f);
@@ -43,12 +52,17 @@ class Class_keeper {
                                  const std::function<bool(const Points&)>& is_better);
 
  private:
+  /// sets the directions to be kept at the boundary: those of positions in the frame
+  void keep_directions(const Points& f);
+  /// a snap that keeps the directions set last
+  bool snap_to_kept(Points& f);
   void take(Points moved, Points& f) const;
   bool try_smoothing(const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better,
                      Points& f);
 
   double m_unit;        // of a frame, so that logarithms of lengths do not depend on the scale
   Mesh_view m_initial;  // in the frame, as the class
+  Boundary_condition m_boundary;
   Conformal_class m_class;
   Fairing m_fairing;
   double m_strength = 2;

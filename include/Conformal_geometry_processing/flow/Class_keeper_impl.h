@@ -7,23 +7,56 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/flow/Class_keeper.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE internal::Class_keeper::Class_keeper(const Mesh_view& initial)
+namespace internal {
+
+/// those at the boundary; where directions across it are kept, of the faces at the boundary
+inline std::vector<char> held_vertices(const Mesh_view& mesh, const Boundary_condition& boundary)
+{
+  std::vector<char> is_held = boundary_vertices(mesh);
+  const bool are_tangents = boundary.direction.tail<2>().isZero(0);
+  if (boundary.kind != Boundary_condition::Kind::directions || are_tangents) return is_held;
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+    if (mesh.twin(h) < 0)
+      is_held[static_cast<std::size_t>(mesh.to(Mesh_view::next_in_face(h)))] = 1;
+  return is_held;
+}
+
+}  // namespace internal
+
+CGP_INLINE internal::Class_keeper::Class_keeper(const Mesh_view& initial,
+                                                const Boundary_condition& boundary)
     : m_unit(Normalized_frame(initial.positions()).unit()),
       m_initial(initial.positions() / m_unit, initial.corners()),
+      m_boundary(boundary),
       m_class(m_initial),
-      m_fairing(m_initial)
+      m_fairing(m_initial, held_vertices(m_initial, boundary))
 {}
+
+CGP_INLINE void internal::Class_keeper::keep_directions(const Points& f)
+{
+  if (m_boundary.kind == Boundary_condition::Kind::directions)
+    m_class.keep({Mesh_view(f, m_initial.corners()), m_boundary.direction});
+}
 
 // A quarter of the limit on length cross-ratios, which sum four residuals. The factor of the last
 // snap is kept: late in a flow its steps converge without another one.
 CGP_INLINE bool internal::Class_keeper::snap(Points& f)
+{
+  keep_directions(f / m_unit);
+  return snap_to_kept(f);
+}
+
+CGP_INLINE bool internal::Class_keeper::snap_to_kept(Points& f)
 {
   Points moved = f / m_unit;
   if (!m_class.snap(moved, {2.5e-4, 12, true}).converged) return false;
@@ -34,6 +67,7 @@ CGP_INLINE bool internal::Class_keeper::snap(Points& f)
 CGP_INLINE void internal::Class_keeper::polish(Points& f)
 {
   Points moved = f / m_unit;
+  keep_directions(moved);
   const Snap_report report = m_class.snap(moved);
   if (!(report.residual < report.initial_residual)) return;
   take(std::move(moved), f);
@@ -65,8 +99,10 @@ CGP_INLINE bool internal::Class_keeper::try_smoothing(
     const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better, Points& f)
 {
   try {
-    f = m_unit * m_fairing({mesh.positions() / m_unit, mesh.corners()}, m_strength);
-    return snap(f) && is_better(f);
+    const Mesh_view present(mesh.positions() / m_unit, mesh.corners());
+    keep_directions(present.positions());
+    f = m_unit * m_fairing(present, m_strength);
+    return snap_to_kept(f) && is_better(f);
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;
     return false;

@@ -43,10 +43,10 @@ namespace Conformal_geometry_processing {
 /// curvature. On surfaces with handles or holes, the edges must close up around them. Area and
 /// centroid are preserved.
 ///
-/// Closed surfaces stay on the exact discrete conformal class of the initial one: each step is
-/// smoothing within the class, then a spin transformation, and ends with the nearest surface of the
-/// class, see `Flow_options::exact_conformal_class`. A step that would leave
-/// `Flow_options::limits` ends the flow. Without that, as in the thesis, and with a boundary:
+/// Surfaces stay on the exact discrete conformal class of the initial one: each step is smoothing
+/// within the class, then a spin transformation, and ends with the nearest surface of the class,
+/// see `Flow_options::exact_conformal_class`. A step that would leave `Flow_options::limits` ends
+/// the flow. Without that, as in the thesis, and with mollification:
 ///
 /// The conformal class of a surface with handles is kept but for two errors. The periods of a step
 /// are of second order in tau: left alone they add up to O(tau); `Flow_options::max_period_defect`
@@ -150,11 +150,12 @@ class Conformal_willmore_flow {
 
  private:
   /// the result of a trial
-  enum class Verdict { good, rises_slightly, bad, out_of_limits, cancelled };
+  enum class Verdict { good, rises_slightly, rises_within_error, bad, out_of_limits, cancelled };
 
   double energy_of(const Mesh_view& mesh) const;
   static Mesh_view in_frame(const Mesh_view& mesh);  ///< of unit size
-  static Spin_transformation_options transformation_options(const Flow_options& options);
+  static Spin_transformation_options transformation_options(const Mesh_view& initial,
+                                                            const Flow_options& options);
 
   /// the part of the initial mesh on which distortion is measured
   const Mesh_view& measured() const { return m_well_shaped ? m_well_shaped->mesh : m_initial; }
@@ -163,7 +164,7 @@ class Conformal_willmore_flow {
   /// kept
   static Mesh_view on_class(const Mesh_view& mesh, const Flow_options& options,
                             const std::string& function);
-  static bool keeps_class(const Mesh_view& mesh, const Flow_options& options);
+  static bool keeps_class(const Flow_options& options);
   bool fairs() const;
 
   // A single type for all visitors, so that the eigensolver is compiled only once.
@@ -207,14 +208,27 @@ class Conformal_willmore_flow {
   /// upper bound of the increase of energy by a step: zero, unless the boundary still has to turn
   double forbidden_rise() const;
 
-  /// angle between the boundary and the prescribed directions, in radians
-  double turning_angle() const;
+  /// angle between the boundary and the first or the prescribed directions, in radians
+  double direction_error() const;
+  /// what is left of it to be turned
+  double turning_angle() const
+  {
+    return m_options.boundary.targets.cols() > 0 ? direction_error() : 0;
+  }
   bool is_turning() const { return turning_angle() > 0.01; }
+
+  /// \brief why no time step is left: the minimum is reached as well as the mesh allows, limbs are
+  /// too small, or neither.
+  Flow_step_report::Stop reason_to_end(Verdict last) const;
 
   static Verdict reject(const std::string& message, Flow_step_report& report);
 
   /// whether a change of the energy is below the tolerance, extrapolated to a time of 1
   bool is_small(double change, double time) const;
+
+  /// \brief whether a rise of the energy says nothing about its descent: it is below the tolerance
+  /// even for a time of 1, or no more than it takes to lead the boundary back to its directions.
+  bool is_within_error(double rise) const;
 
   /// Adopts the next surface if the map to it is within the limits. Performs all operations that
   /// may fail before the first change.

@@ -7,12 +7,14 @@
 #include <Conformal_geometry_processing/flow/Constrained_direction_templates.h>
 #include <Conformal_geometry_processing/flow/Flow_on_class_templates.h>
 #include <Conformal_geometry_processing/flow/step_fault.h>
+#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/spin/closed_step_templates.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -27,29 +29,47 @@ Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::Conformal_w
       m_initial(on_class(mesh, options, m_function)),
       m_mesh(m_initial),
       m_next(m_initial),
-      m_transformation(m_initial, transformation_options(options), m_function),
+      m_transformation(m_initial, transformation_options(m_initial, options), m_function),
       m_direction(m_transformation, std::move(direction), options, m_function),
       m_balance(m_initial, options, m_transformation, m_function),
       m_energy(energy_of(m_initial)),
       m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step),
-                  keeps_class(mesh, options)
+                  keeps_class(options)
                       ? (std::max)(options.time_step / 4,
                                    (std::min)(options.min_time_step, options.time_step))
                       : options.time_step)
 {
-  if (keeps_class(mesh, options)) m_class.emplace(m_initial);
+  if (keeps_class(options)) m_class.emplace(m_initial, options.boundary);
   if (!options.mollification) return;
   m_well_shaped = well_shaped_faces(in_frame(m_initial));
   m_well_shaped->mesh.set_positions(m_initial.positions());
 }
 
+namespace internal {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// makes the directions that a boundary has targets of a condition that keeps them
+inline void keep_first_directions(const Mesh_view& mesh, Boundary_condition& condition)
+{
+  if (condition.kind != Boundary_condition::Kind::directions || condition.targets.cols() > 0)
+    return;
+  const Boundary_frames frames = boundary_frames(mesh);
+  condition.targets.resize(3, static_cast<Eigen::Index>(frames.frames.size()));
+  for (std::size_t k = 0; k < frames.frames.size(); ++k)
+    condition.targets.col(static_cast<Eigen::Index>(k)) = frames.frames[k] * condition.direction;
+}
+
+}  // namespace internal
+
 template <class SolverTraits, class EigensolverTraits, class Direction>
 Spin_transformation_options
 Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::transformation_options(
-    const Flow_options& options)
+    const Mesh_view& initial, const Flow_options& options)
 {
   Spin_transformation_options own;
   own.boundary = options.boundary;
+  if (keeps_class(options)) internal::keep_first_directions(initial, own.boundary);
   own.exactness = options.exactness;
   own.mollification = options.mollification;
   return own;
@@ -95,8 +115,21 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::find_t
     else if (slight_rises == 2)  // halving the step does not help: this is the minimum
       report.stop = Flow_step_report::Stop::energy_settled;
     else if (!m_time_step.halve())
-      report.stop = Flow_step_report::Stop::time_step_too_small;
+      report.stop = reason_to_end(verdict);
   }
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+Flow_step_report::Stop Conformal_willmore_flow<SolverTraits, EigensolverTraits,
+                                               Direction>::reason_to_end(Verdict last) const
+{
+  if (last == Verdict::rises_slightly || last == Verdict::rises_within_error)
+    return Flow_step_report::Stop::energy_settled;
+  // Beyond, the squares of the lengths by the least damping of a snap, 1e-6, exceed 16 digits.
+  const double largest_range = 11;
+  const auto scale = map_to(measured(), m_mesh.positions()).scale;
+  const bool is_out = m_class && !(std::log(scale.max_scale / scale.min_scale) <= largest_range);
+  return is_out ? Flow_step_report::Stop::scale_range : Flow_step_report::Stop::time_step_too_small;
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
@@ -130,7 +163,8 @@ auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::judge(
   if (!std::isfinite(energy)) return reject("the energy is not finite", report);
   if (rise >= forbidden_rise()) {
     (void)reject("the energy rises by " + std::to_string(rise / m_energy) + " of it", report);
-    return is_small(rise, report.time_step) ? Verdict::rises_slightly : Verdict::bad;
+    if (is_small(rise, report.time_step)) return Verdict::rises_slightly;
+    return is_within_error(rise) ? Verdict::rises_within_error : Verdict::bad;
   }
   return move_on(balanced(energy), spin_limits(), report);
 }
@@ -151,11 +185,11 @@ template <class SolverTraits, class EigensolverTraits, class Direction>
 double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::forbidden_rise() const
 {
   const bool may_rise = !m_options.backtracking || !internal::Has_energy<Direction>::value;
-  return may_rise ? HUGE_VAL : turning_angle() * (std::max)(m_energy, 4 * 3.14159265358979323846);
+  return may_rise ? HUGE_VAL : turning_angle() * (std::max)(m_energy, 4 * internal::pi);
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::turning_angle() const
+double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::direction_error() const
 {
   const auto* const directions = m_transformation.system().directions();
   if (!directions) return 0;
@@ -180,6 +214,13 @@ bool Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::is_sma
   // Near minimal surfaces, whose energy is zero, the discretisation limits the convergence.
   const double scale = (std::max)(m_energy, 0.01 * energy_of(m_initial));
   return std::abs(change) < m_options.energy_tolerance * time * scale;
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+bool Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::is_within_error(
+    double rise) const
+{
+  return is_small(rise, 1) || rise < direction_error() * (std::max)(m_energy, 4 * internal::pi);
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>

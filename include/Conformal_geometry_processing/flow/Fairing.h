@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace Conformal_geometry_processing {
 
 namespace internal {
@@ -24,13 +26,17 @@ namespace internal {
 /// small s would be a large step wherever it has shrunk by orders of magnitude; with those of the
 /// initial one, parts that have grown would hardly move. s is a multiple of the mean of M.
 ///
+/// Vertices at a boundary are held, for a surface would shrink from its boundary; then minimal
+/// surfaces stay as they are.
+///
 /// The ordering is computed once. One factorization of a real matrix on the vertices, and two
 /// solves of three columns.
 class Fairing {
  public:
-  /// \param initial the initial surface, closed
+  /// \param initial the initial surface
+  /// \param is_held |V|, vertices that do not move: those at a boundary, at least
   /// \throw Solver_error if the analysis fails
-  explicit Fairing(const Mesh_view& initial);
+  Fairing(const Mesh_view& initial, std::vector<char> is_held);
 
   /// \param mesh a surface of the connectivity of the initial one
   /// \param strength s by the mean of M
@@ -38,6 +44,10 @@ class Fairing {
   Points operator()(const Mesh_view& mesh, double strength);
 
  private:
+  /// (1 - A) f, zero where vertices are held
+  Block<double> rough_part(const Block<double>& f, double s) const;
+
+  std::vector<char> m_is_held;
   Hermitian_sparse_matrix<double> m_laplacian, m_matrix;
   Eigen::VectorXd m_areas;  // of the vertices, of the initial surface
   Supernodal_cholesky<double> m_solver;

@@ -22,9 +22,9 @@ namespace Conformal_geometry_processing {
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
 bool Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::keeps_class(
-    const Mesh_view& mesh, const Flow_options& options)
+    const Flow_options& options)
 {
-  return options.exact_conformal_class && !options.mollification && boundary_loops(mesh).empty();
+  return options.exact_conformal_class && !options.mollification;
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
@@ -33,7 +33,7 @@ Mesh_view Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::o
 {
   if (options.mollification) return mesh;
   require_surface(mesh, function);
-  return keeps_class(mesh, options) ? internal::simple_delaunay(mesh) : mesh;
+  return keeps_class(options) ? internal::simple_delaunay(mesh) : mesh;
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
@@ -98,12 +98,25 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::restor
   m_energy = energy;
 }
 
+namespace internal {
+
+inline double largest_period_defect(const Flow_report& report)
+{
+  double largest = 0;
+  for (const Flow_step_report& step : report.steps)
+    largest = (std::max)(largest, step.period_defect);
+  return largest;
+}
+
+}  // namespace internal
+
 template <class SolverTraits, class EigensolverTraits, class Direction>
 void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::finish(
     Flow_report& report)
 {
   if (m_class && m_steps > 0 && report.stop != Flow_step_report::Stop::cancelled) polish();
   report.energy = m_energy;
+  if (m_class) report.period_defect = internal::largest_period_defect(report);
   report.conformality = map_to(measured(), m_mesh.positions());
   report.conformality_of_faces =
       m_class ? map_to(m_input, m_mesh.positions()) : report.conformality;

@@ -51,11 +51,14 @@ struct Flow_options {
   std::optional<double> max_step_distortion = std::nullopt;
   double max_step_closure = 0.1;  ///< closure residual of one step
 
-  /// whether closed surfaces stay on the exact discrete conformal class of the initial one: every
-  /// step ends with the nearest surface of the class. Otherwise they drift by the discretisation
-  /// error, also in their conformal type [CGP 6.4]. The connectivity is then that of the intrinsic
+  /// whether surfaces stay on the exact discrete conformal class of the initial one: every step
+  /// ends with the nearest surface of the class. Otherwise they drift by the discretisation error,
+  /// also in their conformal type [CGP 6.4]. The connectivity is then that of the intrinsic
   /// Delaunay triangulation of the initial surface; time steps begin with a quarter of `time_step`.
-  /// Without effect on surfaces with boundary, and with mollification
+  ///
+  /// At a boundary, a free one moves with the rest; directions that are kept are the first ones in
+  /// every step, not those of the last surface, and the way to the class leaves them as they are,
+  /// see `internal::Class_keeper`. Without effect with mollification
   bool exact_conformal_class = true;
 
   /// whether each step on the exact class begins with smoothing within it, see

@@ -23,6 +23,8 @@ struct [[nodiscard]] Flow_step_report {
     cancelled,            ///< the visitor cancelled
     time_step_too_small,  ///< no step of at least `min_time_step` is acceptable
     limits_reached,       ///< the next step would exceed `Flow_options::limits`
+    scale_range,          ///< no step is acceptable, for limbs have shrunk beyond the precision of
+                          ///< `double` on the exact conformal class
     step_failed           ///< no step could be computed, or a step was rejected and backtracking is
                           ///< off
   };
@@ -65,10 +67,23 @@ struct [[nodiscard]] Flow_report {
   /// change of the conformal type of a closed surface with handles, measured by its harmonic forms,
   /// see `internal::conformal_type_distance()`
   double conformal_type_change = 0;
+
+  /// sum of the period defects of the steps: how far the edges were from closing up in all. On the
+  /// exact class, to which each step returns, the largest of them
+  double period_defect = 0;
   double seconds = 0;  ///< wall clock
 
   /// beyond this change of type the surfaces are not called conformally equivalent
   static constexpr double max_conformal_type_change = 0.1;
+
+  /// and beyond this period defect the surface was sheared to close up
+  static constexpr double max_period_defect = 0.1;
+
+  /// whether both are within their bounds
+  bool keeps_conformal_type() const
+  {
+    return conformal_type_change <= max_conformal_type_change && period_defect <= max_period_defect;
+  }
 
   /// whether the flow has converged
   bool converged() const;
@@ -76,12 +91,12 @@ struct [[nodiscard]] Flow_report {
   /// whether it did what was asked: it has converged, or made the requested number of steps
   bool is_complete() const { return converged() || stop == Flow_step_report::Stop::steps_done; }
 
-  /// whether it is complete, conformal from start to end, see `Conformality::fault()`, and of the
-  /// same conformal type
+  /// whether it is complete, conformal from start to end, see `Conformality::fault()`, and
+  /// `keeps_conformal_type()`
   explicit operator bool() const
   {
     return is_complete() && conformality.fault({}) == Conformality::Fault::none &&
-           conformal_type_change <= max_conformal_type_change;
+           keeps_conformal_type();
   }
 };
 

@@ -27,6 +27,8 @@ CGP_INLINE const char* to_string(Flow_step_report::Stop stop)
       return "the time step became too small";
     case Flow_step_report::Stop::limits_reached:
       return "the limits of distortion are reached";
+    case Flow_step_report::Stop::scale_range:
+      return "limbs would shrink beyond double precision";
     case Flow_step_report::Stop::step_failed:
       return "the step failed";
   }
@@ -44,6 +46,7 @@ CGP_INLINE bool append(Flow_report& report, Flow_step_report step)
   report.stop = step.stop;
   report.message = step.message;
   const bool is_accepted = step.accepted;
+  if (is_accepted) report.period_defect += step.period_defect;
   if (is_accepted) report.steps.push_back(std::move(step));
   return is_accepted;
 }

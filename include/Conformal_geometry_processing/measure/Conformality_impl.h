@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 namespace Conformal_geometry_processing {
 

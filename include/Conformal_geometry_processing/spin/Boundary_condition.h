@@ -37,8 +37,7 @@ struct Boundary_condition {
   Eigen::Vector3d direction{1, 0, 0};
   /// directions V of any nonzero length, or positions; 3 x number of boundary vertices, in the
   /// order of `boundary_frames()`. No columns: the surface keeps its own directions; if it moves,
-  /// those before each step. Keeping the initial directions instead would reintroduce the
-  /// discretisation errors of all steps and raise the energy again
+  /// those before each step
   Points targets = Points(3, 0);
   Points normals = Points(3, 0);  ///< of the given curve, with positions
   /// of positions against conformality: the curve pulls at the boundary in a layer of the width

@@ -51,7 +51,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::on_class(
 template <class SolverTraits, class EigensolverTraits>
 void Spin_transformation<SolverTraits, EigensolverTraits>::move_to_class(Spin_result& result)
 {
-  internal::move_to_class(domain(), result);
+  internal::move_to_class(domain(), m_options.boundary, result);
   Spin_report& r = result.report;
   judge_boundary(domain().frame().to_frame(result.positions), r);
   if (!m_options.scales.bound) return;

@@ -21,10 +21,13 @@ namespace internal {
 /// One or two factorizations of a real matrix with blocks of 4 x 4 numbers on the vertices.
 /// \param domain the initial surface. With mollification, the class is that of its intrinsic
 /// Delaunay triangulation, with the distances of vertices in space as lengths
+/// \param boundary its condition: with directions, those at the edges of the boundary stay as they
+/// are, see `Rim_directions`; a free boundary moves
 /// \param result of a transformation that was not cancelled; receives positions, lambda, the
 /// certificate, and `Spin_report::exact_class`. Where the class is not reached, only the last
 /// \pre no edge of the surface has length zero
-void move_to_class(const Framed_surface& domain, Spin_result& result);
+void move_to_class(const Framed_surface& domain, const Boundary_condition& boundary,
+                   Spin_result& result);
 
 }  // namespace internal
 }  // namespace Conformal_geometry_processing

@@ -31,23 +31,28 @@ inline void resize_spins(const Mesh_view& reference, const Points& f,
 }
 
 /// not converged where the surface is too degenerate for the matrix of a snap
-inline Class_snap_report snapped(const Mesh_view& reference, Points& f)
+inline Class_snap_report snapped(const Mesh_view& reference, const Boundary_condition& boundary,
+                                 Points& f)
 {
+  Rim_directions rim;
+  if (boundary.kind == Boundary_condition::Kind::directions)
+    rim = Rim_directions({f, reference.corners()}, boundary.direction);
   try {
-    return snap_to_class(reference, f, {});
+    return snap_to_class(reference, f, {}, std::move(rim));
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;
     return {};
   }
 }
 
-CGP_INLINE void move_to_class(const Framed_surface& domain, Spin_result& result)
+CGP_INLINE void move_to_class(const Framed_surface& domain, const Boundary_condition& boundary,
+                              Spin_result& result)
 {
   const Normalized_frame& frame = domain.frame();
   const Mesh_view reference =
       domain.is_mollified() ? simple_delaunay(domain.mesh()) : domain.mesh();
   Points f = frame.to_frame(result.positions);
-  Class_snap_report snap = snapped(reference, f);
+  Class_snap_report snap = snapped(reference, boundary, f);
   if (snap) {
     resize_spins(reference, f, result.lambda);
     restore_area(domain.measured(), f, result.lambda);

@@ -20,10 +20,11 @@ void require_edge_lengths(const Mesh_view& mesh, const std::string& function);
 /// \ingroup PkgConformalClass
 /// \brief moves positions, 3 x |V|, into the conformal class of the reference; computes in a frame
 /// of unit size.
+/// \param rim directions at the boundary that stay
 /// \pre `require_edge_lengths()` of both
 /// \throw Solver_error if a factorization fails
 Class_snap_report snap_to_class(const Mesh_view& reference, Points& positions,
-                                const Snap_options& options);
+                                const Snap_options& options, Rim_directions rim = {});
 
 }  // namespace internal
 

@@ -27,11 +27,12 @@ CGP_INLINE void require_edge_lengths(const Mesh_view& mesh, const std::string& f
 }
 
 CGP_INLINE Class_snap_report snap_to_class(const Mesh_view& reference, Points& positions,
-                                           const Snap_options& options)
+                                           const Snap_options& options, Rim_directions rim)
 {
   const Normalized_frame frame(positions);
   Points f = frame.to_frame(positions);
   Conformal_class conformal_class(reference);
+  conformal_class.keep(std::move(rim));
   const Snap_report snap = conformal_class.snap(f, options);
   Class_snap_report report;
   report.converged = snap.converged;

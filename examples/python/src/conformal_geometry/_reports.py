@@ -196,6 +196,7 @@ class Flow_report(Report):
     conformality: Conformality
     conformality_of_faces: Conformality
     conformal_type_change: float
+    period_defect: float
     seconds: float
 
 
