@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -51,35 +52,33 @@ Spin_result Conformal_deformation<SolverTraits, EigensolverTraits>::deform(
     const Go_further& go_further)
 {
   require_control_points(points, m_transformation.domain().mesh().size_of_vertices(), m_function);
-  Control_point_search<SolverTraits, EigensolverTraits> search(m_transformation, points,
-                                                               near_targets(points), m_options);
-  search.run(options, go_further);
-  const auto& found = search.search().present();
-  const double unit = m_transformation.domain().unit();
-  m_rho = {found.rho.on, found.rho.values / unit};
+  require_extent(points);
+  if (!m_search || !m_search->is_for(points))
+    m_search = std::make_unique<Search>(m_transformation, points, m_options);
+  const Framed_surface& domain = m_transformation.domain();
+  m_search->run(domain.frame().to_frame(targets_of(points)), options, go_further);
+  const auto& found = m_search->search().present();
+  m_rho = {found.rho.on, found.rho.values / domain.unit()};
   Spin_result result;
-  if (!search.search().costs().cancelled)
+  if (!m_search->search().costs().cancelled)
     result = m_transformation.integrate(found.solution.lambda);
-  tell_search(search, unit, result.report);
+  tell_search(*m_search, domain.unit(), result.report);
   if (result.report.cancelled) return result;
-  if (m_options.surface.scales.bound) result.report.scales = search.scales();
-  result.report.period_defect = search.period_defect();
+  result.report.period_defect = m_search->period_defect();
+  if (m_options.surface.scales.bound) result.report.scales = m_search->scales();
   place(points, result);
   return result;
 }
 
 template <class SolverTraits, class EigensolverTraits>
-Points Conformal_deformation<SolverTraits, EigensolverTraits>::near_targets(
+void Conformal_deformation<SolverTraits, EigensolverTraits>::require_extent(
     const std::vector<Control_point>& points) const
 {
   const double smallest = 1e-6;
   const Normalized_frame& frame = m_transformation.domain().frame();
   const Points from = frame.to_frame(positions_of(points, m_transformation.positions()));
-  const Points to = frame.to_frame(targets_of(points));
-  const Alignment a = placement(from, to);
-  if (!(a.scale > smallest))
+  if (!(placement(from, frame.to_frame(targets_of(points))).scale > smallest))
     throw Precondition_error(m_function, "the targets are at one place, the points are not");
-  return a.rotation.transpose() * (to.colwise() - a.translation) / a.scale;
 }
 
 template <class SolverTraits, class EigensolverTraits>

@@ -30,13 +30,18 @@ class Control_point_search {
   using Search = Potential_search<SolverTraits, EigensolverTraits>;
 
   /// \param transformation must outlive the object
-  /// \param targets 3 x number of points, near to the points, in the frame of the transformation
-  Control_point_search(Transformation& transformation, const std::vector<Control_point>& points,
-                       const Points& targets, const Conformal_deformation_options& options);
+  /// \param options must outlive the object
+  Control_point_search(Transformation& transformation, std::vector<Control_point> points,
+                       const Conformal_deformation_options& options);
 
-  /// \brief goes as far as surfaces are good, in steps along straight lines.
+  /// whether these are the points of the search, with whatever targets
+  bool is_for(const std::vector<Control_point>& points) const;
+
+  /// \brief goes as far as surfaces are good, in steps along straight lines: from the result of
+  /// the last run, with its gradients as long as they serve, or else from the initial surface.
+  /// \param targets 3 x number of points, in the frame of the transformation
   /// \throw Solver_error if the first factorization fails
-  void run(const Dirac_options& options, const Go_further& go_further);
+  void run(const Points& targets, const Dirac_options& options, const Go_further& go_further);
 
   double reached() const { return m_reached; }  ///< the share of the way
   int steps() const { return m_steps; }         ///< that were made
@@ -51,6 +56,15 @@ class Control_point_search {
   double period_defect() const;
 
  private:
+  /// the control points on the surface found so far
+  Points present_points() const;
+
+  /// adopts targets, moved to the present control points by the similarity that fits them best
+  void set_targets(const Points& targets);
+
+  /// as far as it gets, from the present surface to the targets
+  void go(const Dirac_options& options, const Go_further& go_further);
+
   /// minimises for targets at a share of the way
   /// \returns whether the minimum was reached, and the surface can be a result; otherwise all is as
   /// it was
@@ -65,7 +79,9 @@ class Control_point_search {
   Transformation& m_transformation;
   const Conformal_deformation_options& m_options;
   const Exactness_constraints* m_exactness;  // or null
-  Points m_from, m_to;                       // the control points, at first and in the end
+  std::vector<Control_point> m_points;
+  Points m_from, m_to;  // the control points, at first and in the end
+  bool m_has_run = false;
   Position_residual<SolverTraits> m_positions;
   Scale_residual m_scales;
   std::optional<Period_residual> m_periods;

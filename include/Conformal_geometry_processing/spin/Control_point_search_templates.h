@@ -12,7 +12,9 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -20,15 +22,13 @@ namespace internal {
 
 template <class SolverTraits, class EigensolverTraits>
 Control_point_search<SolverTraits, EigensolverTraits>::Control_point_search(
-    Transformation& transformation, const std::vector<Control_point>& points, const Points& targets,
+    Transformation& transformation, std::vector<Control_point> points,
     const Conformal_deformation_options& options)
     : m_transformation(transformation),
       m_options(options),
       m_exactness(transformation.exactness_if_looped(Curvature_potential::On::vertices)),
-      m_from(transformation.domain().frame().to_frame(
-          positions_of(points, transformation.positions()))),
-      m_to(targets),
-      m_positions(transformation.system().surface(), transformation.reconstruction(), points),
+      m_points(std::move(points)),
+      m_positions(transformation.system().surface(), transformation.reconstruction(), m_points),
       m_scales(scale_masses(transformation.system().areas(), options.surface.scales),
                wanted_log_scales(transformation.system().areas(), options.surface.scales)),
       m_unit(1 / transformation.system().unit())
@@ -46,17 +46,63 @@ Control_point_search<SolverTraits, EigensolverTraits>::Control_point_search(
 }
 
 template <class SolverTraits, class EigensolverTraits>
-void Control_point_search<SolverTraits, EigensolverTraits>::run(const Dirac_options& options,
+bool Control_point_search<SolverTraits, EigensolverTraits>::is_for(
+    const std::vector<Control_point>& points) const
+{
+  const auto is_same = [](const Control_point& a, const Control_point& b) {
+    return a.vertices == b.vertices && a.weights == b.weights;
+  };
+  return std::equal(points.begin(), points.end(), m_points.begin(), m_points.end(), is_same);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Points Control_point_search<SolverTraits, EigensolverTraits>::present_points() const
+{
+  const Quaternion_vector<double>& lambda = m_search->present().solution.lambda;
+  return positions_of(m_points, m_transformation.reconstruction().positions(transformed_edges(
+                                    m_transformation.system().surface(), lambda)));
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Control_point_search<SolverTraits, EigensolverTraits>::set_targets(const Points& targets)
+{
+  m_from = present_points();
+  const Alignment a = placement(m_from, targets);
+  m_to = a.rotation.transpose() * (targets.colwise() - a.translation) / a.scale;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Control_point_search<SolverTraits, EigensolverTraits>::run(const Points& targets,
+                                                                const Dirac_options& options,
                                                                 const Go_further& go_further)
+{
+  m_search->reset_costs();
+  set_targets(targets);
+  go(options, go_further);
+  if (!m_has_run || m_reached == 1 || m_search->costs().cancelled) {
+    m_has_run = true;
+    return;
+  }
+  const Eigen::Index size = m_search->present().rho.values.size();
+  m_search->restart(Curvature_potential::on_vertices(Eigen::VectorXd::Zero(size)));
+  set_targets(targets);
+  go(options, go_further);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Control_point_search<SolverTraits, EigensolverTraits>::go(const Dirac_options& options,
+                                                               const Go_further& go_further)
 {
   const double first_weight = 1;
   m_weight = first_weight;
   m_scales.set_weight(m_weight / m_unit);
+  m_reached = 0;
+  m_steps = 0;
   for (double step = 1; m_reached < 1 && step >= m_options.min_step;) {
     const double rest = 1 - m_reached - step;
     const bool is_there = go_to(rest < m_options.min_step ? 1 : 1 - rest, options, go_further);
     if (m_search->costs().cancelled) return;
-    step = is_there ? 2 * step : step / 2;
+    step = is_there ? (std::min)(2 * step, 1 - m_reached) : step / 2;
   }
   if (m_options.surface.scales.bound) bound_scales(options, go_further);
 }
@@ -69,7 +115,11 @@ bool Control_point_search<SolverTraits, EigensolverTraits>::go_to(double share,
   const double tolerance = 1e-9;  // of distances in the frame
   const typename Search::Candidate before = m_search->present();
   m_positions.set_targets(m_from + share * (m_to - m_from));
-  if (m_search->minimize(options, go_further, tolerance) && is_good()) {
+  const auto is_there = [&] {
+    return m_search->follow_constraints(options, go_further, tolerance) ||
+           m_search->minimize(options, go_further, tolerance);
+  };
+  if (is_there() && is_good()) {
     m_reached = share;
     ++m_steps;
     return true;

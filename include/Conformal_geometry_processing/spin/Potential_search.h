@@ -65,6 +65,17 @@ class Potential_search {
   /// \throw Solver_error if a factorization fails
   bool minimize(const Dirac_options& options, const Go_further& go_further, double tolerance);
 
+  /// \brief satisfies constraints that have changed a little, with the gradients of the last step
+  /// of `minimize()`, one factorization and few solves each.
+  ///
+  /// Each step has to reduce the norm of the constraints to a tenth: the gradients then still hold
+  /// to about that share, and the sum is minimal to its square, the 1 % of `minimize()`.
+  /// \returns whether their norm is at most `tolerance`; otherwise all is as it was. False if there
+  /// was no step, or if there are residuals, whose minimum also moves
+  /// \throw Solver_error if a factorization fails
+  bool follow_constraints(const Dirac_options& options, const Go_further& go_further,
+                          double tolerance);
+
   /// the present rho'
   const Candidate& present() const { return m_now; }
 
@@ -74,8 +85,11 @@ class Potential_search {
   /// starts again from rho' = 0, for another rho
   void restart(Curvature_potential rho);
 
-  /// \brief what all evaluations and steps have cost, and whether they were cancelled
+  /// \brief what evaluations and steps have cost, and whether they were cancelled
   const Dirac_solution& costs() const { return m_costs; }
+
+  /// starts to count again
+  void reset_costs() { m_costs = Dirac_solution(); }
 
  private:
   using Spins = Quaternion_vector<double>;
@@ -96,6 +110,9 @@ class Potential_search {
   /// from the present rho', which was evaluated last; none if there is no derivative
   std::optional<Step> best_step();
   Step best_step(const Derivative& S);
+
+  /// the derivative at the present rho', which was evaluated last
+  Derivative derivative() const;
 
   /// what to add to a step that corrects the constraints, so that it minimises the sum; empty if
   /// the sum would become less smaller than 1 %
@@ -133,6 +150,7 @@ class Potential_search {
   std::vector<Spin_residual*> m_residuals, m_constraints;
   Potential_metric<SolverTraits> m_metric;
   Candidate m_now;
+  std::optional<Linear_constraints> m_last_constraints;  // of the last step
   double m_penalty = 0, m_last_length = 1;
   Dirac_solution m_costs;  // without spins
 };

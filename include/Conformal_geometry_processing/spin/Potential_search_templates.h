@@ -41,6 +41,7 @@ void Potential_search<SolverTraits, EigensolverTraits>::restart(Curvature_potent
   m_now = Candidate();
   m_now.rho = {m_rho.on, Eigen::VectorXd::Zero(m_rho.values.size())};
   m_now.solution.lambda = Spins::Constant(m_system.areas().size(), {1, 0, 0, 0});
+  m_last_constraints.reset();
   m_penalty = 0;
 }
 
@@ -61,6 +62,34 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
     if (!step->is_improvement && m_now.constraints.norm() <= tolerance) return true;
     if (!take(*step, limited, go_further)) return false;
   }
+  return false;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Potential_search<SolverTraits, EigensolverTraits>::follow_constraints(
+    const Dirac_options& options, const Go_further& go_further, double tolerance)
+{
+  const double least_reduction = 0.1;
+  if (!m_last_constraints || !m_residuals.empty()) return false;
+  const Candidate before = m_now;
+  m_now = evaluate(m_now.rho.values, m_now.solution, options, go_further);
+  while (m_now.solution.converged && m_now.constraints.norm() > tolerance) {
+    const double norm = m_now.constraints.norm();
+    Step step;
+    step.change = m_last_constraints->least_solution(-m_now.constraints);
+    try {
+      const Derivative S = derivative();
+      step.lambda = S.apply(step.change).col(0);
+      step.gamma = S.gamma_change(step.change)[0];
+      m_costs.solves += S.number_of_solves();
+    } catch (const No_derivative&) {
+      break;
+    }
+    m_now = moved(step, 1, options, go_further);
+    if (!(m_now.constraints.norm() <= (std::max)(least_reduction * norm, tolerance))) break;
+  }
+  if (m_now.solution.converged && m_now.constraints.norm() <= tolerance) return true;
+  m_now = before;
   return false;
 }
 
@@ -147,14 +176,20 @@ auto Potential_search<SolverTraits, EigensolverTraits>::evaluate(Eigen::VectorXd
 template <class SolverTraits, class EigensolverTraits>
 auto Potential_search<SolverTraits, EigensolverTraits>::best_step() -> std::optional<Step>
 {
-  const double tolerance = 1e-3;
-  const double gamma = m_system.is_closed() ? m_now.solution.eigenvalue : 0;
   try {
-    return best_step(Derivative(m_system, {m_rho.on, m_now.rho.values.array() + gamma},
-                                m_now.solution.lambda, tolerance));
+    return best_step(derivative());
   } catch (const No_derivative&) {
     return std::nullopt;
   }
+}
+
+template <class SolverTraits, class EigensolverTraits>
+auto Potential_search<SolverTraits, EigensolverTraits>::derivative() const -> Derivative
+{
+  const double tolerance = 1e-3;
+  const double gamma = m_system.is_closed() ? m_now.solution.eigenvalue : 0;
+  return Derivative(m_system, {m_rho.on, m_now.rho.values.array() + gamma}, m_now.solution.lambda,
+                    tolerance);
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -162,7 +197,8 @@ auto Potential_search<SolverTraits, EigensolverTraits>::best_step(const Derivati
 {
   Stopwatch watch;
   const Eigen::MatrixXd gradients = constraint_gradients(S);
-  const Linear_constraints constraints(gradients, m_metric.solve(gradients), dampings());
+  const Linear_constraints& constraints =
+      m_last_constraints.emplace(gradients, m_metric.solve(gradients), dampings());
   const Eigen::VectorXd g = gradient(S);
   Step step;
   step.change = constraints.least_solution(-m_now.constraints);
