@@ -11,6 +11,7 @@ import types
 import numpy as np
 import pytest
 
+import conformal_geometry as cg
 from meshes import icosphere
 
 EXAMPLES = pathlib.Path(__file__).parents[2] / "examples/python"
@@ -21,6 +22,21 @@ def test_the_first_picture(tmp_path):
     subprocess.run([sys.executable, EXAMPLES / "first_picture.py", output], check=True,
                    stdout=subprocess.DEVNULL)
     assert output.read_text().startswith("ply\nformat ascii 1.0\nelement vertex 6480\n")
+
+
+def test_gradients_fit_a_target():
+    spec = importlib.util.spec_from_file_location("fit", EXAMPLES / "fit_by_gradients.py")
+    example = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(example)
+    V, F = icosphere(2, .02)
+    hidden = np.sin(2 * V[:, 1]) + .5 * V[:, 0]
+    target = cg.spin_transform(V, F, hidden, on="vertices").positions
+    rho, energies = example.fit(V, F, target)
+    assert len(energies) == 50 and energies.min() < 1e-4
+    fitted = cg.spin_transform(V, F, rho, on="vertices").positions
+    assert np.abs(fitted - target).max() < .05 * np.abs(target - V).max()
+    difference = rho - hidden
+    assert np.ptp(difference) < .1 * np.ptp(hidden)
 
 
 class Rows:

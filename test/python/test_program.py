@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Python and the program compute the same bits."""
 
+import json
 import os
 import subprocess
 
@@ -62,3 +63,21 @@ def test_flow(tmp_path):
     run("flow", tmp_path / "in.ply", "--steps", "3", "-o", tmp_path / "out.ply")
     result = cg.willmore_flow(V, F, max_steps=3)
     assert np.array_equal(positions(read_vertices(tmp_path / "out.ply")), result.positions)
+
+
+@pytest.mark.parametrize("mesh", [icosphere(2, .05), torus(18, 9), patch(8, .2)])
+def test_deform(mesh, tmp_path):
+    V, F = in_a_box(mesh[0]), mesh[1]
+    vertices = range(0, len(V), len(V) // 6)
+    targets = {v: V[v] for v in vertices}
+    targets[vertices[2]] = V[vertices[2]] + [.1, .05, -.1]
+    write_ply(tmp_path / "in.ply", V, F)
+    (tmp_path / "targets.json").write_text(json.dumps(
+        {"targets": [{"vertex": v, "to": list(p)} for v, p in targets.items()]}))
+    run("deform", tmp_path / "in.ply", "--targets", tmp_path / "targets.json", "--lambda", "q",
+        "-o", tmp_path / "out.ply")
+    result = cg.deform(V, F, targets)
+    assert result
+    found = read_vertices(tmp_path / "out.ply")
+    assert np.array_equal(positions(found), result.positions)
+    assert np.array_equal(np.column_stack([found["q_" + c] for c in "wxyz"]), result.spins)

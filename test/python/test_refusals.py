@@ -16,6 +16,7 @@ FUNCTIONS = [
     lambda V, F: cg.Spin_derivative(V, F, np.zeros(len(V)), on="vertices"),
     cg.willmore_flow, cg.flatten, cg.minimal_surface, cg.harmonic_basis,
     lambda V, F: cg.dirac_spectrum(V, F, 3),
+    lambda V, F: cg.deform(V, F, {0: (0, 0, 1)}),
     lambda V, F: cg.nearest(V, V, F),
     lambda V, F: cg.blend(V, V, F),
     lambda V, F: cg.snap_to_conformal_class(V, V, F),

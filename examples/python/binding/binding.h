@@ -10,6 +10,7 @@
 namespace conformal_python {
 
 void add_spin(pybind11::module_& m);
+void add_deform(pybind11::module_& m);
 void add_fit(pybind11::module_& m);
 void add_derivative(pybind11::module_& m);
 void add_flow(pybind11::module_& m);

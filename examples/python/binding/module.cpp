@@ -38,6 +38,7 @@ PYBIND11_MODULE(_kernels, m)
   m.attr("__version__") = CONFORMAL_GEOMETRY_PROCESSING_VERSION;
   py::register_exception_translator(translate);
   conformal_python::add_spin(m);
+  conformal_python::add_deform(m);
   conformal_python::add_fit(m);
   conformal_python::add_derivative(m);
   conformal_python::add_flow(m);

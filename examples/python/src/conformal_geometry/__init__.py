@@ -13,6 +13,7 @@ triangles, counter-clockwise seen from outside. Nothing is changed in place; sam
 """
 
 from ._boundary import Boundary_condition
+from ._deform import Conformal_deformation, Deformation_result, deform
 from ._derivative import Spin_derivative
 from ._errors import Error, Precondition_error, Solver_error
 from ._fit import Nearest_result, blend, nearest
@@ -29,10 +30,11 @@ from ._surfaces import (Class_snap_result, Dirac_spectrum, Flattening, Harmonic_
 
 __all__ = [
     "spin_transform", "Spin_transformation", "Spin_derivative", "Boundary_condition",
-    "willmore_flow", "flatten", "nearest", "blend", "minimal_surface", "harmonic_basis",
+    "deform", "Conformal_deformation", "willmore_flow", "flatten", "nearest", "blend",
+    "minimal_surface", "harmonic_basis",
     "dirac_spectrum", "snap_to_conformal_class", "dirac_operator", "dirac_energy",
     "cotan_laplacian", "vertex_areas", "face_areas", "mean_curvature", "quasi_conformal_errors",
-    "Spin_result", "Nearest_result", "Flow_result", "Flattening", "Harmonic_basis",
+    "Spin_result", "Deformation_result", "Nearest_result", "Flow_result", "Flattening", "Harmonic_basis",
     "Dirac_spectrum", "Class_snap_result", "Progress", "Spin_report", "Flow_report",
     "Flow_step_report", "Parameterization_report", "Class_snap_report", "Conformality",
     "Distribution", "Length_cross_ratio_change", "Area_distortion", "Mollification", "Scales",

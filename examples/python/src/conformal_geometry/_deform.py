@@ -1,0 +1,97 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Conformal deformations that move control points."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Dict, Mapping, Optional
+
+import numpy as np
+
+from . import _kernels
+from ._arrays import faces, points, real, real_or_none
+from ._report import build
+from ._reports import Spin_report, known
+from ._spin import Callback, Spin_result, _progress
+
+
+@dataclass(frozen=True, eq=False)
+class Deformation_result(Spin_result):
+    """A surface whose control points have moved. ``report.reached`` is the share of the way to the
+    targets, ``report.position_error`` the distances that remain."""
+    rho: np.ndarray  #: the change of mean curvature that was found, one per vertex, in 1/length
+
+
+class Conformal_deformation:
+    """Many deformations of one mesh, as while a control point is dragged.
+
+    The parameters are those of ``deform()``; the mesh is copied. An object is used by one thread
+    at a time; different objects compute at the same time.
+    """
+
+    def __init__(self, V: Any, F: Any, *, position_weight: Optional[float] = None,
+                 max_scale: Optional[float] = None, vertex_scale: Any = None,
+                 vertex_scale_weight: Any = None, exactness: Optional[str] = "adjoint",
+                 mollification: Optional[float] = None,
+                 function: str = "Conformal_deformation") -> None:
+        self._function = function
+        options = dict(
+            position_weight=position_weight, max_scale=max_scale, exactness=exactness,
+            vertex_scale=real_or_none(vertex_scale, function, "vertex_scale"),
+            vertex_scale_weight=real_or_none(vertex_scale_weight, function, "vertex_scale_weight"),
+            mollification=mollification)
+        self._kernel = _kernels.Deformation(points(V, function), faces(F, function), options,
+                                            function)
+
+    def deform(self, targets: Mapping[int, Any], *, tolerance: float = 1e-8, random_seed: int = 0,
+               limits: Optional[Dict[str, float]] = None,
+               callback: Callback = None) -> Deformation_result:
+        """The initial surface with vertices at the targets. With the vertices of the last call,
+        the search starts from its result: a small move takes a few factorizations."""
+        places = points([real(to, self._function, "targets") for to in targets.values()],
+                        self._function)
+        positions, spins, report, rho = self._kernel.deform(
+            [int(v) for v in targets], places,
+            dict(tolerance=tolerance, random_seed=random_seed), known(limits), _progress(callback))
+        return Deformation_result(positions, spins, build(Spin_report, report), rho)
+
+
+def deform(V: Any, F: Any, targets: Mapping[int, Any], *, position_weight: Optional[float] = None,
+           max_scale: Optional[float] = None, vertex_scale: Any = None,
+           vertex_scale_weight: Any = None, exactness: Optional[str] = "adjoint",
+           mollification: Optional[float] = None,
+           tolerance: float = 1e-8, random_seed: int = 0,
+           limits: Optional[Dict[str, float]] = None,
+           callback: Callback = None) -> Deformation_result:
+    """Deforms a surface conformally so that vertices move to given places, exactly: by the least
+    smooth change rho of mean curvature whose spin transformation [CGP (5.3)-(5.5)], placed by a
+    similarity, takes them there.
+
+    What similarities can do costs nothing: one or two targets move, turn and scale the whole. Hold
+    parts by targets where they are. Targets beyond reach are approached as far as the surface
+    verifies without flips: ``report.reached`` is the share of the way, and the result is false
+    below 1.
+
+    Parameters
+    ----------
+    V : (n, 3) array
+        the points of the mesh
+    F : (m, 3) array of integers
+        its triangles, counter-clockwise seen from outside
+    targets : dict
+        new positions by the numbers of vertices, in the unit of V
+    position_weight : float, optional
+        weight of the distances from the targets against rho, in multiples of 1/R with R the radius
+        of the sphere of the same area; None: the targets are met exactly
+    limits : dict, optional
+        what counts as success, see ``Limits``; ``realised_share`` is 1 unless it is given
+    other parameters
+        as in ``spin_transform()``; bounds on scales are relative to the similarity
+    """
+    return Conformal_deformation(
+        V, F, position_weight=position_weight, max_scale=max_scale, vertex_scale=vertex_scale,
+        vertex_scale_weight=vertex_scale_weight, exactness=exactness, mollification=mollification,
+        function="deform").deform(
+            targets, tolerance=tolerance, random_seed=random_seed, limits=limits,
+            callback=callback)
