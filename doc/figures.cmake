@@ -28,6 +28,7 @@ endfunction()
 
 cgp_figure(first_row draw_bear first_program)
 cgp_figure(bear_painted draw_bear paint_curvature)
+cgp_figure(drag_a_handle draw_bear drag_a_handle)
 cgp_figure(first_picture draw_python conformal_geometry)
 cgp_figure(paint_and_filter draw_painting paint_and_filter)
 cgp_figure(bear_to_sphere draw_flows conformal)
