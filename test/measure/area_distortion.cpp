@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -108,4 +109,22 @@ TEST(Area_distortion, of_the_identity_is_none)
   EXPECT_EQ(d.min_scale, 1);
   EXPECT_EQ(d.max_scale, 1);
   EXPECT_EQ(d.log_deviation, 0);
+}
+
+// One square of area one becomes larger by factors of two, the others stay: relative to the root
+// mean square, which is nearly one, it is in another half octave.
+TEST(Area_distortion, counts_the_area_in_half_octaves)
+{
+  for (const double octaves : {-9., -2.25, 1.25, 9.}) {
+    const auto [mesh, positions] = scaled_squares(1000, std::exp2(octaves), 1);
+    const CGP::internal::Area_distortion d = CGP::area_distortion(mesh, positions);
+    const double usual = std::sqrt((999 + std::exp2(2 * octaves)) / 1000);
+    const int bins = static_cast<int>(d.histogram.size());
+    const auto bin = [&](double scale) {
+      return std::clamp(bins / 2 + static_cast<int>(std::floor(2 * std::log2(scale))), 0, bins - 1);
+    };
+    EXPECT_NEAR(d.histogram.sum(), 1, 1e-12);
+    EXPECT_NEAR(d.histogram[bin(std::exp2(octaves) / usual)], .001, 1e-12) << octaves;
+    EXPECT_NEAR(d.histogram[bin(1 / usual)], .999, 1e-12) << octaves;
+  }
 }

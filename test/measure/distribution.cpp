@@ -86,6 +86,9 @@ TEST(Histogram, counts_what_lies_outside_in_the_first_and_last_bin)
   const Eigen::VectorXd share = CGP::histogram(Eigen::Vector4d(-HUGE_VAL, -9, 2, HUGE_VAL),
                                                Eigen::Vector4d(1, 1, 1, 5), 2, 0, 2);
   EXPECT_EQ(share, Eigen::Vector2d(.25, .75));
+  const Eigen::VectorXd unknown =
+      CGP::histogram(Eigen::VectorXd::Constant(1, NAN), Eigen::VectorXd::Ones(1), 2, 0, 2);
+  EXPECT_EQ(unknown, Eigen::Vector2d(1, 0));
 }
 
 TEST(Histogram, adds_up_to_one)

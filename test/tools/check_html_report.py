@@ -167,7 +167,7 @@ def main():
         require(not found.loaded, f"the page loads {found.loaded}")
         require(json.loads(found.ids["report"]) == wanted, "the page has another report")
         require("Permission is hereby granted" in found.ids["three-license"], "no licence of three.js")
-        require(found.tags["rect"] == 40, "the histogram is not drawn")
+        require(found.tags["rect"] == 80, "the two histograms are not drawn")
         require(found.tags["circle"] == 8, "the flow is not drawn")
         check_numbers(found, wanted)
         check_shapes(found, wanted)

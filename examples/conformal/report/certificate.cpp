@@ -6,7 +6,9 @@
 
 #include "conformal/process/text.h"
 
+#include <cmath>
 #include <string>
+#include <vector>
 
 namespace conformal {
 namespace {
@@ -42,6 +44,24 @@ void tell_exact_class(const std::optional<CGP::internal::Class_snap_report>& sna
   report.tell("result/exact_class/displacement", "moved to the exact class by (of the diagonal)",
               snap->displacement, 3);
   report.set("result/exact_class/factorizations", snap->factorizations);
+}
+
+/// how the area is distributed over the scales of lengths
+void tell_scale(const CGP::internal::Area_distortion& scale, Report& report)
+{
+  report.set("result/scale/collapsed_share", scale.collapsed_share);
+  report.set("result/scale/min", scale.min_scale);
+  report.set("result/scale/max", scale.max_scale);
+  report.set("result/scale/histogram/low", std::exp2(-scale.octaves));
+  report.set("result/scale/histogram/high", std::exp2(scale.octaves));
+  report.set("result/scale/histogram/share",
+             Report::Value(std::vector<double>(scale.histogram.begin(), scale.histogram.end())));
+  report.show("scale of lengths", text_of(scale.min_scale) + " to " + text_of(scale.max_scale));
+  const auto below = [&](Eigen::Index bins) {
+    return text_of(100 * scale.histogram.head(bins).sum(), 3);
+  };
+  report.show("area scaled by less than 1/4, 1/2, 1, 2, 4 (%)",
+              below(4) + ", " + below(6) + ", " + below(8) + ", " + below(10) + ", " + below(12));
 }
 
 }  // namespace
@@ -111,11 +131,7 @@ void tell_conformality(const CGP::Conformality& map, int faces, Report& report)
   report.tell("result/length_cross_ratio/max", "log length cross-ratio change, max",
               cross_ratio.max);
   report.set("result/quasi_conformal/mean_over_new_area", map.quasi_conformal_of_new_area);
-  report.set("result/scale/collapsed_share", map.scale.collapsed_share);
-  report.set("result/scale/min", map.scale.min_scale);
-  report.set("result/scale/max", map.scale.max_scale);
-  report.show("scale of lengths",
-              text_of(map.scale.min_scale) + " to " + text_of(map.scale.max_scale));
+  tell_scale(map.scale, report);
   report.set("result/flipped_faces", map.flipped_faces);
   report.show("flipped faces", std::to_string(map.flipped_faces) + " of " + std::to_string(faces));
 }

@@ -21,8 +21,12 @@ py::dict as_dict(const CGP::internal::Length_cross_ratio_change& c)
 
 py::dict as_dict(const CGP::internal::Area_distortion& a)
 {
+  py::tuple histogram(a.histogram.size());
+  for (Eigen::Index i = 0; i < a.histogram.size(); ++i)
+    histogram[static_cast<std::size_t>(i)] = a.histogram[i];
   return py::dict("min_scale"_a = a.min_scale, "max_scale"_a = a.max_scale,
-                  "log_deviation"_a = a.log_deviation, "collapsed_share"_a = a.collapsed_share);
+                  "log_deviation"_a = a.log_deviation, "collapsed_share"_a = a.collapsed_share,
+                  "histogram"_a = histogram);
 }
 
 template <class Error>

@@ -25,7 +25,7 @@ internal::Distribution distribution(const Eigen::VectorXd& values, const Eigen::
 
 /// \ingroup PkgMeasure
 /// Returns the share of the weight in each of `bins` intervals of equal width from `low` to `high`;
-/// values outside are assigned to the first or the last one
+/// values outside are assigned to the first or the last one, NaN to the first
 Eigen::VectorXd histogram(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, int bins,
                           double low, double high);
 

@@ -41,7 +41,7 @@ CGP_INLINE Eigen::VectorXd histogram(const Eigen::VectorXd& values, const Eigen:
   Eigen::VectorXd share = Eigen::VectorXd::Zero(bins);
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     const double t = (values[i] - low) / (high - low) * bins;
-    share[static_cast<Eigen::Index>(std::clamp(t, 0., bins - 1.))] += weights[i];
+    share[t > 0 ? static_cast<Eigen::Index>((std::min)(t, bins - 1.)) : 0] += weights[i];
   }
   return share / weights.sum();
 }

@@ -50,6 +50,13 @@ struct Area_distortion {
   /// share of the old area that shrank below a tenth of the root mean square scale, or of the new
   /// area that grew beyond ten times it, whichever is larger: the same for the inverse map
   double collapsed_share = 0;
+
+  /// share of the old area in each half octave of the scale relative to the root mean square, from
+  /// 1/16 to 16; what is outside is in the first or the last one
+  static constexpr double octaves = 4;
+  /// unaligned, so that its layout is that of the compiled library with any vector unit
+  using Shares = Eigen::Matrix<double, 16, 1, Eigen::DontAlign>;
+  Shares histogram = Shares::Zero();
 };
 
 }  // namespace internal

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_MEASURE_DISTORTION_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/measure/Distribution.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
@@ -60,10 +61,16 @@ CGP_INLINE Eigen::VectorXd length_scales(const Mesh_view& mesh, const Points& po
 
 namespace internal {
 
+/// the root mean square, which keeps the total area
+CGP_INLINE double usual_scale(const Eigen::VectorXd& scale, const Eigen::VectorXd& areas)
+{
+  return std::sqrt(areas.dot(scale.cwiseAbs2()) / areas.sum());
+}
+
 CGP_INLINE double collapsed_share(const Eigen::VectorXd& scale, const Eigen::VectorXd& areas)
 {
   const Eigen::VectorXd new_areas = areas.cwiseProduct(scale.cwiseAbs2());
-  const double usual = std::sqrt(new_areas.sum() / areas.sum());
+  const double usual = usual_scale(scale, areas);
   const auto shrank = scale.array() < usual / 10;
   const auto grew = scale.array() > usual * 10;
   return (std::max)(shrank.select(areas.array(), 0).sum() / areas.sum(),
@@ -78,8 +85,13 @@ CGP_INLINE internal::Area_distortion area_distortion(const Mesh_view& mesh, cons
   const Eigen::VectorXd u = scale.array().log();
   const double mean = areas.dot(u) / areas.sum();
   const double variance = areas.dot((u.array() - mean).square().matrix()) / areas.sum();
-  return {scale.minCoeff(), scale.maxCoeff(), std::sqrt(variance),
-          internal::collapsed_share(scale, areas)};
+  internal::Area_distortion d{scale.minCoeff(), scale.maxCoeff(), std::sqrt(variance),
+                              internal::collapsed_share(scale, areas)};
+  const Eigen::VectorXd octave =
+      (scale / internal::usual_scale(scale, areas)).array().log() / std::log(2.);
+  d.histogram =
+      histogram(octave, areas, static_cast<int>(d.histogram.size()), -d.octaves, d.octaves);
+  return d;
 }
 
 CGP_INLINE Eigen::VectorXd log_length_cross_ratios(const Mesh_view& mesh, const Points& positions)

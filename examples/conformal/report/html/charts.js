@@ -43,29 +43,37 @@ function chart(x, y, to, content) {
 /** Where words go beside a mark: to its right, if there is room. */
 const besides = x => x < frame.width - 110 ? `x="${x + 5}"` : `x="${x - 5}" text-anchor="end"`;
 
-/** How much of the area has which error; the last bar has all that is beyond. */
-function histogram(high) {
-  const bins = 40, share = new Array(bins).fill(0);
-  quality.forEach((value, f) => {
-    const bin = Math.floor((value - 1) / (high - 1) * bins);
+/** How much of the area has which value, with marks [name, value]; the first and the last bar also
+    have what is beyond. */
+function histogram(values, x, ramp, marks) {
+  const bins = 40, share = new Array(bins).fill(0), step = (x.high - x.low) / bins;
+  values.forEach((value, f) => {
+    const bin = Math.floor((value - x.low) / step);
     share[Math.min(Math.max(bin, 0), bins - 1)] += 100 * areasBefore.areas[f] / areasBefore.total;
   });
-  const x = {low: 1, high, name: 'Q, the ratio of stretches (1: angles are kept)', words: number};
   const y = {low: 0, high: Math.max(...share) * 1.08, name: '% of the area', words: number};
-  const to = axes(x, y), width = to.x(1 + (high - 1) / bins) - to.x(1);
-  const bars = share.map((value, i) => {
-    const left = to.x(1 + (high - 1) * i / bins);
-    return `<rect x="${left + .5}" width="${width - 1}" y="${to.y(value)}"
-      height="${to.y(0) - to.y(value)}" fill="${colour(heat, (i + .5) / bins)}"
-      stroke="rgb(29 39 51 / .25)" stroke-width=".5"/>`;
-  });
-  const marks = [['mean', at('result/quasi_conformal/mean')], ['99 %', at('result/quasi_conformal/p99')]]
-      .filter(([, value]) => value <= high).map(([name, value], i) => `
+  const to = axes(x, y), width = to.x(x.low + step) - to.x(x.low);
+  const bars = share.map((value, i) => `<rect x="${to.x(x.low + step * i) + .5}" width="${width - 1}"
+      y="${to.y(value)}" height="${to.y(0) - to.y(value)}" fill="${colour(ramp, (i + .5) / bins)}"
+      stroke="rgb(29 39 51 / .25)" stroke-width=".5"/>`);
+  const lines = marks.filter(([, value]) => value >= x.low && value <= x.high)
+      .map(([name, value], i) => `
     <line class="mark" x1="${to.x(value)}" x2="${to.x(value)}" y1="${frame.top - 8}" y2="${to.y(0)}"/>
     <text class="strong" ${besides(to.x(value))} y="${frame.top + 2 + 15 * i}">${name}
-      ${number(value, 4)}</text>`);
-  return chart(x, y, to, bars.join('') + marks.join(''));
+      ${x.words(value)}</text>`);
+  return chart(x, y, to, bars.join('') + lines.join(''));
 }
+
+const histogramOfAngles = high => histogram(quality,
+  {low: 1, high, name: 'Q, the ratio of stretches (1: angles are kept)', words: value => number(value, 4)},
+  heat, [['mean', at('result/quasi_conformal/mean')], ['99 %', at('result/quasi_conformal/p99')]]);
+
+/** On a logarithmic scale, in octaves. */
+const histogramOfScales = () => histogram(scales.map(Math.log2),
+  {low: -4, high: 4, name: 'scale of lengths, at equal total area', words: value => number(2 ** value, 3),
+   ticks: [-4, -3, -2, -1, 0, 1, 2, 3, 4]},
+  cold, [['1 %', Math.log2(quantile(scales, .01, areasBefore))],
+         ['99 %', Math.log2(quantile(scales, .99, areasBefore))]]);
 
 /** A curve through points {x, y}, on a logarithmic scale where y spans more than a factor of 30. */
 function curve(points, xName, yName) {

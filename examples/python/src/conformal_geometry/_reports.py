@@ -27,12 +27,13 @@ class Length_cross_ratio_change:
 
 @dataclass(frozen=True)
 class Area_distortion:
-    """Factors of lengths, the standard deviation of their logarithms, and the share of the area
-    that has collapsed."""
+    """Factors of lengths, the standard deviation of their logarithms, the share of the area that
+    has collapsed, and the shares of the area in half octaves from 1/16 to 16."""
     min_scale: float
     max_scale: float
     log_deviation: float
     collapsed_share: float
+    histogram: tuple
 
 
 @dataclass(frozen=True)
