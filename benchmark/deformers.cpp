@@ -200,7 +200,8 @@ class Comparison {
       Mesh mesh = surface_mesh(m_initial);
       CGP::Nearest_spin_report report;
       seconds = seconds_of([&] {
-        report = CGP::nearest_spin_transform(mesh, rigid.points(), CGP::parameters::blend(blend));
+        report = CGP::nearest_spin_transform(mesh, rigid.points(),
+                                             CGP::parameters::blend(blend).keep_curvature(true));
       });
       if (!report) throw std::runtime_error(m_name + ": no nearest spin transformation found");
       print(motion, way, mesh, report.distance, seconds);

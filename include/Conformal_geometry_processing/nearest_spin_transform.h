@@ -22,9 +22,9 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgSpin
 /// the report of `nearest_spin_transform()`
 struct [[nodiscard]] Nearest_spin_report : Spin_report {
-  double distance = 0;  ///< root mean square distance of the vertices from the target, relative to
-                        ///< the diagonal of its bounding box
-  int sign_conflicts = 0;  ///< see `make_consistent()`; zero for smooth deformations
+  double distance = 0;         ///< see `Nearest_spin_result`
+  double source_distance = 0;  ///< likewise that of the mesh
+  int sign_conflicts = 0;      ///< see `make_consistent()`; zero for smooth deformations
 };
 
 namespace internal {
@@ -45,9 +45,10 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 /// \brief deforms a surface conformally, as closely as possible to a given deformation [CGP 5.9,
 /// 6.3].
 ///
-/// Keeps the curvature of the deformation and, at a boundary, its tangents (or another direction),
-/// but not its shear. This turns any editor into a conformal one. A similarity aligns the result
-/// with the target as closely as possible.
+/// Minimises the mean square distance of the vertices, weighted by their areas, from the target
+/// after the best similarity. The result is never farther from the target than the mesh. This turns
+/// any editor into a conformal one. Where the prescribed direction at a boundary leads to no such
+/// surface, others are tried, see `Nearest_spin_transformation`.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
 /// \tparam PointMap a model of `ReadablePropertyMap` with the vertex descriptor as key
@@ -81,6 +82,17 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamDescription{t in (1 - t) lambda + t mu: 0 is conformal, 1 nearest to the target}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{keep_curvature}
+///     \cgalParamDescription{whether the result is the surface with the curvature of the target,
+///     and
+///                           at a boundary its tangents, wherever that is [CGP 5.9]}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`; with `vertex_scale_map` `true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{scale_bound}
+///     \cgalParamDescription{the largest factor by which lengths may change, see
+///     `spin_transform()`} \cgalParamType{`double`, above 1} \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_direction}
 ///     \cgalParamDescription{the direction of the boundary frame that is taken from the target}
@@ -134,7 +146,8 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
           internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
           internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::tolerance_t,
           internal_np::maximum_number_of_substeps_t, internal_np::vertex_scale_map_t,
-          internal_np::blend_t, internal_np::boundary_direction_t, internal_np::exactness_t,
+          internal_np::blend_t, internal_np::keep_curvature_t, internal_np::scale_bound_t,
+          internal_np::boundary_direction_t, internal_np::exactness_t,
           internal_np::maximum_period_defect_t, internal_np::limits_t,
           internal_np::mollification_t>,
       "nearest_spin_transform(): unknown named parameter, see the manual for those it accepts");
@@ -151,6 +164,10 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
   Nearest_spin_options options;
   options.direction = {direction.tangent, direction.normal, direction.binormal};
   internal::read_exactness_and_mollification(np, options);
+  options.keep_curvature = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, internal_np::keep_curvature), false);
+  if constexpr (internal::has_parameter<NamedParameters, internal_np::scale_bound_t>)
+    options.scales.bound = CGAL::parameters::get_parameter(np, internal_np::scale_bound);
   Nearest_spin_transformation<Solver_traits, Eigensolver_traits> nearest(
       graph.view(), internal::read_points(mesh, target_points, np, function), function, options);
   if constexpr (internal::has_parameter<NamedParameters, internal_np::vertex_scale_map_t>) {
@@ -170,6 +187,7 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
   Nearest_spin_report report;
   static_cast<Spin_report&>(report) = result.report;
   report.distance = result.distance;
+  report.source_distance = result.source_distance;
   report.sign_conflicts = nearest.sign_conflicts();
   return report;
 }

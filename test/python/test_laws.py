@@ -174,10 +174,11 @@ def test_the_nearest_to_a_conformal_deformation_is_itself():
     spun = cg.spin_transform(V, F, .3 * RHO).positions
     result = cg.nearest(V, spun, F)
     assert result and result.distance < .01 and result.sign_conflicts == 0
-    sheared = cg.nearest(V, V * [1, 1, 1.3], F)
+    sheared = cg.nearest(V, V * [1, 1, 1.3], F, keep_curvature=True)
     assert sheared and sheared.report.conformality.quasi_conformal.mean < 1.1
-    blended = cg.nearest(V, V * [1, 1, 1.3], F, blend=1.)
+    blended = cg.nearest(V, V * [1, 1, 1.3], F, blend=1., keep_curvature=True)
     assert blended.distance < sheared.distance
+    assert cg.nearest(V, V * [1, 1, 1.3], F).distance < sheared.distance
 
 
 def test_blending_reaches_both_ends():

@@ -29,6 +29,14 @@ CGP::Quaternion_vector<double> bending_spins(const Mesh_view& mesh)
   return mu;
 }
 
+/// the surface with the curvature of the target
+CGP::Nearest_spin_options curvature_kept()
+{
+  CGP::Nearest_spin_options options;
+  options.keep_curvature = true;
+  return options;
+}
+
 double mean_error(const CGP::Spin_result& result)
 {
   return result.report.conformality.quasi_conformal.mean;
@@ -39,7 +47,7 @@ TEST(Nearest_spin_transformation, of_a_bend_is_conformal_where_the_bend_itself_n
   const std::vector<double> direct = {1.1949, 1.1870, 1.1848}, nearest = {1.02661, 1.01320, 1.0066};
   for (std::size_t i = 0; i < 3; ++i) {
     const Mesh_view mesh = beam(4 << i);
-    CGP::Nearest_spin_transformation<> near(mesh, bending_spins(mesh));
+    CGP::Nearest_spin_transformation<> near(mesh, bending_spins(mesh), "test", curvature_kept());
     const CGP::Nearest_spin_result result = near.transform();
     ASSERT_TRUE(result.report);
     EXPECT_NEAR(mean_error(result) - 1, nearest[i] - 1, 0.02 * (nearest[i] - 1));
@@ -52,7 +60,7 @@ TEST(Nearest_spin_transformation, of_a_bend_is_conformal_where_the_bend_itself_n
 TEST(Nearest_spin_transformation, blends_from_the_conformal_surface_to_the_target)
 {
   const Mesh_view mesh = beam(8);
-  CGP::Nearest_spin_transformation<> near(mesh, bending_spins(mesh));
+  CGP::Nearest_spin_transformation<> near(mesh, bending_spins(mesh), "test", curvature_kept());
   const CGP::Nearest_spin_result result = near.transform();
   const std::vector<double> expected = {1.049, 1.093, 1.139};
   for (int i = 0; i < 3; ++i)
@@ -63,7 +71,7 @@ TEST(Nearest_spin_transformation, blends_from_the_conformal_surface_to_the_targe
 TEST(Nearest_spin_transformation, bends_by_more_than_half_a_turn_without_flipping_a_face)
 {
   const Mesh_view mesh = beam(4), target = bent_beam(mesh, 324 * pi / 180);
-  CGP::Nearest_spin_transformation<> near(mesh, target.positions());
+  CGP::Nearest_spin_transformation<> near(mesh, target.positions(), "test", curvature_kept());
   const CGP::Nearest_spin_result result = near.transform();
   ASSERT_TRUE(result.report);
   EXPECT_EQ(result.report.conformality.flipped_faces, 0);
@@ -76,7 +84,7 @@ TEST(Nearest_spin_transformation, of_a_conformal_map_is_that_map)
   for (int level : {2, 3, 4}) {
     const Mesh_view mesh = bumpy_sphere(level);
     const Mesh_view target = inverted(mesh, Eigen::Vector3d(0.4, 0.3, 2.5));
-    CGP::Nearest_spin_transformation<> near(mesh, target.positions());
+    CGP::Nearest_spin_transformation<> near(mesh, target.positions(), "test", curvature_kept());
     const CGP::Nearest_spin_result result = near.transform();
     ASSERT_TRUE(result.report);
     h.push_back(std::pow(2., -level));
@@ -91,9 +99,12 @@ TEST(Nearest_spin_transformation, does_not_depend_on_the_unit)
 {
   const Mesh_view mesh = bumpy_sphere(2);
   const Points target = inverted(mesh, Eigen::Vector3d(0.4, 0.3, 2.5)).positions();
-  const double distance = CGP::Nearest_spin_transformation<>(mesh, target).transform().distance;
+  const double distance = CGP::Nearest_spin_transformation<>(mesh, target, "test", curvature_kept())
+                              .transform()
+                              .distance;
   for (const double unit : {1e-150, 1e-80, 1e80, 1e150}) {
-    CGP::Nearest_spin_transformation<> near(scaled(mesh, unit), Points(unit * target));
+    CGP::Nearest_spin_transformation<> near(scaled(mesh, unit), Points(unit * target), "test",
+                                            curvature_kept());
     const CGP::Nearest_spin_result result = near.transform();
     EXPECT_TRUE(result.report) << unit;
     EXPECT_NEAR(result.distance, distance, 1e-6) << unit;
@@ -106,7 +117,7 @@ TEST(Nearest_spin_transformation, of_a_stretch_is_the_surface_itself)
   const Mesh_view target = mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
     return {p.x(), p.y(), 1.5 * p.z()};
   });
-  CGP::Nearest_spin_transformation<> near(mesh, target.positions());
+  CGP::Nearest_spin_transformation<> near(mesh, target.positions(), "test", curvature_kept());
   EXPECT_LT(near.potential().values.cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_LT(mean_error(near.transform()), 1 + 1e-10);
 }
@@ -116,7 +127,8 @@ TEST(Nearest_spin_transformation, of_a_disk_has_the_tangents_of_the_target)
   const std::vector<double> expected = {1.02051, 1.01026};
   for (std::size_t i = 0; i < 2; ++i) {
     const Mesh_view mesh = disk(i == 0 ? 16 : 32);
-    CGP::Nearest_spin_transformation<> near(mesh, cap_from_disk(mesh, 1.2).positions());
+    CGP::Nearest_spin_transformation<> near(mesh, cap_from_disk(mesh, 1.2).positions(), "test",
+                                            curvature_kept());
     const CGP::Nearest_spin_result result = near.transform();
     ASSERT_TRUE(result.report);
     EXPECT_NEAR(mean_error(result) - 1, expected[i] - 1, 0.02 * (expected[i] - 1));

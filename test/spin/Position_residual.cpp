@@ -89,21 +89,28 @@ TEST(Shape_motions, are_what_similarities_are_not)
 {
   for (const int count : {3, 4, 7}) {
     const Points p = some_points(count);
-    const Eigen::Index columns = CGP::internal::number_of_shape_motions(p);
-    EXPECT_EQ(columns, 3 * count - 7);
-    const Eigen::MatrixXd Z = CGP::internal::shape_motions(p, columns);
-    EXPECT_LT((Z.transpose() * Z - Eigen::MatrixXd::Identity(columns, columns)).norm(), 1e-13);
+    const Eigen::VectorXd masses = Eigen::VectorXd::LinSpaced(count, .5, 2);
+    const auto by_roots = [&](const Points& motion) -> Eigen::VectorXd {
+      return Points(motion * masses.cwiseSqrt().asDiagonal()).reshaped();
+    };
+    const CGP::internal::Shape_motions Z(p, masses);
+    EXPECT_EQ(Z.size(), 3 * count - 7);
+    const Eigen::VectorXd y = random_numbers(static_cast<int>(Z.size()), 9);
+    EXPECT_LT((Z.coordinates(Z.motion(y), Z.size()) - y).norm(), 1e-13);
     const Points shifted = p.colwise() + Eigen::Vector3d(1, -2, 1);
     Points turning(3, count);
     for (int k = 0; k < count; ++k) turning.col(k) = Eigen::Vector3d(1, 2, 3).cross(p.col(k));
     for (const Points& motion : {p, Points(shifted - p), turning})
-      EXPECT_LT((Z.transpose() * motion.reshaped()).norm(), 1e-12);
+      EXPECT_LT(Z.coordinates(by_roots(motion), Z.size()).norm(), 1e-12);
   }
-  EXPECT_EQ(CGP::internal::number_of_shape_motions(some_points(1)), 0);
-  EXPECT_EQ(CGP::internal::number_of_shape_motions(some_points(2)), 0);
+  const auto size = [](const Points& p) {
+    return CGP::internal::Shape_motions(p, Eigen::VectorXd::Ones(p.cols())).size();
+  };
+  EXPECT_EQ(size(some_points(1)), 0);
+  EXPECT_EQ(size(some_points(2)), 0);
   Points line = some_points(1).replicate(1, 4);
   line.row(0) << 0, 1, 2, 5;
-  EXPECT_EQ(CGP::internal::number_of_shape_motions(line), 12 - 6);
+  EXPECT_EQ(size(line), 12 - 6);
 }
 
 // The norm of the values is the distance from the targets after the best similarity.
@@ -122,6 +129,25 @@ TEST(Position_residual, measures_distances_from_targets)
   EXPECT_NEAR(values.norm(), distances.norm(), 1e-9);
   s.residual.set_weight(9);
   EXPECT_NEAR(s.residual.values().norm(), 3 * values.norm(), 1e-12);
+}
+
+// The masses weigh the squares of distances, and what the similarity fits.
+TEST(Position_residual, weighs_points_by_their_masses)
+{
+  const Mesh_view mesh = perturbed(icosphere(2), .02);
+  CGP::Spin_transformation<> t(mesh);
+  const auto points = one_moved(mesh, 5, .2);
+  const Eigen::VectorXd masses = Eigen::VectorXd::LinSpaced(5, .1, .3);
+  Residual residual(t.system().surface(), t.reconstruction(), points, masses);
+  const Points targets = t.domain().frame().to_frame(CGP::internal::targets_of(points));
+  residual.set_targets(targets);
+  const Spins lambda = nearly_one(mesh.size_of_vertices(), .05);
+  residual.set_spins(lambda);
+  const Points h = CGP::internal::positions_of(
+      points, t.reconstruction().positions(CGP::transformed_edges(t.system().surface(), lambda)));
+  const Points distances = CGP::align(h, targets, masses).apply(h) - targets;
+  EXPECT_NEAR(residual.values().squaredNorm(), distances.colwise().squaredNorm().dot(masses), 1e-9);
+  EXPECT_LT((distances * masses).norm(), 1e-12);
 }
 
 TEST(Position_residual, does_not_depend_on_the_gauge)

@@ -22,6 +22,8 @@
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace conformal {
@@ -29,9 +31,11 @@ namespace {
 
 const char* const about =
     "Deforms a surface conformally, as nearly as it can in the way another program has deformed\n"
-    "it. SOURCE and TARGET have the same faces. The curvature of the target is kept, and at a\n"
-    "boundary its tangents (or binormals); its shear is not, so what only shears and stretches\n"
-    "is undone. The result is placed to lie near the target. It has the vertex property quality\n"
+    "it. SOURCE and TARGET have the same faces. The result is the nearest in the mean square\n"
+    "distance of the vertices, after a similarity, and never farther than SOURCE: conformal, so\n"
+    "what only shears and stretches is approached by other means, or undone. A boundary takes\n"
+    "its tangents or binormals from TARGET, where that is possible. With --keep-curvature, the\n"
+    "result has the curvature of TARGET, wherever that is. It has the vertex property quality\n"
     "(quasi-conformal error against the source, 1 is perfect) and the face property rho.\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: conformal fit bear.off bear_posed.off -o bear_fit.ply";
@@ -39,6 +43,8 @@ const char* const about =
 struct Fit_options {
   Spin_options spin;  ///< what this command has in common with that; input is the source
   std::string target;
+  bool keep_curvature = false;  ///< of the target, whatever the distance
+  std::optional<double> scale_bound;
   double blend = 0;   ///< 0 is conformal, 1 nearest to the target
   std::string scale;  ///< a formula of factors for the scales of the target, none if empty
   Boundary_choice boundary = Boundary_choice::tangents;  ///< taken from the target; not free
@@ -53,10 +59,18 @@ void add_options(CLI::App& command, Fit_options& fit, Common_options& common)
                   "t in (1 - t) lambda + t mu, 0 for conformal, 1 for nearest to the target")
       ->check(finite)
       ->capture_default_str();
+  command.add_flag("--keep-curvature", fit.keep_curvature,
+                   "keep the curvature of the target, and do not search for the nearest surface");
+  command
+      .add_option("--max-scale", fit.scale_bound,
+                  "largest factor by which lengths may grow or shrink, on 98 % of the area, apart "
+                  "from the scale of the whole")
+      ->check(above_zero);
   command
       .add_option("--scale-expression", fit.scale,
-                  "multiplies the scales |mu|^2 of the target that are blended in (a conformal "
-                  "surface has its own) by a formula above 0 in x y z (normalised frame) and nx ny "
+                  "keeps the curvature, and multiplies the scales |mu|^2 of the target that are "
+                  "blended in (a conformal surface has its own) by a formula above 0 in x y z "
+                  "(normalised frame) and nx ny "
                   "nz (outward normal)")
       ->check(formula)
       ->needs("--blend");
@@ -114,7 +128,9 @@ void tell_target(const CGP::Mesh_view& mesh, const CGP::Mesh_view& target,
   report.set("result/target/sign_conflicts", solution.sign_conflicts);
   if (solution.spin.report.converged) {
     const auto a = CGP::align(solution.spin.positions, target.positions());
-    report.tell("result/distance/rms", "distance from the target, rms / diagonal", a.rms);
+    report.tell("result/distance/rms", "distance from the target, rms / diagonal",
+                solution.distance);
+    report.tell("result/distance/source", "likewise of the source", solution.source_distance);
     report.tell("result/distance/max", "distance from the target, max / diagonal", a.max);
   }
   report.end_table();
@@ -135,17 +151,34 @@ Fit_solution solve(const Surface_input& input, const Fit_problem& problem, Sessi
   return solution;
 }
 
+/// The condition at the boundary with which the surface was found; notes if it is another one.
+CGP::Boundary_condition used_condition(const CGP::Boundary_condition& given,
+                                       const Fit_solution& solution, Session& session)
+{
+  if (given.kind == CGP::Boundary_condition::Kind::free || solution.direction == given.direction)
+    return given;
+  session.note("no surface near to the target has the boundary directions that were requested: " +
+               std::string(!solution.direction            ? "the boundary is free"
+                           : solution.direction->x() == 0 ? "it has the binormals of the target"
+                                                          : "it has the tangents of the target"));
+  if (!solution.direction) return CGP::Boundary_condition::free();
+  return CGP::Boundary_condition::directions(*solution.direction, given.targets);
+}
+
 /// Solves the problem on a surface in one component, tells what came of it, and concludes.
 Fit_solution fit_surface(const Surface_input& input, const CGP::Boundary_condition& boundary,
                          Fit_problem problem, const Fit_options& options, Session& session)
 {
   problem.direction = boundary.direction;
+  problem.keep_curvature = options.keep_curvature;
+  problem.scale_bound = options.scale_bound;
   problem.blend = options.blend;
   problem.mollification = options.spin.mollification.value_or(0);
   Fit_solution solution = solve(input, problem, session);
   session.begin_stage();
   tell_target(input.mesh, CGP::Mesh_view(problem.target, input.mesh.corners()), solution, session);
-  tell_solution(input, boundary, solution.spin.report, session.outcome());
+  tell_solution(input, used_condition(boundary, solution, session), solution.spin.report,
+                session.outcome());
   conclude(solution.spin, options.spin, "a target that is bent and sheared less", session,
            session.input());
   return solution;
@@ -174,7 +207,7 @@ void fit(const Fit_options& options, Session& session)
         fit_surface(component.input, on_component(boundary, input.mesh, component),
                     std::move(problem), options, own);
     surface.set(component, solution.spin);
-    surface.rho.values(component.faces) = unit * solution.rho.values;
+    surface.rho.values(component.faces) = unit * at_faces(component.input.mesh, solution.rho);
   });
   write_result(input, surface, session, options.spin.lambda);
 }

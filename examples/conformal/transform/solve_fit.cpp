@@ -14,6 +14,8 @@ Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
 {
   CGP::Nearest_spin_options own;
   own.direction = problem.direction;
+  own.keep_curvature = problem.keep_curvature;
+  own.scales.bound = problem.scale_bound;
   if (problem.mollification > 0) own.mollification = problem.mollification;
   CGP::Nearest_spin_transformation<> nearest(mesh, problem.target, "fit", own);
   if (problem.scales.size() > 0) nearest.scale_lengths(problem.scales);
@@ -23,7 +25,10 @@ Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
   CGP::Nearest_spin_result result = nearest.transform(dirac, std::cref(go_further));
   if (problem.blend != 0 && result.report) result = nearest.blend(result, problem.blend);
   return {{std::move(result.positions), std::move(result.lambda), result.report},
-          nearest.potential(),
+          std::move(result.rho),
+          result.distance,
+          result.source_distance,
+          result.direction,
           nearest.sign_conflicts()};
 }
 

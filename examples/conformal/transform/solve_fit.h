@@ -6,6 +6,7 @@
 #include "solve_spin.h"
 
 #include <functional>
+#include <optional>
 
 namespace conformal {
 
@@ -15,14 +16,19 @@ struct Fit_problem {
   Eigen::VectorXd scales;              ///< factors for the scales of the target; none if empty
   Eigen::Vector3d direction{1, 0, 0};  ///< of the boundary frame, which becomes the target's
   double blend = 0;                    ///< 0 is conformal, 1 nearest to the target
+  bool keep_curvature = false;         ///< that of the target, wherever the surface is then
+  std::optional<double> scale_bound;   ///< on factors of lengths
   double mollification = 0;            ///< if not 0, on the intrinsic Delaunay triangulation
 };
 
 /// what came of it
 struct Fit_solution {
   Spin_solution spin;
-  CGP::Curvature_potential rho;  ///< of the target, in 1/length of the mesh, on faces
-  int sign_conflicts = 0;        ///< edges across which the rotations of the target jump
+  CGP::Curvature_potential rho;              ///< of the result, in 1/length of the mesh
+  double distance = 0;                       ///< from the target, rms relative to the diagonal
+  double source_distance = 0;                ///< likewise of the mesh
+  std::optional<Eigen::Vector3d> direction;  ///< at the boundary; none: it was left free
+  int sign_conflicts = 0;  ///< edges across which the rotations of the target jump
 };
 
 /// Calls the library's `Nearest_spin_transformation`. This is the one place that compiles it.

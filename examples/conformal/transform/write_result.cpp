@@ -60,18 +60,6 @@ void set_lambda(const Surface_input& input, const CGP::Quaternion_vector<double>
                  to_file_vertices(input, all.row(i).transpose(), i == 0 ? 1 : 0));
 }
 
-/// the value of each face
-Eigen::VectorXd at_faces(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho)
-{
-  if (rho.on == CGP::Curvature_potential::On::faces) return rho.values;
-  Eigen::VectorXd values(mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const auto& v = mesh.corners(f);
-    values[f] = (rho.values[v[0]] + rho.values[v[1]] + rho.values[v[2]]) / 3;
-  }
-  return values;
-}
-
 void report_rho(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho, Outcome& outcome)
 {
   const bool on_faces = rho.on == CGP::Curvature_potential::On::faces;
@@ -82,6 +70,17 @@ void report_rho(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho,
 }
 
 }  // namespace
+
+Eigen::VectorXd at_faces(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho)
+{
+  if (rho.on == CGP::Curvature_potential::On::faces) return rho.values;
+  Eigen::VectorXd values(mesh.size_of_faces());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const auto& v = mesh.corners(f);
+    values[f] = (rho.values[v[0]] + rho.values[v[1]] + rho.values[v[2]]) / 3;
+  }
+  return values;
+}
 
 Transformed_surface Transformed_surface::unchanged(const CGP::Mesh_view& mesh)
 {

@@ -39,6 +39,9 @@ std::vector<float> quality(const Surface_input& input, const CGP::Points& positi
 /// Sets it as the vertex property `quality`.
 void set_quality(const Surface_input& input, const CGP::Points& positions, Surface_file& file);
 
+/// rho on faces: the mean of the corners, if it is on vertices
+Eigen::VectorXd at_faces(const CGP::Mesh_view& mesh, const CGP::Curvature_potential& rho);
+
 /// the file of a result: moved, with `quality`, `rho` and, if a name is given, lambda as vertex
 /// properties `<name>_w` to `<name>_z`
 Surface_file result_file(const Surface_input& input, const Transformed_surface& surface,

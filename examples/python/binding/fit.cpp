@@ -21,6 +21,7 @@ CGP::Nearest_spin_options nearest_options(const py::dict& options, const std::st
 {
   CGP::Nearest_spin_options o;
   o.direction = direction_of(options["direction"], function);
+  o.keep_curvature = py::cast<bool>(options["keep_curvature"]);
   take_closing(options, function, o);
   return o;
 }

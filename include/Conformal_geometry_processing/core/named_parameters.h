@@ -37,6 +37,7 @@
   X(vertex_scale_weight_map)                            \
   X(scale_bound)                                        \
   X(blend)                                              \
+  X(keep_curvature)                                     \
   X(time_step)                                          \
   X(is_closed)                                          \
   X(closing)                                            \

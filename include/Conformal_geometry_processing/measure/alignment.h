@@ -27,7 +27,9 @@ struct Alignment {
 
 /// \ingroup PkgMeasure
 /// \brief Computes the least-squares similarity from `source` to `target`, both 3 x n.
-internal::Alignment align(const Points& source, const Points& target);
+/// \param masses weights of the squares of distances, n; all equal if empty
+internal::Alignment align(const Points& source, const Points& target,
+                          const Eigen::VectorXd& masses = {});
 
 }  // namespace Conformal_geometry_processing
 

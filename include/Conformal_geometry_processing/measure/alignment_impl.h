@@ -36,36 +36,34 @@ CGP_INLINE Eigen::Matrix3d best_rotation(const Eigen::Matrix3d& S)
   return Eigen::Quaterniond(q[0], -q[1], -q[2], -q[3]).toRotationMatrix();  // Eigen: q a q^-1
 }
 
-/// \pre both are of moderate size
-CGP_INLINE Alignment alignment_in_frames(const Points& source, const Points& target)
+/// \pre all are of moderate size
+CGP_INLINE Alignment alignment_in_frames(const Points& source, const Points& target,
+                                         const Eigen::VectorXd& shares)
 {
-  const Eigen::Vector3d from = source.rowwise().mean(), to = target.rowwise().mean();
-  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
-  double size = 0;
-  for (Eigen::Index k = 0; k < source.cols(); ++k) {
-    const Eigen::Vector3d p = source.col(k) - from;
-    S += p * (target.col(k) - to).transpose();
-    size += p.squaredNorm();
-  }
+  const Eigen::Vector3d from = source * shares, to = target * shares;
+  const Points arms = source.colwise() - from;
+  const Eigen::Matrix3d S = arms * shares.asDiagonal() * (target.colwise() - to).transpose();
   Alignment a;
   a.rotation = best_rotation(S);
-  a.scale = a.rotation.cwiseProduct(S.transpose()).sum() / size;
+  a.scale = a.rotation.cwiseProduct(S.transpose()).sum() / arms.colwise().squaredNorm().dot(shares);
   a.translation = to - a.scale * (a.rotation * from);
   const Eigen::RowVectorXd distance = (a.apply(source) - target).colwise().norm();
   const double diagonal = (target.rowwise().maxCoeff() - target.rowwise().minCoeff()).norm();
-  a.rms = distance.norm() / std::sqrt(static_cast<double>(source.cols())) / diagonal;
+  a.rms = std::sqrt(distance.cwiseAbs2().dot(shares)) / diagonal;
   a.max = distance.maxCoeff() / diagonal;
   return a;
 }
 
 }  // namespace internal
 
-CGP_INLINE internal::Alignment align(const Points& source, const Points& target)
+CGP_INLINE internal::Alignment align(const Points& source, const Points& target,
+                                     const Eigen::VectorXd& masses)
 {
+  const Eigen::VectorXd all = masses.size() > 0 ? masses : Eigen::VectorXd::Ones(source.cols());
   // In frames of their own, where squares neither overflow nor underflow.
   const internal::Normalized_frame frame(source), target_frame(target);
-  internal::Alignment a =
-      internal::alignment_in_frames(frame.to_frame(source), target_frame.to_frame(target));
+  internal::Alignment a = internal::alignment_in_frames(
+      frame.to_frame(source), target_frame.to_frame(target), all / all.sum());
   a.scale *= target_frame.unit() / frame.unit();
   a.translation = target_frame.from_frame(a.translation) - a.scale * (a.rotation * frame.center());
   return a;

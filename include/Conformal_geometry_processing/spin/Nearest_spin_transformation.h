@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,8 +18,14 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgSpin
 /// a conformal deformation near a given one, or a blend of the two
 struct Nearest_spin_result : Spin_result {
-  double distance = 0;  ///< root mean square distance of the vertices from the target, relative to
-                        ///< the diagonal of its bounding box
+  /// root mean square distance of the vertices from the target, weighted by their areas, relative
+  /// to the diagonal of its bounding box
+  double distance = 0;
+  double source_distance = 0;  ///< likewise that of the mesh
+  Curvature_potential rho;     ///< the change of curvature, in 1/length of the mesh
+  /// the direction at the boundary that was taken from the target; none: it was left free, or there
+  /// is none
+  std::optional<Eigen::Vector3d> direction;
 };
 
 /// \ingroup PkgSpin
@@ -32,17 +39,27 @@ struct Nearest_spin_options {
   /// see `Spin_transformation_options`; if set, spins of thin faces, of the mesh or of the target,
   /// are taken from their neighbours, and the spin structure of the target is not checked
   std::optional<double> mollification = std::nullopt;
+  /// whether the surface with the curvature of the target is the result [CGP 5.9], and not the
+  /// start of a search for the nearest one
+  bool keep_curvature = false;
+  internal::Scale_control scales = {};  ///< a bound on the change of lengths
 };
 
 /// \ingroup PkgSpin
-/// \brief finds the conformal deformation nearest to a given deformation: the spin transformation
-/// with the same curvature and, on surfaces with boundary, the same tangents or another direction
-/// of the boundary [CGP 5.9, 6.3].
+/// \brief finds the conformal deformation nearest to a given deformation, in the mean square
+/// distance of the vertices after the best similarity.
+///
+/// Starts from the spin transformation with the same curvature and, on surfaces with boundary, the
+/// same tangents or another direction of the boundary [CGP 5.9, 6.3], or from the mesh if that is
+/// nearer, and searches on with the derivative of the positions by rho, see
+/// `internal::Target_search`. The result is never farther from the target than the mesh.
+/// Where the directions at the boundary lead to no such surface, it is tried with others: the
+/// binormals, the tangents, and in the end none.
 ///
 /// The rotations and scalings of the faces are averaged to spins mu of the vertices, which in
 /// general are not the spins of any surface: integrating them directly causes a shear that
-/// refinement does not remove. Their curvature rho is that of a conformal deformation, whose spins
-/// lambda are computed from rho. (1 - t) lambda + t mu interpolates between the two.
+/// refinement does not remove. Their curvature is that of a conformal deformation, the start of the
+/// search. (1 - t) lambda + t mu interpolates between its result and the target.
 ///
 /// A similarity aligns the results with the target as closely as possible.
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
@@ -72,7 +89,7 @@ class Nearest_spin_transformation {
                               const Nearest_spin_options& options = {});
 
   /// \brief additionally scales lengths by `factor`, one positive number per vertex; must be called
-  /// before `transform()`.
+  /// before `transform()`, which then keeps the curvature of these spins, see `keep_curvature`.
   /// \throw Precondition_error if their number is wrong, or one is not positive and finite
   void scale_lengths(const Eigen::VectorXd& factor);
 
@@ -99,6 +116,24 @@ class Nearest_spin_transformation {
   Nearest_spin_transformation(const std::string& function, const Mesh_view& mesh, Points target,
                               const Nearest_spin_options& options);
   void use(Quaternion_vector<double> mu);
+
+  /// prescribes a direction at the boundary, or leaves it free
+  void use_boundary(const std::optional<Eigen::Vector3d>& direction);
+
+  /// the best result with the present boundary condition
+  Nearest_spin_result transform_once(const Dirac_options& options,
+                                     const internal::Go_further& go_further);
+
+  /// what a search finds from `start`, or `start`
+  Nearest_spin_result searched(Nearest_spin_result start, const Dirac_options& options,
+                               const internal::Go_further& go_further);
+
+  /// the spins of a result, in the frame
+  internal::Dirac_solution solution_of(const Nearest_spin_result& result) const;
+
+  /// the mesh, moved to the target
+  Nearest_spin_result unchanged();
+
   static Points integrated(const Mesh_view& mesh, const Quaternion_vector<double>& mu,
                            const std::string& function, const Nearest_spin_options& options);
   static Points checked(const Mesh_view& mesh, Points target, const std::string& function,
@@ -106,16 +141,20 @@ class Nearest_spin_transformation {
 
   /// both in the normalized frame of the mesh, where squares of areas neither over- nor underflow
   static std::pair<Mesh_view, Points> in_frame(const Mesh_view& mesh, const Points& target);
-  static Spin_transformation_options transformation_options(const Mesh_view& target,
-                                                            const Nearest_spin_options& options);
+  static Spin_transformation_options transformation_options(
+      const Mesh_view& target, const Nearest_spin_options& options,
+      const std::optional<Eigen::Vector3d>& direction);
 
   /// \brief multiplies lambda from the right by the constant that brings it nearest to mu: a
   /// rotation and a scaling of the surface; only a scaling if directions are prescribed.
   void align_spins(Quaternion_vector<double>& lambda) const;
-  Nearest_spin_result placed(Spin_result found) const;
+  Nearest_spin_result placed(Spin_result found, Curvature_potential rho) const;
 
+  std::string m_function;
+  Nearest_spin_options m_options;
   Points m_target;
-  Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
+  std::optional<Eigen::Vector3d> m_direction;  // of the present transformation
+  std::unique_ptr<Spin_transformation<SolverTraits, EigensolverTraits>> m_transformation;
   int m_conflicts = 0;
   Quaternion_vector<double> m_mu;
   Curvature_potential m_rho;

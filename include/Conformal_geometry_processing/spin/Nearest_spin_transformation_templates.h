@@ -9,6 +9,7 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
+#include <Conformal_geometry_processing/spin/Target_search_templates.h>
 #include <Conformal_geometry_processing/spin/curvature_of_spins.h>
 #include <Conformal_geometry_processing/spin/face_spins.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
@@ -17,6 +18,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -61,6 +64,7 @@ void Nearest_spin_transformation<SolverTraits, EigensolverTraits>::scale_lengths
       internal::name_of_vertex, function, "#factor not positive", "positive ones are needed");
   Quaternion_vector<double> scaled = m_mu;
   for (Eigen::Index v = 0; v < scaled.size(); ++v) scaled[v] *= std::sqrt(factor[v]);
+  m_options.keep_curvature = true;  // the target has other lengths
   use(std::move(scaled));
 }
 
@@ -68,10 +72,84 @@ template <class SolverTraits, class EigensolverTraits>
 Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const Dirac_options& options, const internal::Go_further& go_further)
 {
-  Spin_result found = m_transformation.transform(m_rho, options, go_further);
-  if (found.report.cancelled) return {std::move(found), 0};
-  align_spins(found.lambda);
-  return placed(std::move(found));
+  const auto is_done = [this](const Nearest_spin_result& r) {
+    return m_options.keep_curvature || r.report.cancelled ||
+           m_transformation->system().is_closed() || (r.report && r.distance <= r.source_distance);
+  };
+  const std::optional<Eigen::Vector3d> tangent({1, 0, 0}), binormal({0, 0, 1}), none;
+  Nearest_spin_result found = transform_once(options, go_further);
+  for (const std::optional<Eigen::Vector3d>& direction : {binormal, tangent, none}) {
+    if (is_done(found)) break;
+    if (direction == m_options.direction) continue;
+    use_boundary(direction);
+    found = transform_once(options, go_further);
+  }
+  return found;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>::transform_once(
+    const Dirac_options& options, const internal::Go_further& go_further)
+{
+  Spin_result guess = m_transformation->transform(m_rho, options, go_further);
+  if (guess.report.cancelled) return placed(std::move(guess), m_rho);
+  align_spins(guess.lambda);
+  Nearest_spin_result start = placed(std::move(guess), m_rho);
+  if (m_options.keep_curvature) return start;
+  if (!m_transformation->system().directions()) {
+    Nearest_spin_result same = unchanged();
+    if (!start.report || !(start.distance < same.distance)) start = std::move(same);
+  }
+  return searched(std::move(start), options, go_further);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>::searched(
+    Nearest_spin_result start, const Dirac_options& options, const internal::Go_further& go_further)
+{
+  const internal::Framed_surface& domain = m_transformation->domain();
+  const auto* const exactness =
+      m_transformation->exactness_if_looped(Curvature_potential::On::vertices);
+  // What several steps or a bound have made of rho is the transformation by no known rho.
+  const bool is_known = !exactness && start.report.scales.weight == 0;
+  const bool is_turned = m_transformation->system().directions() && !is_known;
+  if (!start.report.converged || is_turned) return start;
+  Curvature_potential rho = is_known ? start.rho : no_potential(domain.mesh());
+  rho.values *= domain.unit();
+  internal::Target_search<SolverTraits, EigensolverTraits> search(
+      *m_transformation, domain.frame().to_frame(m_target), m_options.scales, std::move(rho),
+      exactness);
+  search.run(is_known ? std::optional(solution_of(start)) : std::nullopt, options, go_further);
+  Spin_result found = search.best();
+  const bool is_cancelled = found.report.cancelled;
+  if (found.positions.size() > 0) align_spins(found.lambda);
+  rho = {search.potential().on, search.potential().values / domain.unit()};
+  Nearest_spin_result nearest = placed(std::move(found), std::move(rho));
+  const bool is_nearer = nearest.report && nearest.distance < start.distance;
+  Nearest_spin_result& best = is_cancelled || is_nearer ? nearest : start;
+  add_costs(best.report, (&best == &start ? nearest : start).report);
+  return std::move(best);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+internal::Dirac_solution Nearest_spin_transformation<SolverTraits, EigensolverTraits>::solution_of(
+    const Nearest_spin_result& result) const
+{
+  internal::Dirac_solution solution;
+  static_cast<internal::Dirac_evidence&>(solution) = result.report;
+  solution.eigenvalue *= m_transformation->domain().unit();
+  solution.lambda = result.lambda;
+  return solution;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>::unchanged()
+{
+  const int n = m_transformation->domain().mesh().size_of_vertices();
+  Spin_result same =
+      m_transformation->integrate(Quaternion_vector<double>::Constant(n, {1, 0, 0, 0}));
+  if (m_options.scales.bound) same.report.scales.bound = *m_options.scales.bound;
+  return placed(std::move(same), Curvature_potential::on_vertices(Eigen::VectorXd::Zero(n)));
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -81,27 +159,42 @@ Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>
   Quaternion_vector<double> spins = nearest.lambda;
   align_spins(spins);
   for (Eigen::Index v = 0; v < spins.size(); ++v) spins[v] = spins[v] * (1 - t) + m_mu[v] * t;
-  Spin_result between = m_transformation.integrate(std::move(spins));
+  Spin_result between = m_transformation->integrate(std::move(spins));
   static_cast<internal::Dirac_evidence&>(between.report) = nearest.report;
   between.report.converged = nearest.report.converged && between.positions.allFinite();
-  return placed(std::move(between));
+  return placed(std::move(between), nearest.rho);
 }
 
 template <class SolverTraits, class EigensolverTraits>
 Nearest_spin_transformation<SolverTraits, EigensolverTraits>::Nearest_spin_transformation(
     const std::string& function, const Mesh_view& mesh, Points target,
     const Nearest_spin_options& options)
-    : m_target(std::move(target)),
-      m_transformation(mesh, transformation_options(Mesh_view(m_target, mesh.corners()), options),
-                       function)
+    : m_function(function),
+      m_options(options),
+      m_target(std::move(target)),
+      m_direction(options.direction),
+      m_transformation(std::make_unique<Spin_transformation<SolverTraits, EigensolverTraits>>(
+          mesh, transformation_options(Mesh_view(m_target, mesh.corners()), options, m_direction),
+          function))
 {}
+
+template <class SolverTraits, class EigensolverTraits>
+void Nearest_spin_transformation<SolverTraits, EigensolverTraits>::use_boundary(
+    const std::optional<Eigen::Vector3d>& direction)
+{
+  m_direction = direction;
+  const Mesh_view mesh(m_transformation->positions(), m_transformation->domain().mesh().corners());
+  m_transformation = std::make_unique<Spin_transformation<SolverTraits, EigensolverTraits>>(
+      mesh, transformation_options(Mesh_view(m_target, mesh.corners()), m_options, direction),
+      m_function);
+}
 
 template <class SolverTraits, class EigensolverTraits>
 void Nearest_spin_transformation<SolverTraits, EigensolverTraits>::use(Quaternion_vector<double> mu)
 {
   m_mu = std::move(mu);
-  m_rho = curvature_of_spins(m_transformation.system().surface(), m_mu);
-  m_rho.values /= m_transformation.domain().unit();
+  m_rho = curvature_of_spins(m_transformation->system().surface(), m_mu);
+  m_rho.values /= m_transformation->domain().unit();
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -147,20 +240,23 @@ std::pair<Mesh_view, Points> Nearest_spin_transformation<SolverTraits, Eigensolv
 template <class SolverTraits, class EigensolverTraits>
 Spin_transformation_options
 Nearest_spin_transformation<SolverTraits, EigensolverTraits>::transformation_options(
-    const Mesh_view& target, const Nearest_spin_options& options)
+    const Mesh_view& target, const Nearest_spin_options& options,
+    const std::optional<Eigen::Vector3d>& direction)
 {
   Spin_transformation_options own;
   own.exactness = options.exactness;
   own.max_period_defect = options.max_period_defect;
   own.mollification = options.mollification;
+  own.scales = options.scales;
+  if (!direction) return own;
   const internal::Boundary_frames frames =
       options.mollification ? boundary_frames(Delaunay_view(target, *options.mollification))
                             : boundary_frames(target);
   if (frames.vertices.empty()) return own;
   Points targets(3, static_cast<Eigen::Index>(frames.vertices.size()));
   for (std::size_t k = 0; k < frames.vertices.size(); ++k)
-    targets.col(static_cast<Eigen::Index>(k)) = frames.frames[k] * options.direction;
-  own.boundary = Boundary_condition::directions(options.direction, std::move(targets));
+    targets.col(static_cast<Eigen::Index>(k)) = frames.frames[k] * *direction;
+  own.boundary = Boundary_condition::directions(*direction, std::move(targets));
   return own;
 }
 
@@ -168,19 +264,23 @@ template <class SolverTraits, class EigensolverTraits>
 void Nearest_spin_transformation<SolverTraits, EigensolverTraits>::align_spins(
     Quaternion_vector<double>& lambda) const
 {
-  const auto& system = m_transformation.system();
+  const auto& system = m_transformation->system();
   Quaternion<double> c = inner_product(lambda, system.areas(), m_mu) / system.squared_norm(lambda);
-  if (!system.is_closed()) c = {c.w, 0, 0, 0};
+  if (system.directions()) c = {c.w, 0, 0, 0};
   for (Quaternion<double>& q : lambda) q = q * c;
 }
 
 template <class SolverTraits, class EigensolverTraits>
 Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>::placed(
-    Spin_result found) const
+    Spin_result found, Curvature_potential rho) const
 {
-  Nearest_spin_result result{std::move(found), 0};
-  if (!result.report.converged) return result;
-  const internal::Alignment a = align(result.positions, m_target);
+  const auto& system = m_transformation->system();
+  Nearest_spin_result result{std::move(found), 0, 0, std::move(rho), std::nullopt};
+  if (system.directions()) result.direction = m_direction;
+  if (!result.report.converged || result.report.cancelled) return result;
+  const Eigen::VectorXd& masses = system.areas();
+  result.source_distance = align(m_transformation->positions(), m_target, masses).rms;
+  const internal::Alignment a = align(result.positions, m_target, masses);
   result.positions = a.apply(result.positions);
   result.distance = a.rms;
   return result;

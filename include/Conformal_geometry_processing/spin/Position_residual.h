@@ -10,6 +10,7 @@
 #include <Conformal_geometry_processing/spin/Spin_residual.h>
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 
 #include <vector>
 
@@ -20,33 +21,54 @@ namespace internal {
 /// \ingroup PkgSpin
 /// \brief the best similarity from points to targets, both in a frame of unit size: of those that
 /// fit equally well (one point, two, a line of them), that which turns and scales least.
-Alignment placement(const Points& points, const Points& targets);
+/// \param masses weights of the squares of distances, of the order of one together; all one if
+/// empty
+Alignment placement(const Points& points, const Points& targets,
+                    const Eigen::VectorXd& masses = {});
 
 /// \ingroup PkgSpin
-/// \brief what similarities cannot change: an orthonormal basis of the motions of points that are
+/// \brief what similarities cannot change: an orthonormal basis Z of the motions of points that are
 /// orthogonal to translations, turns and scaling, 3k x (3k - 7), with more columns if the points
 /// are on a line.
-/// \param points 3 x k \param columns of the result
-Eigen::MatrixXd shape_motions(const Points& points, Eigen::Index columns);
+///
+/// A motion v is given as the roots of the masses times v.
+class Shape_motions {
+ public:
+  Shape_motions() = default;
 
-/// 3k less the dimension of the motions of k points by similarities
-Eigen::Index number_of_shape_motions(const Points& points);
+  /// \param points 3 x k, \param masses k
+  Shape_motions(const Points& points, const Eigen::VectorXd& masses);
+
+  /// 3k less the dimension of the motions of the points by similarities
+  Eigen::Index size() const { return m_qr.rows() - m_qr.rank(); }
+
+  /// Z^T v, its last `size` components \param v 3k
+  Eigen::VectorXd coordinates(const Eigen::VectorXd& v, Eigen::Index size) const;
+
+  /// Z y, the transpose
+  Eigen::VectorXd motion(const Eigen::VectorXd& y) const;
+
+ private:
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> m_qr;  // of the motions by similarities, 3k x 7
+};
 
 /// \ingroup PkgSpin
 /// \brief the distances of control points of a transformed surface from their targets, after the
 /// best similarity T, in the frame of the surface.
 ///
-/// The values are Z^T (T h - t) with h the control points and Z the `shape_motions()` of T h. The
-/// change of T is orthogonal to Z, so the change of the values is Z^T dT(dh), up to the change of
-/// Z, which is multiplied by distances that become zero. The similarity may be anything: the total
-/// scale, the position, and the turn of the surface have no effect.
+/// The values are Z^T m^(1/2) (T h - t) with h the control points, m their masses, and Z the
+/// `Shape_motions` of T h. The change of T is orthogonal to Z, so the change of the values is Z^T
+/// m^(1/2) dT(dh), up to the change of Z, which is multiplied by distances that become small. The
+/// similarity may be anything: the total scale, the position, and the turn of the surface have no
+/// effect.
 template <class SolverTraits>
 class Position_residual : public Spin_residual {
  public:
   /// \param surface, reconstruction must outlive the object
+  /// \param masses weights of the squares of distances, one per point; all one if empty
   Position_residual(const Surface_ref& surface,
                     const Poisson_reconstruction<SolverTraits>& reconstruction,
-                    std::vector<Control_point> points);
+                    std::vector<Control_point> points, Eigen::VectorXd masses = {});
 
   /// \param targets 3 x number of points, in the frame
   void set_targets(Points targets);
@@ -55,20 +77,25 @@ class Position_residual : public Spin_residual {
   void set_weight(double w) { m_weight = w; }
 
   void set_spins(const Spins& lambda) override;
-  Eigen::VectorXd values() const override;
+  Eigen::VectorXd values() const override { return coordinates(m_distances); }
   Eigen::VectorXd change(const Spins& dlambda) const override;
   Spins gradient(const Eigen::VectorXd& y) const override;
 
  private:
+  /// Z^T of the roots of masses and weight times v
+  Eigen::VectorXd coordinates(const Points& v) const;
+
   Surface_ref m_surface;
   const Poisson_reconstruction<SolverTraits>& m_reconstruction;
   std::vector<Control_point> m_points;
+  Eigen::VectorXd m_masses;
   Points m_targets;
+  Eigen::Index m_size = 0;
   double m_weight = 1;
   Spins m_lambda;
-  Alignment m_placement;      // T
-  Points m_distances;         // T h - t
-  Eigen::MatrixXd m_motions;  // Z
+  Alignment m_placement;  // T
+  Points m_distances;     // T h - t
+  Shape_motions m_motions;
 };
 
 }  // namespace internal

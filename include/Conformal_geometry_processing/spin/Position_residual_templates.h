@@ -20,14 +20,20 @@ namespace internal {
 template <class SolverTraits>
 Position_residual<SolverTraits>::Position_residual(
     const Surface_ref& surface, const Poisson_reconstruction<SolverTraits>& reconstruction,
-    std::vector<Control_point> points)
-    : m_surface(surface), m_reconstruction(reconstruction), m_points(std::move(points))
-{}
+    std::vector<Control_point> points, Eigen::VectorXd masses)
+    : m_surface(surface),
+      m_reconstruction(reconstruction),
+      m_points(std::move(points)),
+      m_masses(std::move(masses))
+{
+  if (m_masses.size() == 0) m_masses.setOnes(static_cast<Eigen::Index>(m_points.size()));
+}
 
 template <class SolverTraits>
 void Position_residual<SolverTraits>::set_targets(Points targets)
 {
   m_targets = std::move(targets);
+  m_size = Shape_motions(m_targets, m_masses).size();
 }
 
 template <class SolverTraits>
@@ -36,16 +42,10 @@ void Position_residual<SolverTraits>::set_spins(const Spins& lambda)
   m_lambda = lambda;
   const Points h =
       positions_of(m_points, m_reconstruction.positions(transformed_edges(m_surface, lambda)));
-  m_placement = placement(h, m_targets);
+  m_placement = placement(h, m_targets, m_masses);
   const Points placed = m_placement.apply(h);
   m_distances = placed - m_targets;
-  m_motions = shape_motions(placed, number_of_shape_motions(m_targets));
-}
-
-template <class SolverTraits>
-Eigen::VectorXd Position_residual<SolverTraits>::values() const
-{
-  return std::sqrt(m_weight) * (m_motions.transpose() * m_distances.reshaped());
+  m_motions = Shape_motions(placed, m_masses);
 }
 
 template <class SolverTraits>
@@ -53,22 +53,28 @@ Eigen::VectorXd Position_residual<SolverTraits>::change(const Spins& dlambda) co
 {
   const Points dh =
       positions_of(m_points, m_reconstruction.positions(edge_change(m_surface, m_lambda, dlambda)));
-  const Points moved = m_placement.scale * (m_placement.rotation * dh);
-  return std::sqrt(m_weight) * (m_motions.transpose() * moved.reshaped());
+  return coordinates(m_placement.scale * (m_placement.rotation * dh));
 }
 
 template <class SolverTraits>
 auto Position_residual<SolverTraits>::gradient(const Eigen::VectorXd& y) const -> Spins
 {
-  const Eigen::VectorXd z = std::sqrt(m_weight) * (m_motions * y);
-  const Points forces =
-      m_placement.scale * (m_placement.rotation.transpose() * z.reshaped(3, m_targets.cols()));
+  const Points z = m_motions.motion(y).reshaped(3, m_targets.cols()) *
+                   (m_weight * m_masses).cwiseSqrt().asDiagonal();
+  const Points forces = m_placement.scale * (m_placement.rotation.transpose() * z);
   Points all = Points::Zero(3, m_lambda.size());
   for (std::size_t k = 0; k < m_points.size(); ++k)
     for (std::size_t i = 0; i < m_points[k].vertices.size(); ++i)
       all.col(m_points[k].vertices[i]) += m_points[k].weights[static_cast<Eigen::Index>(i)] *
                                           forces.col(static_cast<Eigen::Index>(k));
   return edge_gradient(m_surface, m_lambda, m_reconstruction.edge_gradient(all));
+}
+
+template <class SolverTraits>
+Eigen::VectorXd Position_residual<SolverTraits>::coordinates(const Points& v) const
+{
+  const Points scaled = v * (m_weight * m_masses).cwiseSqrt().asDiagonal();
+  return m_motions.coordinates(scaled.reshaped(), m_size);
 }
 
 }  // namespace internal

@@ -20,11 +20,16 @@ namespace Conformal_geometry_processing {
 /// \pre no face has area zero before or after
 Quaternion_vector<double> face_spins(const Mesh_view& mesh, const Points& positions);
 
+namespace internal {
+
+/// whether the height of a face is less than a thousandth of its longest edge
+bool is_thin(const Mesh_view& mesh, int f);
+
+}  // namespace internal
+
 /// \ingroup PkgSpin
 /// \brief replaces the spins of faces that are thin before or after the deformation, which depend
 /// on rounding or do not exist, by the mean of their neighbours, ring by ring.
-///
-/// A face is thin if its height is less than a thousandth of its longest edge.
 void replace_thin_faces(const Mesh_view& mesh, const Points& positions,
                         Quaternion_vector<double>& spins);
 

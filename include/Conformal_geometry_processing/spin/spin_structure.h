@@ -57,7 +57,10 @@ internal::Spin_structure spin_structure(const Mesh_view& mesh);
 
 /// \ingroup PkgSpin
 /// \throw Precondition_error if a closed surface and its deformation have different spin
-/// structures, so that no spin transformation leads from one to a surface near the other
+/// structures, so that no spin transformation leads from one to a surface near the other. Loops
+/// through thin faces, or along which the deformation turns neighbours against each other by more
+/// than 120 degrees, decide nothing: noise would.
+/// \pre no face has area zero before or after
 /// \param positions of the deformed surface, 3 x |V|
 void require_same_spin_structure(const Mesh_view& mesh, const Points& positions,
                                  const std::string& function);

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/rotor.h>
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/spin/face_spins.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
 
 #include <Eigen/Core>
@@ -47,12 +48,37 @@ CGP_INLINE internal::Spin_structure spin_structure(const Mesh_view& mesh)
   return s;
 }
 
+namespace internal {
+
+/// whether spins of neighbours, of the same sign, turn into each other by less than 120 degrees
+CGP_INLINE bool is_clear(const Quaternion<double>& p, const Quaternion<double>& q)
+{
+  return dot(p, q) * dot(p, q) > 0.25 * squared_norm(p) * squared_norm(q);
+}
+
+/// whether spins of faces change their sign along a loop; false if thin faces or sudden turns leave
+/// that open
+CGP_INLINE bool changes_sign(const Mesh_view& mesh, const Mesh_view& deformed,
+                             const Quaternion_vector<double>& spins, const Face_loop& loop)
+{
+  bool has_changed = false;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const int f = Mesh_view::face(loop[k]), g = Mesh_view::face(loop[(k + 1) % loop.size()]);
+    if (is_thin(mesh, f) || is_thin(deformed, f) || !is_clear(spins[f], spins[g])) return false;
+    has_changed ^= dot(spins[f], spins[g]) < 0;
+  }
+  return has_changed;
+}
+
+}  // namespace internal
+
 CGP_INLINE void require_same_spin_structure(const Mesh_view& mesh, const Points& positions,
                                             const std::string& function)
 {
   const Mesh_view deformed(positions, mesh.corners());
+  const Quaternion_vector<double> spins = face_spins(mesh, positions);
   for (const internal::Face_loop& loop : loops_of_faces(mesh))
-    if (turns_evenly(mesh, loop) != turns_evenly(deformed, loop))
+    if (internal::changes_sign(mesh, deformed, spins, loop))
       throw Precondition_error(
           function, "the surfaces are of different spin structure: around the loop of " +
                         std::to_string(loop.size()) + " faces that begins with face " +

@@ -25,6 +25,7 @@ template class internal::Position_residual<Default_solver_traits>;
 template class internal::Potential_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class internal::Scale_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class internal::Control_point_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
+template class internal::Target_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class internal::Conformal_deformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template internal::Exactness_constraints exactness_constraints<Default_solver_traits>(
     internal::Dirac_system<Default_solver_traits>&,

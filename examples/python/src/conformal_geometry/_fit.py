@@ -19,20 +19,21 @@ from ._spin import Callback, Spin_result, _progress, spin_result
 @dataclass(frozen=True, eq=False)
 class Nearest_result(Spin_result):
     """A conformal deformation near a given one."""
-    distance: float  #: root mean square from the target, relative to the diagonal of its box
+    distance: float  #: root mean square from the target, relative to the diagonal of its box, by area
     sign_conflicts: int  #: of the spins of the target; 0 for smooth deformations
 
 
-def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., direction: Any = (1, 0, 0),
-            vertex_scale: Any = None, exactness: Optional[str] = "adjoint",
+def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: bool = False,
+            direction: Any = (1, 0, 0), vertex_scale: Any = None,
+            exactness: Optional[str] = "adjoint",
             max_period_defect: Optional[float] = None, mollification: Optional[float] = None,
             eigenproblem: str = "standard", tolerance: float = 1e-8, max_iterations: int = 200,
             max_substeps: int = 10, random_seed: int = 0,
             limits: Optional[Dict[str, float]] = None, callback: Callback = None
             ) -> Nearest_result:
-    """Deforms a surface conformally, as closely as possible to a given deformation
-    [CGP 5.9, 6.3]: its curvature and, at a boundary, its tangents are kept, but not its shear. So
-    any editor becomes a conformal one. A similarity aligns the result with the target.
+    """Deforms a surface conformally, as closely as possible to a given deformation: minimises the
+    mean square distance of the vertices after the best similarity. The result is never farther
+    from the target than the surface. So any editor becomes a conformal one.
 
     Parameters
     ----------
@@ -41,16 +42,19 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., direction: Any = 
     F : (m, 3) array of integers
     blend : float
         t: the surface of (1 - t) lambda + t mu, with the spins mu of the target; conformal for 0
+    keep_curvature : bool
+        the surface with the curvature of the target and, at a boundary, its tangents, wherever
+        that is [CGP 5.9, 6.3]
     direction : (t, n, b)
         what of the boundary frame is taken from the target; (0, 0, 1), the binormals, can be
         realised for any
     vertex_scale : (n,) array, optional
-        factors of lengths that are to come on top
+        factors of lengths that are to come on top; keeps the curvature
     other parameters
         as in ``spin_transform()``
     """
     name = "nearest"
-    options = dict(direction=real(direction, name, "directions"),
+    options = dict(direction=real(direction, name, "directions"), keep_curvature=keep_curvature,
                    vertex_scale=real_or_none(vertex_scale, name, "factors"), exactness=exactness,
                    max_period_defect=max_period_defect, mollification=mollification,
                    eigenproblem=eigenproblem, tolerance=tolerance, max_iterations=max_iterations,

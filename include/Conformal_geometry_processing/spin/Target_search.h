@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_TARGET_SEARCH_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TARGET_SEARCH_H
+
+#include <Conformal_geometry_processing/spin/Exactness_residual.h>
+#include <Conformal_geometry_processing/spin/Period_residual.h>
+#include <Conformal_geometry_processing/spin/Position_residual.h>
+#include <Conformal_geometry_processing/spin/Potential_search.h>
+#include <Conformal_geometry_processing/spin/Scale_residual.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgSpin
+/// \brief finds the rho whose transformation comes nearest to a given surface: minimises
+///
+///     <rho - rho_0, K (rho - rho_0)> + w / R^2 distance^2 + c closure^2 + s integral u^2 / R^2
+///
+/// by `Potential_search`, with the mean square distance of vertices from targets after the best
+/// similarity (`Position_residual`), the part of the edges that does not close up
+/// (`Exactness_residual`) and, with a bound on lengths, the log factors u of lengths
+/// (`Scale_residual`); R is the radius of the sphere of the same area. Handles and holes stay
+/// closed by constraints.
+///
+/// The weight w of the distance grows as long as surfaces verify and are within the bound: what is
+/// far from conformal would be approached by wrinkles that the mesh cannot represent. Where targets
+/// are reached, rho_0 is replaced by the rho found so far, so that what remains of the distance is
+/// neither that of rho_0.
+/// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
+template <class SolverTraits, class EigensolverTraits>
+class Target_search {
+ public:
+  using Transformation = Spin_transformation<SolverTraits, EigensolverTraits>;
+  using Search = Potential_search<SolverTraits, EigensolverTraits>;
+  using Candidate = typename Search::Candidate;
+
+  /// \param transformation must outlive the object
+  /// \param targets 3 x |V|, in the frame of the transformation
+  /// \param start rho_0, in 1/length of the frame
+  /// \param exactness what keeps the edges closed around handles and holes, or null
+  Target_search(Transformation& transformation, const Points& targets, const Scale_control& scales,
+                Curvature_potential start, const Exactness_constraints* exactness);
+
+  /// \brief searches from the given rho, and its solution if it is known, otherwise from rho = 0.
+  /// \throw Solver_error if a factorization fails
+  void run(const std::optional<Dirac_solution>& start, const Dirac_options& options,
+           const Go_further& go_further);
+
+  /// the nearest surface that verifies, its spins and the costs of the search; none was found if
+  /// it has no positions
+  const Spin_result& best() const { return m_best; }
+
+  /// its rho, in 1/length of the frame
+  const Curvature_potential& potential() const { return m_rho; }
+
+ private:
+  /// minimises for a weight, raises that of scales until they are within the bound, and takes the
+  /// result if it verifies and is nearer
+  /// \returns whether it verifies
+  bool try_weight(double w, const Dirac_options& options, const Go_further& go_further);
+
+  /// goes on from a target that is nearly reached, with rho_0 the rho found so far, as long as the
+  /// distance is halved
+  void polish(double w, const Dirac_options& options, const Go_further& go_further);
+
+  /// searches on, near to a candidate
+  void restart(Candidate from);
+
+  /// the present surface with its report
+  Spin_result present();
+
+  Transformation& m_transformation;
+  const Scale_control& m_control;
+  Points m_targets;
+  Eigen::VectorXd m_areas;
+  const Exactness_constraints* m_exactness;
+  Position_residual<SolverTraits> m_positions;
+  Exactness_residual<SolverTraits> m_inexact;
+  Scale_residual m_scales;
+  std::optional<Period_residual> m_periods;
+  Curvature_potential m_rho;
+  Search m_search;
+  double m_unit, m_scale_weight = 1;  // the square of R; s
+  double m_distance;                  // of the best result, relative to the diagonal
+  Spin_result m_best;
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Target_search_templates.h>
+#endif
+
+#endif

@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_TARGET_SEARCH_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TARGET_SEARCH_TEMPLATES_H
+
+#include <Conformal_geometry_processing/spin/Exactness_residual_templates.h>
+#include <Conformal_geometry_processing/spin/Period_limit.h>
+#include <Conformal_geometry_processing/spin/Position_residual_templates.h>
+#include <Conformal_geometry_processing/spin/Potential_search_templates.h>
+#include <Conformal_geometry_processing/spin/Scale_search_templates.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
+#include <Conformal_geometry_processing/spin/Target_search.h>
+#include <Conformal_geometry_processing/spin/boundary_fault.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// every vertex, with its place in targets
+inline std::vector<Control_point> vertices_as_control_points(const Points& targets)
+{
+  std::vector<Control_point> points;
+  for (int v = 0; v < targets.cols(); ++v) points.push_back(control_point(v, targets.col(v)));
+  return points;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Target_search<SolverTraits, EigensolverTraits>::Target_search(
+    Transformation& transformation, const Points& targets, const Scale_control& scales,
+    Curvature_potential start, const Exactness_constraints* exactness)
+    : m_transformation(transformation),
+      m_control(scales),
+      m_targets(targets),
+      m_areas(transformation.system().areas()),
+      m_exactness(exactness),
+      m_positions(transformation.system().surface(), transformation.reconstruction(),
+                  vertices_as_control_points(targets), m_areas / m_areas.sum()),
+      m_inexact(transformation.system().surface(), transformation.reconstruction()),
+      m_scales(scale_masses(m_areas, scales), wanted_log_scales(m_areas, scales)),
+      m_periods(exactness ? std::optional<Period_residual>(
+                                {transformation.system().surface(), *exactness})
+                          : std::nullopt),
+      m_rho(std::move(start)),
+      m_search(transformation.system(), m_rho,
+               scales.bound ? std::vector<Spin_residual*>{&m_positions, &m_inexact, &m_scales}
+                            : std::vector<Spin_residual*>{&m_positions, &m_inexact},
+               exactness ? std::vector<Spin_residual*>{&*m_periods} : std::vector<Spin_residual*>{},
+               0.03),
+      m_unit(1 / transformation.system().unit()),
+      m_distance(std::numeric_limits<double>::infinity())
+{
+  const double closure_weight = 1000;
+  m_positions.set_targets(targets);
+  m_inexact.set_weight(closure_weight);
+  m_scales.set_weight(m_scale_weight / m_unit);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Target_search<SolverTraits, EigensolverTraits>::run(const std::optional<Dirac_solution>& start,
+                                                         const Dirac_options& options,
+                                                         const Go_further& go_further)
+{
+  const double first_weight = 10, last_weight = 2e7, least_factor = 1.3;
+  if (start) restart({m_rho, *start, {}, {}});
+  double factor = 4;
+  for (double w = first_weight; w <= last_weight && factor > least_factor; w *= factor) {
+    const Candidate before = m_search.present();
+    if (try_weight(w, options, go_further)) continue;
+    if (m_search.costs().cancelled) break;
+    m_search.restore(before);
+    w /= factor;
+    factor = std::sqrt(factor);
+  }
+  polish(last_weight, options, go_further);
+  m_best.report.cancelled = m_search.costs().cancelled;
+  m_best.report.iterations = m_best.report.factorizations = m_best.report.solves = 0;
+  static_cast<Dirac_evidence::Seconds&>(m_best.report.seconds) = m_search.costs().seconds;
+  add_costs(static_cast<Dirac_evidence&>(m_best.report), m_search.costs());
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Target_search<SolverTraits, EigensolverTraits>::polish(double w, const Dirac_options& options,
+                                                            const Go_further& go_further)
+{
+  const double reached = 1e-3;
+  m_inexact.set_weight(0);  // the target has as much
+  for (double before = 2 * reached; m_distance < std::min(before / 2, reached);) {
+    before = m_distance;
+    restart(m_search.present());
+    if (!try_weight(w, options, go_further)) return;
+  }
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Target_search<SolverTraits, EigensolverTraits>::restart(Candidate from)
+{
+  m_search.restart(from.rho);
+  m_search.restore(std::move(from));
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Target_search<SolverTraits, EigensolverTraits>::try_weight(double w,
+                                                                const Dirac_options& options,
+                                                                const Go_further& go_further)
+{
+  const double period_tolerance = 1e-5, factor = 4, largest_weight = 1e4;
+  m_positions.set_weight(w / m_unit);
+  Spin_result next;
+  for (;;) {
+    m_search.minimize(options, go_further, period_tolerance);
+    if (m_search.costs().cancelled) return false;
+    next = present();
+    if (!(next.report.scales.excess() > 1) || m_scale_weight > largest_weight) break;
+    m_scale_weight *= factor;
+    m_scales.set_weight(m_scale_weight / m_unit);
+  }
+  if (!next.report || next.report.conformality.flipped_faces > 0) return false;
+  const Points f = m_transformation.domain().frame().to_frame(next.positions);
+  const double distance = placement(f, m_targets, m_areas).rms;
+  if (!(distance < m_distance)) return m_distance > 0;
+  m_distance = distance;
+  m_rho = m_search.present().rho;
+  m_best = std::move(next);
+  return true;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Spin_result Target_search<SolverTraits, EigensolverTraits>::present()
+{
+  const auto& system = m_transformation.system();
+  const Dirac_solution& s = m_search.present().solution;
+  Spin_result result = m_transformation.integrate(s.lambda);
+  Spin_report& r = result.report;
+  static_cast<Dirac_evidence&>(r) = in_units(s, m_transformation.domain().unit());
+  r.converged = s.converged && result.positions.allFinite();
+  if (!system.is_closed())
+    r.boundary_fault = boundary_fault(
+        system.surface(), system.is_self_adjoint() || !system.directions() ? 0 : s.eigenvalue, r);
+  if (m_control.bound) r.scales = measured_scales(s.lambda, m_areas, m_control);
+  if (m_exactness) {
+    r.period_defect = m_exactness->period_defect(transformed_edges(system.surface(), s.lambda));
+    r.period_limit = Period_limit()(r, 1);
+  }
+  return result;
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+namespace Conformal_geometry_processing {
+
+extern template class internal::Target_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
+
+}  // namespace Conformal_geometry_processing
+#endif
+
+#endif

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Target_search.h
+// Tests include/Conformal_geometry_processing/spin/Nearest_spin_transformation.h
+#include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/bends.h"
+#include "support/bounded_meshes.h"
+#include "support/meshes.h"
+#include "support/moebius.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+using Nearest = CGP::Nearest_spin_transformation<>;
+using CGP::Nearest_spin_result;
+
+CGP::Nearest_spin_options curvature_kept()
+{
+  CGP::Nearest_spin_options options;
+  options.keep_curvature = true;
+  return options;
+}
+
+Nearest_spin_result nearest(const Mesh_view& mesh, const Points& target,
+                            const CGP::Nearest_spin_options& options = {})
+{
+  return Nearest(mesh, target, "test", options).transform();
+}
+
+Points moved_by_a_similarity(const Points& p)
+{
+  const Eigen::AngleAxisd turn(1.1, Eigen::Vector3d(2, -1, 2).normalized());
+  return ((1.7 * turn.toRotationMatrix()) * p).colwise() + Eigen::Vector3d(1, 2, 3);
+}
+
+Points transformed(const Mesh_view& mesh, double amplitude)
+{
+  Eigen::VectorXd rho(mesh.size_of_vertices());
+  for (int v = 0; v < rho.size(); ++v)
+    rho[v] = amplitude * (std::sin(3 * mesh.position(v).y()) + .5 * mesh.position(v).x());
+  const CGP::Spin_result r =
+      CGP::Spin_transformation<>(mesh).transform(CGP::Curvature_potential::on_vertices(rho));
+  EXPECT_TRUE(r.report);
+  return moved_by_a_similarity(r.positions);
+}
+
+}  // namespace
+
+// Coarse and irregular: the curvature of the target alone misses it by the discretisation error.
+TEST(Target_search, reaches_transformations_of_the_mesh)
+{
+  for (const Mesh_view& mesh : {perturbed(icosphere(2), .05), perturbed(bumpy_sphere(2), .02)}) {
+    const Points target = transformed(mesh, 1);
+    const Nearest_spin_result kept = nearest(mesh, target, curvature_kept()),
+                              found = nearest(mesh, target);
+    EXPECT_TRUE(found.report);
+    EXPECT_GT(kept.distance, 1e-4);
+    EXPECT_LT(found.distance, 1e-6);
+    EXPECT_LT((found.positions - target).colwise().norm().maxCoeff(), 1e-4);
+  }
+}
+
+TEST(Target_search, reaches_transformations_of_a_torus)
+{
+  const Mesh_view mesh = btorus(16);
+  const Nearest_spin_result found = nearest(mesh, transformed(mesh, .3));
+  EXPECT_TRUE(found.report);
+  EXPECT_LT(found.distance, .02 * found.source_distance);
+}
+
+// The curvature alone misses them by O(h^2).
+TEST(Target_search, of_moebius_images_is_much_nearer_than_the_curvature)
+{
+  for (int level : {2, 3}) {
+    const Mesh_view mesh = bumpy_sphere(level);
+    const Points target = inverted(mesh, Eigen::Vector3d(0.4, 0.3, 2.5)).positions();
+    const Nearest_spin_result found = nearest(mesh, target);
+    EXPECT_TRUE(found.report);
+    EXPECT_LT(found.distance, nearest(mesh, target, curvature_kept()).distance / 2);
+  }
+}
+
+TEST(Target_search, returns_the_mesh_if_the_target_is_similar_to_it)
+{
+  for (const Mesh_view& mesh : {perturbed(icosphere(2), .05), btorus(12), beam(2)}) {
+    const Points target = moved_by_a_similarity(mesh.positions());
+    const Nearest_spin_result found = nearest(mesh, target);
+    EXPECT_TRUE(found.report);
+    EXPECT_LT((found.positions - target).cwiseAbs().maxCoeff(), 1e-7);
+    EXPECT_LT(found.report.conformality.quasi_conformal.max, 1 + 1e-6);
+  }
+}
+
+TEST(Target_search, comes_nearer_to_bends_and_twists_than_the_mesh_and_the_curvature)
+{
+  const Mesh_view mesh = beam(3);
+  for (const Mesh_view& target : {bent_beam(mesh, pi / 3, .5), twisted_beam(mesh, pi / 3)}) {
+    const Nearest_spin_result kept = nearest(mesh, target.positions(), curvature_kept()),
+                              found = nearest(mesh, target.positions());
+    EXPECT_TRUE(found.report);
+    EXPECT_EQ(found.report.conformality.flipped_faces, 0);
+    EXPECT_LT(found.distance, kept.distance);
+    EXPECT_LT(found.distance, found.source_distance / 2);
+  }
+}
+
+// A sphere cannot be turned in itself: no conformal surface is near to it.
+TEST(Target_search, is_never_farther_than_the_mesh)
+{
+  const Mesh_view mesh = icosphere(2);
+  const Mesh_view target = mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return Eigen::AngleAxisd(p.z(), Eigen::Vector3d::UnitZ()) * p;
+  });
+  const Nearest_spin_result found = nearest(mesh, target.positions());
+  EXPECT_TRUE(found.report);
+  EXPECT_LE(found.distance, found.source_distance);
+}
+
+TEST(Target_search, keeps_lengths_within_a_bound)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  const Points target = inverted(mesh, Eigen::Vector3d(0.4, 0.3, 1.8)).positions();
+  CGP::Nearest_spin_options options;
+  options.scales.bound = 1.5;
+  const Nearest_spin_result free = nearest(mesh, target), bounded = nearest(mesh, target, options);
+  EXPECT_TRUE(bounded.report);
+  EXPECT_LE(bounded.report.scales.excess(), 1);
+  EXPECT_GT(bounded.distance, 2 * free.distance);
+  EXPECT_LT(bounded.distance, bounded.source_distance);
+}
+
+TEST(Target_search, with_boundary_comes_nearer_with_the_directions_of_the_target)
+{
+  const Mesh_view mesh = jittered_disk(8, .2);
+  const Points cap = cap_from_disk(mesh, 1.2).positions();
+  const Nearest_spin_result found = nearest(mesh, cap);
+  EXPECT_TRUE(found.report);
+  EXPECT_TRUE(found.direction.has_value());
+  EXPECT_LE(found.distance, nearest(mesh, cap, curvature_kept()).distance);
+  EXPECT_LT(found.distance, .1 * found.source_distance);
+}
