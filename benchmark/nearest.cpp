@@ -4,10 +4,10 @@
 // closed mesh and motion.
 //
 // usage: benchmark_nearest NAME.off ...
-#include <Conformal_geometry_processing/measure/quasi_conformal_error.h>
+#include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
-#include <Conformal_geometry_processing/spin/log_scales.h>
+#include <Conformal_geometry_processing/spin/Scale_control.h>
 #include <Conformal_geometry_processing/templates.h>
 
 #include <algorithm>
