@@ -3,7 +3,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
+#include <Conformal_geometry_processing/exceptions.h>
+
 #include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
 
 #include "support/meshes.h"
 
@@ -145,4 +150,35 @@ TEST(Mesh_view, can_be_empty)
     EXPECT_EQ(mesh.size_of_edges(), 0);
     EXPECT_EQ(mesh.size_of_faces(), 0);
   }
+}
+
+namespace {
+
+std::string refusal_of(const Mesh_view::Corners& corners)
+{
+  try {
+    Mesh_view(Points::Zero(3, 4), corners);
+  } catch (const CGP::Precondition_error& error) {
+    return error.message();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST(Mesh_view, refuses_corners_that_are_no_vertices)
+{
+  EXPECT_EQ(refusal_of({{0, 1, 2}, {0, 2, 4}}), "face 1 has the corner 4; vertices are 0 to 3");
+  EXPECT_EQ(refusal_of({{-1, 1, 2}}), "face 0 has the corner -1; vertices are 0 to 3");
+  EXPECT_NE(refusal_of({{0, (std::numeric_limits<int>::max)(), 2}}), "");
+  EXPECT_EQ(refusal_of({{0, 1, 2}, {0, 2, 3}}), "");
+  EXPECT_THROW(Mesh_view(Points(3, 0), {{0, 0, 0}}), CGP::Precondition_error);
+}
+
+TEST(Mesh_view, refuses_positions_that_are_not_one_per_vertex)
+{
+  Mesh_view mesh = icosphere(1);
+  const Points before = mesh.positions();
+  EXPECT_THROW(mesh.set_positions(before.leftCols(3)), CGP::Precondition_error);
+  EXPECT_EQ(mesh.positions(), before);
 }

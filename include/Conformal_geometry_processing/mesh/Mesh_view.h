@@ -27,9 +27,9 @@ using Points = Eigen::Matrix3Xd;
 /// corner c + 1 to corner c + 2, as the edges e_j of [CGP (5.1)] do. Faces are oriented counter-
 /// clockwise seen from outside. Coordinates are `double` for every kernel of the mesh.
 ///
-/// `Graph_view` makes it from any CGAL mesh; it can also be made from arrays. The constructor does
-/// not check its input; `mesh/requirements.h` does, and names the offending element. O(|V| + |F|).
-/// A model of `ConformalSurface`.
+/// `Graph_view` makes it from any CGAL mesh; it can also be made from arrays. The constructor
+/// checks no more than that every corner is a vertex; `mesh/requirements.h` does the rest, and
+/// names the offending element. O(|V| + |F|). A model of `ConformalSurface`.
 class Mesh_view {
  public:
   using Corners = std::vector<std::array<int, 3>>;
@@ -38,7 +38,8 @@ class Mesh_view {
 
   /// \param positions 3 x |V|
   /// \param corners the vertices of each face, counter-clockwise
-  /// \pre every index is in [0, |V|)
+  /// \throw Precondition_error if an index is not in [0, |V|), or there are more faces than
+  /// halfedges can be counted with an `int`
   Mesh_view(Points positions, Corners corners);
 
   int size_of_vertices() const { return static_cast<int>(m_positions.cols()); }
@@ -50,7 +51,8 @@ class Mesh_view {
   Eigen::Vector3d position(int v) const { return m_positions.col(v); }
 
   /// sets other positions, 3 x |V|, with the same connectivity
-  void set_positions(Points positions) { m_positions = std::move(positions); }
+  /// \throw Precondition_error if there are not |V| of them
+  void set_positions(Points positions);
 
   const Corners& corners() const { return m_corners; }
   const std::array<int, 3>& corners(int f) const { return m_corners[index(f)]; }
@@ -99,6 +101,7 @@ class Mesh_view {
   int low(int h) const { return (std::min)(from(h), to(h)); }
   int high(int h) const { return (std::max)(from(h), to(h)); }
 
+  void check_corners() const;
   void find_edges();
   void number_edges();
   void pair_halfedges();

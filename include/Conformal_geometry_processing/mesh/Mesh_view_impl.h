@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
@@ -12,7 +13,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,7 +25,30 @@ namespace Conformal_geometry_processing {
 CGP_INLINE Mesh_view::Mesh_view(Points positions, Corners corners)
     : m_positions(std::move(positions)), m_corners(std::move(corners))
 {
+  check_corners();
   find_edges();
+}
+
+CGP_INLINE void Mesh_view::set_positions(Points positions)
+{
+  if (positions.cols() != m_positions.cols())
+    throw Precondition_error("Mesh_view::set_positions",
+                             std::to_string(positions.cols()) + " positions for " +
+                                 std::to_string(m_positions.cols()) + " vertices");
+  m_positions = std::move(positions);
+}
+
+// Everything below reads and writes arrays at these indices.
+CGP_INLINE void Mesh_view::check_corners() const
+{
+  if (m_corners.size() > index((std::numeric_limits<int>::max)() / 3))
+    throw Precondition_error("Mesh_view", "there are more faces than an int can count halfedges");
+  for (std::size_t f = 0; f < m_corners.size(); ++f)
+    for (int v : m_corners[f])
+      if (v < 0 || v >= size_of_vertices())
+        throw Precondition_error("Mesh_view", "face " + std::to_string(f) + " has the corner " +
+                                                  std::to_string(v) + "; vertices are 0 to " +
+                                                  std::to_string(size_of_vertices() - 1));
 }
 
 CGP_INLINE Eigen::Vector3d Mesh_view::double_area_vector(int f, const Points& positions) const
