@@ -8,9 +8,10 @@ import json
 import os
 import resource
 import signal
+import pathlib
 import subprocess
 import tempfile
-import pathlib
+import threading
 
 DOCUMENTED = {0: "done", 1: "failed", 2: "usage", 3: "cannot read", 4: "unsuitable",
               5: "cannot write", 6: "out of memory", 130: "interrupted", 143: "terminated"}
@@ -20,7 +21,8 @@ OUTPUT = "output.ply"
 
 @dataclasses.dataclass
 class Run:
-    """code is negative for a signal, as of subprocess; files are those in the output's folder."""
+    """code is negative for a signal, as of subprocess; files are those in the output's folder;
+    memory is the largest resident set, in bytes."""
     code: int
     message: str
     seconds: float
@@ -28,6 +30,7 @@ class Run:
     files: list
     output: bytes
     late: bool
+    memory: int
 
 
 def limits(processor, memory):
@@ -41,23 +44,21 @@ def limits(processor, memory):
     return apply
 
 
-def children_seconds():
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
-
-
 def wait(command, folder, processor, memory):
-    """Exit code, stderr, and whether the time was up."""
-    with subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                          preexec_fn=limits(processor, memory)) as process:
-        try:
-            _, text = process.communicate(timeout=processor * WALL_BY_PROCESSOR)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            return process.communicate() and -signal.SIGKILL, "", True
+    """Exit code, stderr, whether the time was up, and what the process used."""
+    with tempfile.TemporaryFile() as errors:
+        process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=errors,
+                                   preexec_fn=limits(processor, memory))
+        patience = threading.Timer(processor * WALL_BY_PROCESSOR, process.kill)
+        patience.start()
+        _, status, usage = os.wait4(process.pid, 0)
+        patience.cancel()
+        process.returncode = os.waitstatus_to_exitcode(status)
+        errors.seek(0)
+        text = errors.read().decode("utf-8", "replace")
     late = process.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
-    return process.returncode, text.decode("utf-8", "replace"), late
+    return process.returncode, text, late, usage
 
 
 def last_error(text):
@@ -73,11 +74,10 @@ def run(program, arguments, processor, memory, output=True):
         folder.mkdir()
         report = pathlib.Path(name) / "report.json"
         command = [program, *arguments, "--quiet", "--json", report]
-        start = children_seconds()
-        code, text, late = wait(command + (["-o", OUTPUT] if output else []), folder, processor,
-                                memory)
+        code, text, late, usage = wait(command + (["-o", OUTPUT] if output else []), folder,
+                                       processor, memory)
         content = json.loads(report.read_text(encoding="utf-8")) if report.exists() else {}
         result = folder / OUTPUT
-        return Run(code, last_error(text), children_seconds() - start, content,
+        return Run(code, last_error(text), usage.ru_utime + usage.ru_stime, content,
                    sorted(os.listdir(folder)), result.read_bytes() if result.exists() else b"",
-                   late)
+                   late, usage.ru_maxrss << 10)

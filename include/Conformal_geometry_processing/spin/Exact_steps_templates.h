@@ -224,7 +224,10 @@ double Exact_steps<Transformation>::norm(const Eigen::VectorXd& rho) const
 {
   const bool has_effect = !m_transformation.system().is_self_adjoint();
   const double mean = has_effect ? 0 : m_areas.dot(rho) / m_areas.sum();
-  return std::sqrt(m_areas.dot((rho.array() - mean).square().matrix()));
+  const double square = m_areas.dot((rho.array() - mean).square().matrix());
+  // What is left of a constant is the rounding of its mean.
+  const double rounding = 1e-12 * mean;
+  return square > m_areas.sum() * rounding * rounding ? std::sqrt(square) : 0;
 }
 
 }  // namespace internal
