@@ -13,6 +13,7 @@ UNVERIFIED, LEFT, UNSTATED = "unverified success", "file left", "no reason"
 REFUSALS = {1: NOT_VERIFIED, 3: UNREADABLE, 4: UNSUITABLE, 6: NO_MEMORY}
 GOOD = [VERIFIED, UNSUITABLE, UNREADABLE, NOT_VERIFIED]
 BAD = [NO_MEMORY, CRASHED, TIMED_OUT, UNVERIFIED, LEFT, UNSTATED]
+WITHOUT_OUTPUT = ["info", "spectrum"]
 SMALL = 1e-6  # of the residuals of harmonic forms, whose report has no certificate
 
 
@@ -29,13 +30,20 @@ def certified(command, report):
 
 
 def success(command, run):
-    wanted = [] if command == "info" else [sandbox.OUTPUT]
+    wanted = [] if command in WITHOUT_OUTPUT else [sandbox.OUTPUT]
     if run.files != wanted:
         return UNVERIFIED, f"wrote {run.files}"
     if not certified(command, run.report):
         return UNVERIFIED, "the report does not say verified"
     fault = ply_points.fault(run.output, run.report["input"]["vertices"]) if wanted else ""
     return (UNVERIFIED, "the output is " + fault) if fault else (VERIFIED, "")
+
+
+def keeps_last_steps(command, run):
+    """Whether it is a flow that stopped early, and said that it wrote the last good surface."""
+    return (command == "flow" and run.code == 1 and run.files == [sandbox.OUTPUT]
+            and "is written" in run.message
+            and not ply_points.fault(run.output, run.report["input"]["vertices"]))
 
 
 def outcome(command, run):
@@ -46,7 +54,7 @@ def outcome(command, run):
         return success(command, run)
     if run.code not in REFUSALS:
         return CRASHED, f"code {run.code}: {run.message}"
-    if run.files:
+    if run.files and not keeps_last_steps(command, run):
         return LEFT, f"{', '.join(run.files)} after exit {run.code}: {run.message}"
     if not run.message:
         return UNSTATED, f"exit {run.code}"
