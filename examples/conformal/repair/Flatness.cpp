@@ -47,10 +47,11 @@ Eigen::Vector3d Flatness::area(const Corners& v) const
 
 bool Flatness::is_flat(const Corners& v) const
 {
-  CGP::Points p(3, 3);
+  Eigen::Matrix3d p, edges;
   for (std::size_t k = 0; k < 3; ++k)
     p.col(static_cast<Eigen::Index>(k)) = Eigen::Vector3d::Map(m_soup.point(v[k]).data());
-  return CGP::has_area_zero(CGP::Mesh_view(std::move(p), {{0, 1, 2}}), 0);
+  edges << p.col(2) - p.col(1), p.col(0) - p.col(2), p.col(1) - p.col(0);
+  return CGP::internal::has_area_zero(edges);
 }
 
 std::array<int, 3> Flatness::longest_edge_first(int t) const

@@ -6,6 +6,7 @@
 #include "triangulation.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace conformal {
 namespace {
@@ -47,6 +48,7 @@ int Triangle_soup::corner_at(int t, int v) const
 
 std::vector<int> Triangle_soup::around(int v, int w) const
 {
+  if (around(w).size() < around(v).size()) std::swap(v, w);  // one may be the hub of a large fan
   std::vector<int> both;
   for (const int t : around(v))
     if (corner_at(t, w) >= 0) both.push_back(t);
@@ -80,7 +82,7 @@ void Triangle_soup::leave(int t)
 {
   for (const Corner& c : (*this)[t].corners) {
     std::vector<int>& around = m_around[at(c.vertex)];
-    around.erase(std::remove(around.begin(), around.end(), t), around.end());
+    around.erase(std::find(around.begin(), around.end(), t));
   }
 }
 

@@ -6,6 +6,8 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
+#include <Eigen/Core>
+
 #include <string>
 
 /// \file requirements.h
@@ -27,6 +29,10 @@ std::string name_of_edge(const Mesh_view& mesh, int k);
 
 /// Returns "1 face of area zero", "3 faces of area zero" for what = "#face of area zero"
 std::string counted(int count, std::string what);
+
+/// Returns whether a triangle with these vectors along its edges, one per column, has area zero
+/// relative to the longest (`relative_area_tolerance`)
+bool has_area_zero(Eigen::Matrix3d edges);
 
 /// The elements that violate a requirement
 struct Defect {

@@ -45,6 +45,17 @@ CGP_INLINE std::string name_of_vertex(int v)
   return "vertex " + std::to_string(v);
 }
 
+// Scales by the longest edge first, to avoid overflow and underflow of squares.
+CGP_INLINE bool has_area_zero(Eigen::Matrix3d edges)
+{
+  const double longest = edges.cwiseAbs().maxCoeff();
+  if (!(longest > 0)) return true;
+  edges /= longest;
+  const double longest_squared = edges.colwise().squaredNorm().maxCoeff();
+  const double double_area = edges.col(0).cross(edges.col(1)).norm();
+  return !(double_area > 2 * relative_area_tolerance * longest_squared);
+}
+
 CGP_INLINE Defect non_finite_vertices(const Mesh_view& mesh)
 {
   return find_defect(Defect::Kind::vertex_out_of_range, mesh.size_of_vertices(),
@@ -190,14 +201,9 @@ CGP_INLINE void require_manifold_vertices(const Mesh_view& mesh, const std::stri
 
 CGP_INLINE bool has_area_zero(const Mesh_view& mesh, int f)
 {
-  // Scales by the longest edge first, to avoid overflow and underflow of squares.
-  Eigen::Matrix3d e;
-  for (int c = 0; c < 3; ++c) e.col(c) = mesh.vector(3 * f + c);
-  const double longest = e.cwiseAbs().maxCoeff();
-  if (!(longest > 0)) return true;
-  e /= longest;
-  const double longest_squared = e.colwise().squaredNorm().maxCoeff();
-  return !(e.col(0).cross(e.col(1)).norm() > 2 * relative_area_tolerance * longest_squared);
+  Eigen::Matrix3d edges;
+  for (int c = 0; c < 3; ++c) edges.col(c) = mesh.vector(3 * f + c);
+  return internal::has_area_zero(edges);
 }
 
 CGP_INLINE void require_positive_areas(const Mesh_view& mesh, const std::string& function)

@@ -50,10 +50,10 @@ inline bool has_area_when_flipped(const Mesh_view& mesh, const Intrinsic_triangu
 {
   const int k = triangles.apex(h), l = triangles.apex(triangles.twin(h));
   for (const int v : {triangles.from(h), triangles.to(h)}) {
-    const Mesh_view face(
-        (Points(3, 3) << mesh.position(k), mesh.position(l), mesh.position(v)).finished(),
-        {{0, 1, 2}});
-    if (has_area_zero(face, 0)) return false;
+    Eigen::Matrix3d edges;
+    edges << mesh.position(v) - mesh.position(l), mesh.position(k) - mesh.position(v),
+        mesh.position(l) - mesh.position(k);
+    if (has_area_zero(edges)) return false;
   }
   return true;
 }
