@@ -227,7 +227,7 @@ TEST(Conformal_willmore_flow_control, is_at_the_last_complete_step_when_the_visi
   EXPECT_THROW((void)flow.run(visitor), std::runtime_error);
   EXPECT_GT(visitor.ends, 0);
   EXPECT_EQ(flow.mesh().positions(), visitor.last);
-  EXPECT_EQ(flow.energy(), CGP::willmore_energy(flow.mesh()));
+  EXPECT_NEAR(flow.energy() / CGP::willmore_energy(flow.mesh()), 1, 1e-14);  // in another frame
   (void)flow.run();
   (void)undisturbed.run();
   EXPECT_EQ(flow.mesh().positions(), undisturbed.mesh().positions());

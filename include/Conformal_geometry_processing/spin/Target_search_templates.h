@@ -92,7 +92,7 @@ void Target_search<SolverTraits, EigensolverTraits>::polish(double w, const Dira
 {
   const double reached = 1e-3;
   m_inexact.set_weight(0);  // the target has as much
-  for (double before = 2 * reached; m_distance < std::min(before / 2, reached);) {
+  for (double before = 2 * reached; m_distance < (std::min)(before / 2, reached);) {
     before = m_distance;
     restart(m_search.present());
     if (!try_weight(w, options, go_further)) return;
