@@ -8,7 +8,7 @@
 /// `HalfedgeListGraph`. Of these the library uses
 /// - `boost::graph_traits<TriangleMesh>` with its `vertex_descriptor`, `halfedge_descriptor` and
 ///   `face_descriptor`, of which the first can be hashed by `std::hash` unless the type has
-///   dynamic property maps of its own;
+///   dynamic property maps of its own, and in `conformal_fairing()` the last as well;
 /// - `vertices(mesh)`, `faces(mesh)`, `halfedge(face, mesh)`, `next(halfedge, mesh)`,
 ///   `source(halfedge, mesh)`, `target(halfedge, mesh)`, and in `harmonic_basis()` also
 ///   `opposite(halfedge, mesh)`, found by argument-dependent look-up;

@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "support/several_components.h"
 
@@ -138,4 +140,22 @@ TEST(Component_reports, are_true_if_all_of_them_are)
   EXPECT_TRUE(reports);
   reports.components.push_back({4, 4, 4, false});
   EXPECT_FALSE(reports);
+}
+
+TEST(Mesh_components, of_selected_faces_keep_the_order_of_their_vertices)
+{
+  const Mesh_view mesh = surfaces_of_different_types().front();
+  std::vector<char> is_selected(at(mesh.size_of_faces()), 0);
+  for (int f = 0; f < mesh.size_of_faces(); f += 3) is_selected[at(f)] = 1;
+  const CGP::internal::Mesh_component part = CGP::internal::selected_faces(mesh, is_selected);
+  ASSERT_EQ(part.mesh.size_of_faces(), (mesh.size_of_faces() + 2) / 3);
+  EXPECT_TRUE(std::is_sorted(part.vertices.begin(), part.vertices.end()));
+  for (int f = 0; f < part.mesh.size_of_faces(); ++f) {
+    EXPECT_EQ(part.faces[at(f)], 3 * f);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int v = part.mesh.corners(f)[c];
+      EXPECT_EQ(part.vertices[at(v)], mesh.corners(3 * f)[c]);
+      EXPECT_EQ(part.mesh.position(v), mesh.position(part.vertices[at(v)]));
+    }
+  }
 }

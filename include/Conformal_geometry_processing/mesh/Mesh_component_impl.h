@@ -43,6 +43,31 @@ CGP_INLINE std::vector<internal::Mesh_component> mesh_components(const Mesh_view
   return parts;
 }
 
+CGP_INLINE internal::Mesh_component internal::selected_faces(const Mesh_view& mesh,
+                                                             const std::vector<char>& is_selected)
+{
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  Mesh_component part;
+  std::vector<int> number(at(mesh.size_of_vertices()), -1);  // in the part
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    if (!is_selected[at(f)]) continue;
+    part.faces.push_back(f);
+    for (const int v : mesh.corners(f)) number[at(v)] = 0;
+  }
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    if (number[at(v)] < 0) continue;
+    number[at(v)] = static_cast<int>(part.vertices.size());
+    part.vertices.push_back(v);
+  }
+  Mesh_view::Corners corners;
+  for (const int f : part.faces) {
+    const std::array<int, 3>& v = mesh.corners(f);
+    corners.push_back({number[at(v[0])], number[at(v[1])], number[at(v[2])]});
+  }
+  part.mesh = Mesh_view(mesh.positions()(Eigen::indexing::all, part.vertices), std::move(corners));
+  return part;
+}
+
 }  // namespace Conformal_geometry_processing
 
 #endif

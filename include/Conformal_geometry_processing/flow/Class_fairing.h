@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLASS_FAIRING_H
+#define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CLASS_FAIRING_H
+
+#include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
+#include <Conformal_geometry_processing/flow/Bending_energy.h>
+#include <Conformal_geometry_processing/flow/Bending_matrix.h>
+#include <Conformal_geometry_processing/flow/Fairing_patch.h>
+#include <Conformal_geometry_processing/flow/Fairing_step.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgFlow
+/// \brief Descends the Willmore energy of a patch with clamped rim within the discrete conformal
+/// class of the initial patch: with its length cross-ratios, by sequential quadratic programming.
+///
+/// The class is that of all surfaces with edge lengths l_ij exp((u_i + u_j) / 2); u is zero at the
+/// rim, whose lengths are kept. A step minimizes <grad W, d> + <d, K d> / 2 subject to the
+/// linearized constraints J (d, du) = 0, as the limit of a large weight on them, and then returns
+/// to the class by steps of least <d, K d>. The fixed points are constrained Willmore surfaces.
+///
+/// A step is one factorization of a real matrix with blocks of 4 x 4 numbers on the free vertices.
+class Class_fairing {
+ public:
+  /// \param patch must outlive it
+  /// \throw Solver_error if the analysis fails
+  explicit Class_fairing(const Fairing_patch& patch);
+
+  /// \brief the next surface of the class, of less energy.
+  /// \throw Solver_error if the factorization fails
+  Fairing_step step(const Bending_energy& present);
+
+  /// \brief moves the surface of the last step to the class up to rounding, or as near as possible.
+  /// \throw Solver_error if the factorization fails
+  void polish(Points& f);
+
+ private:
+  /// an edge with a free end, the free vertices at its ends or -1, and the logarithm of its length
+  struct Edge {
+    int i, j, unknown_i, unknown_j;
+    double log_length;
+  };
+  /// positions, log scales of the free vertices, and how far edges are from the class
+  struct State {
+    Points f;
+    Eigen::VectorXd u, residuals;
+  };
+
+  void assemble(const Bending_energy& energy);
+  double& entry(int block_column, int block, int row, int column);
+  void add_edge(const Edge& edge, const Eigen::Vector3d& direction);
+  Eigen::VectorXd residuals(const Points& f, const Eigen::VectorXd& u) const;
+  /// the state moved by A^-1 (-g, 0) - A^-1 w J^T c
+  State advanced(const State& state, const Points& g) const;
+  /// whether the class is reached
+  bool return_to_class(State& state) const;
+
+  const Fairing_patch& m_patch;
+  Bending_matrix m_bending;
+  std::vector<Edge> m_edges;
+  Hermitian_sparse_matrix<double> m_matrix;
+  Supernodal_cholesky<double> m_solver;
+  Points m_directions;       // (f_j - f_i) / |f_j - f_i|^2 of the last factorization
+  double m_weight = 0;       // of the constraints
+  double m_length = 1;       // of the last step, by the full one
+  Eigen::VectorXd m_scales;  // u of the present surface
+};
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/flow/Class_fairing_impl.h>
+#endif
+
+#endif
