@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 /// Cuts disks out of surfaces, fills the holes by CGAL's `triangulate_and_refine_hole()`, and fairs
-/// them by CGAL's `fair()` with continuity 1 and 2 and by `conformal_fairing()`. Prints a line of
-/// JSON for each hole and method.
+/// them by CGAL's `fair()` with continuity 1 and 2 and by `conformal_fairing()`. Of meshes, it also
+/// fairs the disks themselves within their conformal class. Prints a line of JSON for each hole and
+/// method.
 ///
 /// Usage: benchmark_fair_region [--write FOLDER] [MESH.off:VERTEX:RADIUS]...
 ///
@@ -101,7 +102,7 @@ CGP::Mesh_view view_of(const Mesh& mesh)
   return CGP::Graph_view<Mesh>(mesh, CGP::parameters::default_values(), "benchmark").view();
 }
 
-/// by the length of an edge, of all faces of the region
+/// of all faces of the region, in degrees
 double least_angle(const CGP::Mesh_view& view, const std::vector<char>& region)
 {
   double least = 180;
@@ -144,6 +145,23 @@ class Hole {
       steps = result.steps;
     });
     report("conformal_fairing", mesh, m_filled.faces, seconds, steps);
+  }
+
+  /// the surface as it was, smoothed within its class
+  void fair_in_class() const
+  {
+    Mesh mesh = m_before;
+    CGP::internal::Fairing_report result;
+    const double seconds = seconds_of([&] { result = CGP::conformal_fairing(mesh, m_cut); });
+    const CGP::Conformality& map = result.conformality;
+    Record record;
+    record.add("surface", m_name).add("method", "in class").add("vertices", result.free_vertices);
+    record.add("energy_before", result.initial_energy).add("energy", result.energy);
+    record.add("jump_rms", result.normal_jump.rms * 180 / cgp_test::pi);
+    record.add("q_mean", map.quasi_conformal.mean).add("q_max", map.quasi_conformal.max);
+    record.add("cross_ratio_max", map.length_cross_ratio.max).add("flips", map.flipped_faces);
+    record.add("seconds", seconds).add("steps", result.steps);
+    record.add("message", result.message).print();
   }
 
  private:
@@ -213,8 +231,7 @@ void compare_smooth_surfaces(const std::string& folder)
   for (const auto& [name, R] : tori)
     for (const int n : {16, 32, 64, 128}) {
       const double radius = R;
-      const CGP::Mesh_view view =
-          cgp_test::irregular_torus(R, 1, static_cast<int>(std::lround(n * R)), n);
+      const CGP::Mesh_view view = cgp_test::torus(R, 1, static_cast<int>(std::lround(n * R)), n);
       const auto top = faces_where(view, [radius](const auto& c) {
         return (c - Eigen::Vector3d(radius, 0, 1)).norm() < 1.1;
       });
@@ -246,10 +263,11 @@ void compare_mesh(const std::string& argument, const std::string& folder)
   Tree tree(cut.begin(), cut.end(), mesh);
   std::string name = path.substr(path.rfind('/') + 1);
   name.resize(name.rfind('.'));
-  Hole(
+  const Hole hole(
       name + " " + std::to_string(center.idx()), mesh, cut,
-      [&](const auto& p) { return std::sqrt(tree.squared_distance(p)); }, folder)
-      .compare();
+      [&](const auto& p) { return std::sqrt(tree.squared_distance(p)); }, folder);
+  hole.compare();
+  hole.fair_in_class();
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ import itertools
 import math
 import pathlib
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -152,7 +153,27 @@ def check_rotations(program):
             sys.exit(f"the overlap is {overlap}, wanted {least}, with noise {noise}")
 
 
+def check_filled_hole(program):
+    """The program cuts off the top of a sphere, and what it fills the hole with is a sphere again."""
+    with tempfile.TemporaryDirectory() as folder:
+        source, target = (pathlib.Path(folder) / name for name in ("sphere.off", "result.ply"))
+        write_off(source, *sphere(4))
+        subprocess.run([program, str(source), str(target), "0.2"], check=True)
+        head, _, body = target.read_bytes().partition(b"end_header\n")
+    if b"format binary_little_endian" in head:
+        count = int(re.search(rb"element vertex (\d+)", head).group(1))
+        points = list(itertools.islice(struct.iter_unpack("<3d", body[:24 * count]), count))
+    else:
+        points = [tuple(map(float, line.split())) for line in body.splitlines()
+                  if len(line.split()) == 3]
+    error = max(abs(math.hypot(*point) - 1) for point in points)
+    if len(points) < 500 or error > 0.01:
+        sys.exit(f"{len(points)} vertices, and one is {error} from the sphere")
+
+
 def main():
+    if pathlib.Path(sys.argv[1]).stem == "fair_a_hole":
+        return check_filled_hole(sys.argv[1])
     if pathlib.Path(sys.argv[1]).stem == "average_rotations":
         return check_rotations(sys.argv[1])
     if pathlib.Path(sys.argv[1]).stem == "smoothest_torus":
