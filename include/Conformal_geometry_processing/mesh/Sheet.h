@@ -15,7 +15,7 @@ namespace Conformal_geometry_processing {
 ///
 /// Functions on the vertices are linear on the triangle; the tangent plane is that of the face. A
 /// triangle that passes through several faces has one sheet in each, with the share of its area
-/// that lies in the face. that lies in the face.
+/// that lies in the face.
 struct Sheet {
   std::array<int, 3> corners;  ///< vertices, counter-clockwise; one may occur twice
   std::array<int, 3> edges;    ///< the edge opposite each corner, -1 if it has no number
