@@ -33,6 +33,7 @@
 #include "support/Record.h"
 #include "support/clock.h"
 #include "support/control_points.h"
+#include "support/surface_mesh.h"
 #include "support/workloads.h"
 
 namespace {
@@ -40,41 +41,11 @@ namespace {
 using namespace cgp_benchmark;
 using CGP::internal::Control_point;
 using Deformation = CGP::internal::Conformal_deformation<>;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Vertex = Mesh::Vertex_index;
 
 const int count = 10;                  // of control points
 const int drags = 10;                  // after the move
 const double drag = 0.01;              // in radii, each
 const double distances[] = {0.3, 1.};  // of the move, in radii
-
-Vertex vertex(int v)
-{
-  return Vertex(static_cast<unsigned>(v));
-}
-
-Point point(const Eigen::Vector3d& p)
-{
-  return {p.x(), p.y(), p.z()};
-}
-
-Mesh surface_mesh(const CGP::Mesh_view& view)
-{
-  Mesh mesh;
-  for (int v = 0; v < view.size_of_vertices(); ++v) mesh.add_vertex(point(view.position(v)));
-  for (const auto& [a, b, c] : view.corners()) mesh.add_face(vertex(a), vertex(b), vertex(c));
-  return mesh;
-}
-
-CGP::Points positions(const Mesh& mesh)
-{
-  CGP::Points p(3, static_cast<Eigen::Index>(mesh.number_of_vertices()));
-  for (const Vertex v : vertices(mesh))
-    p.col(static_cast<Eigen::Index>(v.idx())) << mesh.point(v).x(), mesh.point(v).y(),
-        mesh.point(v).z();
-  return p;
-}
 
 /// the root mean square change of the angles between the normals of neighbouring faces, in degrees
 double change_of_dihedral_angles(const CGP::Mesh_view& mesh, const CGP::Points& p)

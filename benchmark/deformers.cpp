@@ -33,14 +33,12 @@
 
 #include "support/Record.h"
 #include "support/clock.h"
+#include "support/surface_mesh.h"
 #include "support/workloads.h"
 
 namespace {
 
 using namespace cgp_benchmark;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Vertex = Mesh::Vertex_index;
 
 const double share_of_handles = 0.15;
 const int substeps = 12;  // of every motion, as a hand would make it
@@ -93,33 +91,6 @@ class Handles {
   double m_length;
   std::vector<int> m_held, m_moved;
 };
-
-Point point(const Eigen::Vector3d& p)
-{
-  return {p.x(), p.y(), p.z()};
-}
-
-Vertex vertex(int v)
-{
-  return Vertex(static_cast<unsigned>(v));
-}
-
-Mesh surface_mesh(const CGP::Mesh_view& view)
-{
-  Mesh mesh;
-  for (int v = 0; v < view.size_of_vertices(); ++v) mesh.add_vertex(point(view.position(v)));
-  for (const auto& [a, b, c] : view.corners()) mesh.add_face(vertex(a), vertex(b), vertex(c));
-  return mesh;
-}
-
-CGP::Points positions(const Mesh& mesh)
-{
-  CGP::Points p(3, static_cast<Eigen::Index>(mesh.number_of_vertices()));
-  for (const Vertex v : vertices(mesh))
-    p.col(static_cast<Eigen::Index>(v.idx())) << mesh.point(v).x(), mesh.point(v).y(),
-        mesh.point(v).z();
-  return p;
-}
 
 void deform_as_rigidly_as_possible(Mesh& mesh, const CGP::Mesh_view& initial,
                                    const Handles& handles, const Motion& motion)
