@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "memory.h"
 
+#include "machine_memory.h"
+
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -16,12 +17,6 @@ std::array<char, 120> reason = {"out of memory; try: a coarser mesh"};
 
 const double bytes_per_gibibyte = 1 << 30;
 
-double half_of_the_machine()
-{
-  return 0.5 * static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
-         static_cast<double>(::sysconf(_SC_PAGESIZE));
-}
-
 // Sanitizers reserve more for themselves than a machine has.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool may_be_limited = false;
@@ -33,7 +28,7 @@ constexpr bool may_be_limited = true;
 
 void limit_memory(double gibibytes)
 {
-  const double bytes = gibibytes > 0 ? gibibytes * bytes_per_gibibyte : half_of_the_machine();
+  const double bytes = gibibytes > 0 ? gibibytes * bytes_per_gibibyte : machine_memory() / 2;
   rlimit limit{};
   if (!may_be_limited || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
   if (bytes >= static_cast<double>(limit.rlim_cur)) return;  // the system's own limit is lower
