@@ -9,7 +9,8 @@
 /// All functions are called in the thread of the caller. What they throw passes through; a
 /// `Conformal_willmore_flow` is at its last complete step then, and `conformal_willmore_flow()` has
 /// written nothing. A model need be neither copied nor moved: it is passed as
-/// `parameters::visitor(std::ref(v))`.
+/// `parameters::visitor(std::ref(v))`. It must not make the flow that it watches go on: that throws
+/// `Precondition_error`, and leaves the flow as it was.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Flow_visitor`}

@@ -8,7 +8,8 @@
 ///
 /// Both functions are called in the thread of the caller. What they throw passes through
 /// `spin_transform()`, which has written nothing by then. A model need be neither copied nor moved:
-/// it is passed as `parameters::visitor(std::ref(v))`.
+/// it is passed as `parameters::visitor(std::ref(v))`. It must not call the object that it watches:
+/// that throws `Precondition_error`, and leaves the object as it was.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Spin_visitor`}

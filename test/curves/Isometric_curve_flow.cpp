@@ -228,6 +228,27 @@ TEST(Isometric_curve_flow, stops_at_the_last_complete_step_when_told_to)
   EXPECT_EQ(flow.points(), flown(flower(100), with(.1, 2)));
 }
 
+TEST(Isometric_curve_flow, refuses_to_be_called_by_its_own_visitor)
+{
+  struct Intruder : CGP::Curve_flow_visitor {
+    CGP::Isometric_curve_flow* flow = nullptr;
+    int refused = 0;
+    bool go_further()
+    {
+      CGP::Curve_flow_visitor silent;
+      EXPECT_THROW((void)flow->step(), CGP::Precondition_error);
+      EXPECT_THROW((void)flow->run(silent), CGP::Precondition_error);
+      ++refused;
+      return true;
+    }
+  } intruder;
+  CGP::Isometric_curve_flow flow(flower(100), with(.1, 4));
+  intruder.flow = &flow;
+  EXPECT_EQ(flow.run(intruder).steps.size(), 4u);
+  EXPECT_EQ(intruder.refused, 4);
+  EXPECT_EQ(flow.points(), flown(flower(100), with(.1, 4)));
+}
+
 TEST(Isometric_curve_flow, stays_at_its_last_step_when_the_visitor_throws)
 {
   Counting_visitor visitor;

@@ -229,6 +229,21 @@ TEST(Dirac_spectrum, stops_when_told)
   EXPECT_FALSE(s.converged);
 }
 
+TEST(Dirac_spectrum, refuses_to_be_asked_for_by_its_own_visitor)
+{
+  const Mesh_view mesh = icosphere(1);
+  const auto none = CGP::no_potential(mesh);
+  CGP::internal::Dirac_spectral_problem<> problem(mesh);
+  int refused = 0;
+  const CGP::internal::Dirac_spectrum s =
+      problem.find(none, 4, {}, [&](const CGP::internal::Krylov_progress&) {
+        EXPECT_THROW((void)problem.find(none, 4), CGP::Precondition_error);
+        return ++refused > 0;
+      });
+  EXPECT_GT(refused, 0);
+  EXPECT_TRUE(s.converged);
+}
+
 TEST(Dirac_spectrum, refuses_what_has_none)
 {
   const Mesh_view mesh = icosphere(1), plane = disk(3);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -116,6 +117,39 @@ TEST(Spin_transformation, is_as_before_after_it_was_cancelled_on_a_torus)
     EXPECT_FALSE(cancelled.report);
     EXPECT_EQ(transformation.positions(), mesh.positions());
     expect_same_bits(transformation.transform(rho), expected);
+  }
+}
+
+TEST(Spin_transformation, refuses_to_be_called_by_its_own_visitor)
+{
+  const Mesh_view sphere = icosphere(2), ring = torus(3, 1, 24, 12);
+  for (const Mesh_view& mesh : {sphere, ring}) {
+    const Curvature_potential rho = waves(mesh, .3);
+    CGP::Spin_transformation_options options;
+    options.scales.bound = 1.01;  // also in the search for a bounded rho
+    Transformation transformation(mesh, options);
+    const CGP::Spin_result expected = transformation.transform(rho);
+    const std::function<void()> calls[] = {[&] { (void)transformation.transform(rho); },
+                                           [&] { (void)std::move(transformation).transform(rho); },
+                                           [&] { (void)transformation.step(rho); },
+                                           [&] { (void)transformation.integrate(expected.lambda); },
+                                           [&] { transformation.set_positions(mesh.positions()); }};
+    for (const std::function<void()>& call : calls) {
+      int refused = 0;
+      const auto catching = [&](const CGP::Eigensolver_progress&) {
+        EXPECT_THROW(call(), CGP::Precondition_error);
+        ++refused;
+        return true;
+      };
+      expect_same_bits(transformation.transform(rho, {}, catching), expected);
+      EXPECT_GT(refused, 0);
+      const auto throwing = [&](const CGP::Eigensolver_progress&) {
+        call();
+        return true;
+      };
+      EXPECT_THROW((void)transformation.transform(rho, {}, throwing), CGP::Precondition_error);
+      expect_same_bits(transformation.transform(rho), expected);
+    }
   }
 }
 

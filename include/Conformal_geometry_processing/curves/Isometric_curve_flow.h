@@ -10,6 +10,7 @@
 #include <Conformal_geometry_processing/curves/Polygon_lengths.h>
 #include <Conformal_geometry_processing/curves/turning_number.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 
 #include <Eigen/Core>
 
@@ -53,26 +54,30 @@ class Isometric_curve_flow {
   /// Its turning number if it is closed, which is constant
   int turning_number_of_curve() const { return m_turning_number; }
 
-  /// Takes one step. If it fails, the polygon is unchanged, and the report says so.
+  /// \brief Takes one step. If it fails, the polygon is unchanged, and the report says so.
+  /// \throw Precondition_error if it is called by the visitor of `run()`
   Curve_step_report step();
 
-  /// Takes steps until there is a reason to stop. \param visitor a model of `CurveFlowVisitor`
+  /// \brief Takes steps until there is a reason to stop.
+  /// \param visitor a model of `CurveFlowVisitor`
+  /// \throw Precondition_error if the visitor calls `step()` or `run()`
   template <class Visitor>
   Curve_flow_report run(Visitor& visitor)
   {
+    m_visits.require_no_visit(m_function);
     internal::Stopwatch watch;
     Curve_flow_report report;
     report.length = length();
     report.turning_number = m_turning_number;
     report.initial_energy = energy();
-    visitor.on_flow_begin(m_output, energy());
+    m_visits.during([&] { visitor.on_flow_begin(m_output, energy()); });
     for (int i = 0; report.stop == Curve_step_report::Stop::none; ++i) {
       if (i == m_options.max_steps)
         report.stop = Curve_step_report::Stop::steps_done;
-      else if (!visitor.go_further())
+      else if (!m_visits.during([&] { return visitor.go_further(); }))
         report.stop = Curve_step_report::Stop::cancelled;
       else if (append(report, step()))
-        visitor.on_step_end(report.steps.back(), m_output);
+        m_visits.during([&] { visitor.on_step_end(report.steps.back(), m_output); });
     }
     report.energy = energy();
     report.length_distortion = length_distortion(m_output, m_given_lengths);
@@ -105,6 +110,8 @@ class Isometric_curve_flow {
   /// makes m_direction a sum of long waves of curvature that keeps the curve closed to first order
   void set_long_waves();
 
+  std::string m_function;
+  internal::Visit_guard m_visits;
   Curve_flow_options m_options;
   internal::Curve_frame m_frame;
   internal::Plane_points m_output;                // in units of the curve

@@ -26,7 +26,8 @@ namespace Conformal_geometry_processing {
 CGP_INLINE Isometric_curve_flow::Isometric_curve_flow(const internal::Plane_points& points,
                                                       const Curve_flow_options& options,
                                                       const std::string& function)
-    : m_options(checked(options, function)),
+    : m_function(function),
+      m_options(checked(options, function)),
       m_frame(required(points, options.is_closed, function)),
       m_output(points),
       m_points(m_frame.to_frame(points)),
@@ -45,6 +46,7 @@ CGP_INLINE Isometric_curve_flow::Isometric_curve_flow(const internal::Plane_poin
 
 CGP_INLINE Curve_step_report Isometric_curve_flow::step()
 {
+  m_visits.require_no_visit(m_function);
   Curve_step_report report;
   report.step = m_steps + 1;
   report.turning_number = m_turning_number;

@@ -14,6 +14,7 @@
 #include <Conformal_geometry_processing/flow/Willmore_direction.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -98,11 +99,13 @@ class Conformal_willmore_flow {
   /// \brief makes one step, as large as the energy allows, or reports why there is none.
   ///
   /// The surface is unchanged if the step is not accepted, or an exception is thrown.
-  /// \throw Precondition_error if the direction is not one finite number per vertex
+  /// \throw Precondition_error if the direction is not one finite number per vertex, or the visitor
+  /// calls `step()` or `run()`
   /// \throw Solver_error if a solver runs out of memory; other failures of solvers are reported
   template <class Visitor = Flow_visitor>
   Flow_step_report step(Visitor&& visitor = Visitor())
   {
+    m_visits.require_no_visit(m_function);
     internal::Stopwatch watch;
     Flow_step_report report;
     report.step = m_steps + 1;
@@ -110,8 +113,10 @@ class Conformal_willmore_flow {
     const Points before = m_mesh.positions();
     try {
       take_step(report, [&](const Eigensolver_progress& progress) {
-        visitor.on_iteration(progress);
-        return visitor.go_further();
+        return m_visits.during([&] {
+          visitor.on_iteration(progress);
+          return visitor.go_further();
+        });
       });
       if (!report.accepted) restore(before, report.energy_before);
     } catch (const Solver_error& error) {
@@ -131,17 +136,18 @@ class Conformal_willmore_flow {
   template <class Visitor = Flow_visitor>
   Flow_report run(Visitor&& visitor = Visitor())
   {
+    m_visits.require_no_visit(m_function);
     internal::Stopwatch watch;
     Flow_report report;
     report.initial_energy = m_energy;
-    visitor.on_flow_begin(m_mesh, m_energy);
+    m_visits.during([&] { visitor.on_flow_begin(m_mesh, m_energy); });
     while (report.stop == Flow_step_report::Stop::none) {
       if (static_cast<int>(report.steps.size()) >= m_options.max_steps)
         report.stop = Flow_step_report::Stop::steps_done;
-      else if (!visitor.go_further())
+      else if (!m_visits.during([&] { return visitor.go_further(); }))
         report.stop = Flow_step_report::Stop::cancelled;
       else if (append(report, step(visitor)))
-        visitor.on_step_end(report.steps.back(), m_mesh);
+        m_visits.during([&] { visitor.on_step_end(report.steps.back(), m_mesh); });
     }
     finish(report);
     report.seconds = watch.lap();
@@ -237,6 +243,7 @@ class Conformal_willmore_flow {
   void accept(Flow_step_report& report);
 
   std::string m_function;
+  internal::Visit_guard m_visits;
   Flow_options m_options;
   Mesh_view m_input;                    // with its own faces
   Mesh_view m_initial, m_mesh, m_next;  // m_next: workspace for trials

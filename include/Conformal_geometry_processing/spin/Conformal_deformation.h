@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_DEFORMATION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_DEFORMATION_H
 
+#include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 #include <Conformal_geometry_processing/spin/Conformal_deformation_options.h>
 #include <Conformal_geometry_processing/spin/Control_point.h>
 #include <Conformal_geometry_processing/spin/Control_point_search.h>
@@ -59,7 +60,7 @@ class Conformal_deformation {
   /// from the targets (`position_error`). If it was cancelled, there are no positions.
   /// \param points with targets in the unit of the mesh
   /// \throw Precondition_error see `require_control_points()`, or all targets are at one place
-  /// though the points are not
+  /// though the points are not, or `go_further` calls this function back
   /// \throw Solver_error if the first factorization fails
   Spin_result deform(const std::vector<Control_point>& points, const Dirac_options& options = {},
                      const Go_further& go_further = Always_go_further());
@@ -77,6 +78,7 @@ class Conformal_deformation {
   void place(const std::vector<Control_point>& points, Spin_result& result) const;
 
   std::string m_function;
+  Visit_guard m_visits;
   Conformal_deformation_options m_options;
   Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
   std::unique_ptr<Search> m_search;  // for the last points; refers to the members before

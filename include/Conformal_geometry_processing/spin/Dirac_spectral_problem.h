@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectrum.h>
@@ -56,8 +57,8 @@ class Dirac_spectral_problem {
   /// \param rho finite, in 1/length
   /// \param count the number of eigenvalues
   /// \param go_further called regularly with a `Krylov_progress`; cancels by returning false
-  /// \throw Precondition_error if rho does not fit the mesh, or there are fewer than `count`
-  /// eigenvalues
+  /// \throw Precondition_error if rho does not fit the mesh, there are fewer than `count`
+  /// eigenvalues, or `go_further` calls this function back
   /// \throw Solver_error if a matrix cannot be factored. Failure to converge is a field of the
   /// result.
   Dirac_spectrum find(const Curvature_potential& rho, int count,
@@ -87,6 +88,7 @@ class Dirac_spectral_problem {
   void append(const Spectral_pairs& pairs, int count, Dirac_spectrum& s) const;
 
   std::string m_function;
+  Visit_guard m_visits;
   Normalized_frame m_frame;
   Mesh_view m_mesh;  // in the frame
   Dirac_system<SolverTraits> m_system;

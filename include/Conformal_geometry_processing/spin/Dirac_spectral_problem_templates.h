@@ -39,6 +39,7 @@ internal::Dirac_spectrum internal::Dirac_spectral_problem<SolverTraits>::find(
     const Curvature_potential& rho, int count, const internal::Dirac_spectrum_options& options,
     const Go_further& go_further)
 {
+  m_visits.require_no_visit(m_function);
   require_input(rho, count, options.shift);
   set_potential({rho.on, (rho.values.array() + options.shift).matrix() * m_frame.unit()});
   internal::Dirac_spectrum s;
@@ -46,7 +47,10 @@ internal::Dirac_spectrum internal::Dirac_spectral_problem<SolverTraits>::find(
   s.wanted = count;
   s.converged = true;
   append_constants((std::min)(count, static_cast<int>(m_constants.cols())), s);
-  if (count > s.size_of_constants) search(count - s.size_of_constants, options, go_further, s);
+  if (count > s.size_of_constants) {
+    const Go_further guarded = m_visits.guarded(go_further);
+    search(count - s.size_of_constants, options, go_further ? guarded : go_further, s);
+  }
   return s;
 }
 

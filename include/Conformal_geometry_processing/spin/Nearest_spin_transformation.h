@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_NEAREST_SPIN_TRANSFORMATION_H
 
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <Eigen/Core>
@@ -103,6 +104,7 @@ class Nearest_spin_transformation {
   int sign_conflicts() const { return m_conflicts; }
 
   /// \brief the conformal deformation.
+  /// \throw Precondition_error if `go_further` calls back one of the functions that compute
   /// \throw Solver_error if a factorization fails. Failure to converge is a field of the report.
   Nearest_spin_result transform(
       const Dirac_options& options = {},
@@ -151,6 +153,7 @@ class Nearest_spin_transformation {
   Nearest_spin_result placed(Spin_result found, Curvature_potential rho) const;
 
   std::string m_function;
+  internal::Visit_guard m_visits;
   Nearest_spin_options m_options;
   Points m_target;
   std::optional<Eigen::Vector3d> m_direction;  // of the present transformation

@@ -54,6 +54,7 @@ void Nearest_spin_transformation<SolverTraits, EigensolverTraits>::scale_lengths
     const Eigen::VectorXd& factor)
 {
   const std::string function = "Nearest_spin_transformation::scale_lengths";
+  m_visits.require_no_visit(function);
   if (factor.size() != m_mu.size())
     throw Precondition_error(
         function, std::to_string(factor.size()) +
@@ -72,17 +73,18 @@ template <class SolverTraits, class EigensolverTraits>
 Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const Dirac_options& options, const internal::Go_further& go_further)
 {
+  m_visits.require_no_visit(m_function);
   const auto is_done = [this](const Nearest_spin_result& r) {
     return m_options.keep_curvature || r.report.cancelled ||
            m_transformation->system().is_closed() || (r.report && r.distance <= r.source_distance);
   };
   const std::optional<Eigen::Vector3d> tangent({1, 0, 0}), binormal({0, 0, 1}), none;
-  Nearest_spin_result found = transform_once(options, go_further);
+  Nearest_spin_result found = transform_once(options, m_visits.guarded(go_further));
   for (const std::optional<Eigen::Vector3d>& direction : {binormal, tangent, none}) {
     if (is_done(found)) break;
     if (direction == m_options.direction) continue;
     use_boundary(direction);
-    found = transform_once(options, go_further);
+    found = transform_once(options, m_visits.guarded(go_further));
   }
   return found;
 }
@@ -156,6 +158,7 @@ template <class SolverTraits, class EigensolverTraits>
 Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>::blend(
     const Nearest_spin_result& nearest, double t)
 {
+  m_visits.require_no_visit(m_function);
   Quaternion_vector<double> spins = nearest.lambda;
   align_spins(spins);
   for (Eigen::Index v = 0; v < spins.size(); ++v) spins[v] = spins[v] * (1 - t) + m_mu[v] * t;
@@ -204,9 +207,8 @@ Points Nearest_spin_transformation<SolverTraits, EigensolverTraits>::integrated(
 {
   Spin_transformation_options own;
   own.mollification = options.mollification;
-  return Spin_transformation<SolverTraits, EigensolverTraits>(mesh, own, function)
-      .integrate(mu)
-      .positions;
+  Spin_transformation<SolverTraits, EigensolverTraits> transformation(mesh, own, function);
+  return transformation.integrate(mu).positions;
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -278,9 +280,8 @@ Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>
   Nearest_spin_result result{std::move(found), 0, 0, std::move(rho), std::nullopt};
   if (system.directions()) result.direction = m_direction;
   if (!result.report.converged || result.report.cancelled) return result;
-  const Eigen::VectorXd& masses = system.areas();
-  result.source_distance = align(m_transformation->positions(), m_target, masses).rms;
-  const internal::Alignment a = align(result.positions, m_target, masses);
+  result.source_distance = align(m_transformation->positions(), m_target, system.areas()).rms;
+  const internal::Alignment a = align(result.positions, m_target, system.areas());
   result.positions = a.apply(result.positions);
   result.distance = a.rms;
   return result;

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_H
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 #include <Conformal_geometry_processing/spin/Framed_surface.h>
@@ -129,7 +130,8 @@ class Spin_transformation {
   /// \param rho in 1/length of the mesh, one number per vertex or per face
   /// \param go_further called between iterations with an `Eigensolver_progress`; cancels by
   /// returning false
-  /// \throw Precondition_error if rho has the wrong length or a value that is not finite
+  /// \throw Precondition_error if rho has the wrong length or a value that is not finite, or
+  /// `go_further` calls back one of the functions that compute
   /// \throw Solver_error if a factorization fails. Failure to converge is a field of the report.
   Spin_result transform(const Curvature_potential& rho, const Dirac_options& options = {},
                         const internal::Go_further& go_further = internal::Always_go_further()) &;
@@ -204,6 +206,7 @@ class Spin_transformation {
   void judge_boundary(const Points& f, Spin_report& report) const;
 
   std::string m_function;
+  internal::Visit_guard m_visits;
   Spin_transformation_options m_options;
   Eigen::MatrixXd m_generators;  // closed forms of the mesh, |E| x number of loops
   std::unique_ptr<Stage> m_stage;

@@ -22,6 +22,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const Curvature_potential& rho, const Dirac_options& options,
     const internal::Go_further& go_further) &
 {
+  m_visits.require_no_visit(m_function);
   require_potential(rho);
   Spin_result result = transform_freely(rho, options, go_further);
   if (!m_options.exact_conformal_class || !result.report.converged) return result;
@@ -90,7 +91,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
   const auto* const closing = exactness_if_looped(rho.on);
   internal::Scale_search<SolverTraits, EigensolverTraits> search(
       system(), {rho.on, rho.values * domain().unit()}, control, reconstruction(), closing);
-  Spin_result result = in_units(search.run(options, go_further));
+  Spin_result result = in_units(search.run(options, m_visits.guarded(go_further)));
   if (result.report.cancelled) return result;
   const auto edges = transformed_edges(system().surface(), result.lambda);
   if (closing) result.report.period_defect = closing->period_defect(edges);

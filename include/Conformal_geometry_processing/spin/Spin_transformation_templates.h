@@ -60,6 +60,7 @@ Spin_transformation<SolverTraits, EigensolverTraits>::Stage::Stage(const Mesh_vi
 template <class SolverTraits, class EigensolverTraits>
 void Spin_transformation<SolverTraits, EigensolverTraits>::set_positions(const Points& positions)
 {
+  m_visits.require_no_visit(m_function);
   require_size(positions.cols(), "positions");
   if (system().positions())
     throw Precondition_error(m_function, "a surface with prescribed boundary cannot move");
@@ -142,12 +143,13 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const Curvature_potential& rho, const Dirac_options& options,
     const internal::Go_further& go_further) &&
 {
+  m_visits.require_no_visit(m_function);
   // Control of scale needs both factors, the exact class the surface before all steps.
   if (m_options.scales.bound || m_options.exact_conformal_class)
     return transform(rho, options, go_further);
   require_potential(rho);
   if (m_options.exactness && has_loops())
-    return internal::Exact_steps(*this, rho, m_options).run(options, go_further);
+    return internal::Exact_steps(*this, rho, m_options).run(options, m_visits.guarded(go_further));
   Spin_result result = solve(rho, options, go_further);
   system().release();
   if (!result.report.cancelled) reconstruct(result);
@@ -159,6 +161,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::step(
     const Curvature_potential& rho, const Dirac_options& options,
     const internal::Go_further& go_further)
 {
+  m_visits.require_no_visit(m_function);
   require_potential(rho);
   Spin_result result = solve(rho, options, go_further);
   if (!result.report.cancelled) reconstruct(result);
@@ -169,6 +172,7 @@ template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::integrate(
     Quaternion_vector<double> lambda)
 {
+  m_visits.require_no_visit(m_function);
   require_size(lambda.size(), "spins");
   Spin_result result;
   result.lambda = std::move(lambda);
@@ -202,7 +206,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::solve(
   const double unit = domain().unit();
   options.kernel_tolerance *= unit;
   return in_units(solve_dirac_equation<EigensolverTraits>(system(), {rho.on, rho.values * unit},
-                                                          options, go_further));
+                                                          options, m_visits.guarded(go_further)));
 }
 
 template <class SolverTraits, class EigensolverTraits>
