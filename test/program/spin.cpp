@@ -61,7 +61,7 @@ TEST_F(Spin, handles_stay_closed_unless_they_may_open)
   const auto closed = read_json("b.json");
   EXPECT_LT(closed["result"]["quasi_conformal"]["mean"], 1.1);
   EXPECT_GT(closed["result"]["missing_share"], 0.5);
-  EXPECT_NE(r.err.find(" % of rho is left out"), std::string::npos) << r.err;
+  EXPECT_NE(r.err.find(" % of the norm of rho is left out"), std::string::npos) << r.err;
   EXPECT_EQ(closed["result"]["reached"], 1);
   EXPECT_NE(r.out.find("left out of rho"), std::string::npos) << r.out;
   ASSERT_EQ(run(rho + "--max-period-defect 1e-5 -o d.ply --json d.json").code, 0);

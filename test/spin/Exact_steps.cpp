@@ -155,6 +155,8 @@ TEST(Exact_steps, measures_the_missing_share_in_the_mean_square_without_the_mean
   const auto missing = [&](const Eigen::VectorXd& rho) {
     const CGP::Spin_result result = transformed(mesh, Curvature_potential::on_vertices(rho));
     EXPECT_EQ(result.report.steps, 1);
+    // The two parts are orthogonal up to what closing removes of second order.
+    EXPECT_NEAR(std::hypot(result.report.realised_share, result.report.missing_share), 1, 1e-2);
     return result.report.missing_share * norm(rho);
   };
   const Eigen::VectorXd closable = Eigen::VectorXd::NullaryExpr(w.size(), [&](Eigen::Index i) {
@@ -166,6 +168,7 @@ TEST(Exact_steps, measures_the_missing_share_in_the_mean_square_without_the_mean
   EXPECT_NEAR(missing(w.array() + .03), of_wave, .1 * of_wave);
   const auto constant = Curvature_potential::on_vertices(Eigen::VectorXd::Constant(w.size(), .7));
   EXPECT_EQ(transformed(mesh, constant).report.missing_share, 0);
+  EXPECT_EQ(transformed(mesh, constant).report.realised_share, 1);
 }
 
 TEST(Exact_steps, tells_the_spins_of_the_whole_way)

@@ -112,7 +112,7 @@ TEST(Spin_report, is_a_success_without_fault_only)
   expect_fault(report, Fault::none);
   report.closure_residual = 0.2;
   expect_fault(report, Fault::open);
-  report.missing_share = 0.95;
+  report.realised_share = 0.05;
   expect_fault(report, Fault::left_out);
   report.direction_error.mean = 0.5;
   expect_fault(report, Fault::directions);
@@ -151,12 +151,4 @@ TEST(Spin_report, is_no_success_if_the_map_is_not_conformal)
   CGP::Spin_report report = success();
   report.conformality.quasi_conformal_of_new_area = 2;
   expect_fault(report, Fault::map);
-}
-
-TEST(Spin_report, realises_what_is_reached_and_not_left_out)
-{
-  CGP::Spin_report report = success();
-  report.reached = 0.5;
-  report.missing_share = 0.2;
-  EXPECT_NEAR(report.realised_share(), 0.4, 1e-15);
 }

@@ -50,6 +50,59 @@ TEST(Spin_report_io, says_when_the_equation_is_not_solved)
   EXPECT_TRUE(contains(printed(CGP::Spin_report{}), "NOT solved"));
 }
 
+TEST(Spin_report_io, tells_the_reason_of_every_failure)
+{
+  using Boundary_fault = CGP::Spin_report::Boundary_fault;
+  using Fault = CGP::Spin_report::Fault;
+  CGP::Spin_report report;
+  const auto expect_last_line = [&](Fault fault, const std::string& detail = "") {
+    EXPECT_EQ(report.fault(), fault);
+    const std::string line = std::string("\nfault                  ") + to_string(fault) + detail;
+    EXPECT_TRUE(contains(printed(report), line + "\n")) << line << " is missing in\n"
+                                                        << printed(report);
+  };
+  expect_last_line(Fault::not_solved);
+  report.converged = true;
+  expect_last_line(Fault::none);
+  report.conformality.flipped_share = .5;
+  expect_last_line(Fault::map, ": too many faces are flipped");
+  report.period_defect = 1;
+  report.period_limit = .01;
+  expect_last_line(Fault::open);
+  report.realised_share = .05;
+  expect_last_line(Fault::left_out);
+  report.direction_error = {.5, .75};
+  expect_last_line(Fault::directions);
+  EXPECT_TRUE(contains(printed(report), "missed by 0.5 radians in the mean, 0.75 at most\n"));
+  for (const Boundary_fault fault : {Boundary_fault::not_realizable, Boundary_fault::degenerate}) {
+    report.boundary_fault = fault;
+    expect_last_line(Fault::boundary, std::string(": ") + to_string(fault));
+  }
+  report.steps = 0;
+  expect_last_line(Fault::nothing_left);
+  report.cancelled = true;
+  report.converged = false;
+  expect_last_line(Fault::cancelled);
+  EXPECT_TRUE(contains(printed(report), "equation         cancelled, residual"));
+}
+
+TEST(Spin_report_io, tells_what_was_realised_of_rho_where_some_was_left_out)
+{
+  CGP::Spin_report report;
+  EXPECT_FALSE(contains(printed(report), "handles kept closed"));
+  report.missing_share = .75;
+  report.realised_share = .625;
+  EXPECT_TRUE(contains(printed(report), "62.5 % of rho realised and 75 % left out, by norm\n"));
+}
+
+TEST(Spin_report_io, tells_the_distances_from_positions)
+{
+  CGP::Spin_report report;
+  EXPECT_FALSE(contains(printed(report), "missed"));
+  report.position_error = {.25, .5};
+  EXPECT_TRUE(contains(printed(report), "positions              missed by 0.25 in the mean, 0.5"));
+}
+
 TEST(Spin_report_io, tells_what_control_of_scale_has_kept)
 {
   CGP::Spin_report report;

@@ -18,7 +18,8 @@ void add_common(CLI::App& command, Common_options& common)
       ->capture_default_str();
   command
       .add_option("--max-memory", common.max_memory,
-                  "GiB that the work may take, at least 0.1 (default: half of the machine's)")
+                  "GiB that the work may take, at least 0.1 (default: half of what the machine or "
+                  "the container has)")
       ->check(CLI::Range(.1, 1e6));
   command.add_flag("-q,--quiet", common.quiet, "print nothing but errors");
   command.add_flag("--strict", common.strict, "refuse what would be repaired with a note");
@@ -263,8 +264,8 @@ void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
       ->capture_default_str();
   command
       .add_option("--min-realised", limits.realised,
-                  "smallest share of rho that the new surface may have, where handles or holes do "
-                  "not allow all")
+                  "smallest share of the norm of rho that the new surface may have, where handles, "
+                  "holes or the bound on lengths do not allow all")
       ->check(finite)
       ->capture_default_str();
   add_map_limits(command, limits, force);

@@ -11,7 +11,7 @@ struct Verification_limits {
   double quasi_conformal = 1.5;  ///< of the mean Q
   double flipped = 0.01;         ///< of the share of flipped faces
   double direction_error = 10;   ///< of directions at the boundary, the mean in degrees
-  double realised = 0.1;         ///< the least share of rho
+  double realised = 0.1;         ///< the least share of the norm of rho
   double collapsed = 0.5;        ///< of the share of the area that shrank below a tenth
 };
 

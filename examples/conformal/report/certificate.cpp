@@ -24,7 +24,7 @@ void report_details(const CGP::Spin_report& spin, Report& report)
   if (spin.branch_gap > 0) report.set("result/branch_gap", spin.branch_gap);
   report.set("result/factorizations", spin.factorizations);
   report.set("result/solves", spin.solves);
-  report.set("result/realised_share", spin.realised_share());
+  report.set("result/realised_share", spin.realised_share);
   report.set("result/generalized", spin.is_generalized);
   report.set("result/steps", spin.steps);
   report.set("result/reached", spin.reached);
@@ -77,7 +77,7 @@ void tell_scales(const CGP::Spin_report::Scales& scales, Report& report)
   report.set("result/scale_control/kept_norm", scales.kept_norm);
   report.set("result/scale_control/kept_correlation", scales.kept_correlation);
   if (scales.weight > 0) {
-    report.show("kept of rho (%)", text_of(100 * scales.kept_norm, 3));
+    report.show("kept of rho (% of its norm)", text_of(100 * scales.kept_norm, 3));
     report.show("correlation of what is kept with rho", text_of(scales.kept_correlation, 3));
   }
 }
@@ -96,7 +96,9 @@ void tell_certificate(const CGP::Spin_report& spin, int faces, Outcome& outcome)
   report.tell("result/min_spin_ratio", "min / max of |lambda|", spin.min_spin_ratio, 3);
   if (spin.steps != 1 || spin.missing_share > 0) {
     report.show("steps that keep handles closed", std::to_string(spin.steps));
-    report.show("left out of rho, for handles (%)", text_of(100 * spin.missing_share, 3));
+    report.show("realised of rho (% of its norm)", text_of(100 * spin.realised_share, 3));
+    report.show("left out of rho, for handles (% of its norm)",
+                text_of(100 * spin.missing_share, 3));
   }
   if (spin.added_share > 0)
     report.show("added to rho, to close holes (% of the curvature of a sphere)",

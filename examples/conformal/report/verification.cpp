@@ -90,10 +90,12 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
     case Fault::left_out:
       if (report.scales.kept_norm < limits.realised)
         return "only " + text_of(100 * report.scales.kept_norm, 3) +
-               " % of rho keep lengths within a factor of " + text_of(report.scales.bound, 3) +
+               " % of the norm of rho keeps lengths within a factor of " +
+               text_of(report.scales.bound, 3) +
                "; try: a larger --max-scale, rho with smaller features, or --min-realised";
-      return "only " + text_of(100 * report.realised_share(), 3) +
-             " % of rho are realised: the rest would open handles or holes; try: a weaker rho, a "
+      return "only " + text_of(100 * report.realised_share, 3) +
+             " % of the norm of rho is realised: the rest would open handles or holes; try: a "
+             "weaker rho, a "
              "finer mesh, --min-realised, or --open-handles";
     case Fault::open:
       if (report.closure_residual <= limits.closure)

@@ -21,8 +21,9 @@ void note_departures(const Spin_solution& solution, Session& session)
     session.note("only " + text_of(100 * report.reached, 3) +
                  " % of the way to rho: beyond, the handles and holes do not stay closed");
   if (report.missing_share > 0.5)
-    session.note(text_of(100 * report.missing_share, 3) +
-                 " % of rho is left out: with it, the handles and holes would not stay closed");
+    session.note(
+        text_of(100 * report.missing_share, 3) +
+        " % of the norm of rho is left out: with it, the handles and holes would not stay closed");
 }
 
 /// \brief advice that names the amplitude with which a refused solution would verify

@@ -130,7 +130,7 @@ py::dict as_dict(const CGP::Spin_report& r)
   d["missing_share"] = r.missing_share;
   d["added_share"] = r.added_share;
   d["period_defect"] = r.period_defect;
-  d["realised_share"] = r.realised_share();
+  d["realised_share"] = r.realised_share;
   d["direction_error"] = mean_and_max(r.direction_error);
   using Fault = CGP::Spin_report::Boundary_fault;
   d["boundary_fault"] = text_or_none(r.boundary_fault != Fault::none, to_string(r.boundary_fault));

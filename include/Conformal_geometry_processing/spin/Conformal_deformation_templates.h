@@ -31,6 +31,7 @@ void tell_search(const Search& of, double unit, Spin_report& report)
   add_costs(static_cast<Dirac_evidence&>(report), costs);
   report.reached = of.reached();
   report.steps = of.steps();
+  report.realised_share = report.reached;
   report.limits.realised_share = 1;
 }
 
@@ -51,12 +52,13 @@ Spin_result Conformal_deformation<SolverTraits, EigensolverTraits>::deform(
     const std::vector<Control_point>& points, const Dirac_options& options,
     const Go_further& go_further)
 {
+  m_visits.require_no_visit(m_function);
   require_control_points(points, m_transformation.domain().mesh().size_of_vertices(), m_function);
   require_extent(points);
   if (!m_search || !m_search->is_for(points))
     m_search = std::make_unique<Search>(m_transformation, points, m_options);
   const Framed_surface& domain = m_transformation.domain();
-  m_search->run(domain.frame().to_frame(targets_of(points)), options, go_further);
+  m_search->run(domain.frame().to_frame(targets_of(points)), options, m_visits.guarded(go_further));
   const auto& found = m_search->search().present();
   m_rho = {found.rho.on, found.rho.values / domain.unit()};
   Spin_result result;

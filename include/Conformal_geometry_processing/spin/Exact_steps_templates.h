@@ -64,11 +64,13 @@ void Exact_steps<Transformation>::tell_shares(Spin_report& report) const
   const Eigen::VectorXd lacking = m_left_out + m_missing.values;
   if (!m_transformation.turns_directions()) {
     if (wanted > 0) report.missing_share = norm(lacking) / wanted;
+    if (wanted > 0) report.realised_share = norm(m_wanted - lacking) / wanted;
     return;
   }
   const double along =
       wanted > 0 ? m_areas.dot(lacking.cwiseProduct(m_wanted)) / (wanted * wanted) : 0;
   report.missing_share = std::clamp(along, 0., 1.);
+  report.realised_share = (std::min)(report.reached, 1 - report.missing_share);
   report.added_share = norm(lacking - report.missing_share * m_wanted) / sphere;
 }
 

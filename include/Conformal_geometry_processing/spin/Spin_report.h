@@ -25,14 +25,17 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     degenerate       ///< lambda nearly vanishes somewhere
   };
 
-  int steps = 1;             ///< number of steps, for a surface with handles that stays closed
-  double reached = 1;        ///< completed share of the path to rho, in [0, 1]
-  double missing_share = 0;  ///< norm of the part of rho that was left out because the surface
-                             ///< would not have closed up, relative to that of rho
-  double added_share = 0;    ///< with prescribed directions around holes: norm of the rho that was
-                             ///< added so that the surface closes up, relative to that of the mean
-                             ///< curvature of a round sphere, sqrt(4 pi), for any size
-  double period_defect = 0;  ///< remaining period defect, relative to the edges, sum of the steps
+  int steps = 1;              ///< number of steps, for a surface with handles that stays closed
+  double reached = 1;         ///< completed share of the path to rho, in [0, 1]
+  double missing_share = 0;   ///< norm of the part of rho that was left out because the surface
+                              ///< would not have closed up, relative to that of rho
+  double realised_share = 1;  ///< norm of the rho that the new surface has, relative to that of the
+                              ///< given one: where the two parts are orthogonal, its square is 1 -
+                              ///< missing_share^2; of control points, the share of their way
+  double added_share = 0;     ///< with prescribed directions around holes: norm of the rho that was
+                              ///< added so that the surface closes up, relative to that of the mean
+                              ///< curvature of a round sphere, sqrt(4 pi), for any size
+  double period_defect = 0;   ///< remaining period defect, relative to the edges, sum of the steps
   /// the largest that counts as closed, see `internal::Period_limit`, where no step ensures it
   double period_limit = std::numeric_limits<double>::infinity();
 
@@ -93,9 +96,6 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     double reconstruction = 0;  ///< includes the factorization of the Laplacian the first time
     double certificate = 0;
   } seconds;
-
-  /// the share of rho that the new surface has: the rest was left out to keep handles closed
-  double realised_share() const { return reached * (1 - missing_share); }
 
   /// bounds of what counts as success
   struct Limits {

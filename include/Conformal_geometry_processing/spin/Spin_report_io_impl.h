@@ -4,16 +4,33 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_REPORT_IO_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/measure/Conformality_io.h>
 #include <Conformal_geometry_processing/spin/Spin_report_io.h>
 
 #include <ostream>
+#include <string>
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
+/// the fault in words, and which of the faults of its kind it is
+CGP_INLINE std::string reason_of(const Spin_report& r)
+{
+  const Spin_report::Fault fault = r.fault();
+  const std::string reason = to_string(fault);
+  if (fault == Spin_report::Fault::boundary) return reason + ": " + to_string(r.boundary_fault);
+  if (fault == Spin_report::Fault::map)
+    return reason + ": " + to_string(r.conformality.fault(r.limits.map));
+  return reason;
+}
+
+}  // namespace internal
+
 CGP_INLINE std::ostream& operator<<(std::ostream& out, const Spin_report& r)
 {
-  const Conformality& c = r.conformality;
-  out << "Dirac equation         " << (r.converged ? "solved" : "NOT solved") << ", residual "
+  const char* const failed = r.cancelled ? "cancelled" : "NOT solved";
+  out << "Dirac equation         " << (r.converged ? "solved" : failed) << ", residual "
       << r.residual << " after " << r.iterations << " iterations";
   if (r.substeps > 1) out << " in " << r.substeps << " substeps";
   out << ", " << r.factorizations << " factorizations";
@@ -23,7 +40,8 @@ CGP_INLINE std::ostream& operator<<(std::ostream& out, const Spin_report& r)
       << "closure                " << r.closure_residual << " of the edge lengths\n";
   if (r.steps != 1 || r.missing_share > 0)
     out << "handles kept closed    in " << r.steps << " steps, " << 100 * r.reached
-        << " % of the way, " << 100 * r.missing_share << " % of rho left out\n";
+        << " % of the way, " << 100 * r.realised_share << " % of rho realised and "
+        << 100 * r.missing_share << " % left out, by norm\n";
   if (r.added_share > 0)
     out << "added to close holes   a rho of " << 100 * r.added_share
         << " % of the curvature of a sphere\n";
@@ -42,14 +60,14 @@ CGP_INLINE std::ostream& operator<<(std::ostream& out, const Spin_report& r)
         << r.mollification.longer_edges << " edges longer by " << r.mollification.added_length
         << ", " << r.mollification.flipped_edges << " flips, "
         << 100 * r.mollification.measured_area << " % of the area measured\n";
-  out << "quasi-conformal error  " << c.quasi_conformal.mean << " mean, " << c.quasi_conformal.p99
-      << " for 99 %, " << c.quasi_conformal.max << " at most (1 is conformal)\n"
-      << "length cross-ratios    changed by " << c.length_cross_ratio.rms << " rms, "
-      << c.length_cross_ratio.max << " at most (0 is conformal)\n"
-      << "lengths                scaled by " << c.scale.min_scale << " to " << c.scale.max_scale
-      << "\nflipped faces          " << c.flipped_faces << "\nfault                  "
-      << to_string(r.fault()) << '\n';
-  return out;
+  if (r.direction_error.max > 0)
+    out << "directions             missed by " << r.direction_error.mean << " radians in the mean, "
+        << r.direction_error.max << " at most\n";
+  if (r.position_error.max > 0)
+    out << "positions              missed by " << r.position_error.mean << " in the mean, "
+        << r.position_error.max << " at most\n";
+  internal::print_conformality(out, r.conformality);
+  return out << "fault                  " << internal::reason_of(r) << '\n';
 }
 
 }  // namespace Conformal_geometry_processing

@@ -123,7 +123,9 @@ class Spin_report(Report):
 
     fault: why it is not what was asked for, or None. eigenvalue: gamma; rho + gamma was realised.
     residual: error estimate of the spins. closure_residual: how far the new edges are from those of
-    a surface, relative. steps, reached, missing_share, period_defect: how handles were kept closed.
+    a surface, relative. steps, reached, period_defect: how handles were kept closed.
+    realised_share, missing_share: the norms of the part of rho that the new surface has and of the
+    part that was left out for that, both relative to the norm of rho.
     See Spin_report.h for every field.
     """
     fault: Optional[str]
