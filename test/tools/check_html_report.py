@@ -29,13 +29,15 @@ class Page(html.parser.HTMLParser):
 
     def __init__(self, text):
         super().__init__()
-        self.ids, self.places, self.loaded = {}, {}, []
+        self.ids, self.places, self.loaded, self.policy = {}, {}, [], ""
         self.open, self.tags = (self.ids, None), collections.Counter()
         self.feed(text)
 
     def handle_starttag(self, tag, attrs):
         self.tags[tag] += 1
         attributes = dict(attrs)
+        if attributes.get("http-equiv") == "Content-Security-Policy":
+            self.policy = attributes["content"]
         for name, table in (("id", self.ids), ("data-place", self.places)):
             if name in attributes:
                 self.open = (table, attributes[name])
@@ -165,6 +167,7 @@ def main():
         require(not messages, f"the browser complains: {messages}")
         found, wanted = Page(text), json.loads(report.read_text())
         require(not found.loaded, f"the page loads {found.loaded}")
+        require("default-src 'none'" in found.policy, "the page may load what it wants")
         require(json.loads(found.ids["report"]) == wanted, "the page has another report")
         require("Permission is hereby granted" in found.ids["three-license"], "no licence of three.js")
         require(found.tags["rect"] == 80, "the two histograms are not drawn")

@@ -21,3 +21,11 @@ const number = (value, digits = 6) =>
     typeof value === 'number' ? String(Number(value.toPrecision(digits))) : String(value);
 
 const escape = words => String(words).replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
+
+/** Shows colours between the words for their ends, or nothing; the policy of the pages forbids styles in
+    HTML. */
+function showLegend(legend) {
+  const bar = document.createElement('i');
+  if (legend) bar.style.background = `linear-gradient(90deg,${legend[1]})`;
+  document.getElementById('legend').replaceChildren(...(legend ? [legend[0], bar, legend[2]] : []));
+}

@@ -18,7 +18,12 @@ if(THREE)
     file(READ ${here}/${part}.js source)
     string(APPEND code "${source}")
   endforeach()
-  foreach(part style license three code)
+  hash_of("\n${code}\n" code_hash)
+  hash_of("\n${style}\n" style_hash)
+  # Scripts: that of the page, and three.js, which it makes of its block.
+  set(policy "default-src 'none'; script-src ${code_hash} blob:; style-src ${style_hash}; img-src data:; \
+base-uri 'none'; form-action 'none'")
+  foreach(part policy style license three code)
     fill_in(${part})
   endforeach()
 endif()

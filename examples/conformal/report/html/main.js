@@ -32,10 +32,10 @@ if (curves) {
 }
 
 const legends = {
-  squares: '', plain: '',
-  quality: `1 <i style="background:linear-gradient(90deg,${heat})"></i> ${number(highest, 3)} and more`,
-  rho: `${number(-deepest, 3)} <i style="background:linear-gradient(90deg,${cold})"></i> ${number(deepest, 3)}`,
-  scale: `÷ ${number(widest, 3)} <i style="background:linear-gradient(90deg,${cold})"></i> × ${number(widest, 3)}`
+  squares: null, plain: null,
+  quality: ['1', heat, `${number(highest, 3)} and more`],
+  rho: [number(-deepest, 3), cold, number(deepest, 3)],
+  scale: [`÷ ${number(widest, 3)}`, cold, `× ${number(widest, 3)}`]
 };
 
 async function view() {
@@ -49,7 +49,7 @@ async function view() {
   const choose = mode => {
     buttons.forEach(button => button.setAttribute('aria-pressed', button.dataset.mode === mode));
     viewer.modes.fill(['squares', 'quality', 'scale', 'rho', 'plain'].indexOf(mode));
-    show('legend', legends[mode]);
+    showLegend(legends[mode]);
     viewer.redraw();
   };
   buttons.forEach(button => button.addEventListener('click', () => choose(button.dataset.mode)));

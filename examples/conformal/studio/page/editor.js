@@ -31,9 +31,7 @@ function chooseMode(mode) {
   viewer.modes = [3, mode];
   press('modes', button => Number(button.dataset.mode) === mode);
   const scale = {1: ['1', heat, '1.1 and more'], 2: ['÷ 3', cold, '× 3'], 3: ['dent', cold, 'bulge']}[mode];
-  const bar = document.createElement('i');
-  if (scale) bar.style.background = `linear-gradient(90deg,${scale[1]})`;
-  element('legend').replaceChildren(...(scale ? [scale[0], bar, scale[2]] : []));
+  showLegend(scale);
   viewer.redraw();
 }
 
