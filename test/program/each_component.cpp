@@ -5,6 +5,7 @@
 #include "program/support.h"
 #include "support/polyhedra.h"
 #include "support/several_components.h"
+#include "support/spheres.h"
 #include "support/tori.h"
 
 #include "conformal/io/read_surface.h"
@@ -228,6 +229,27 @@ TEST_F(Each_component, that_fails_stays_as_it_was_if_the_others_are_wanted)
                     "3 of 3 components failed"));
   EXPECT_FALSE(has("c.ply"));
   EXPECT_TRUE(fails(run("spin a.off --rho-expression x -o c.ply --keep-going"), 2, "--keep-going"));
+}
+
+TEST_F(Each_component, with_a_face_of_area_zero_does_not_take_the_others_with_it)
+{
+  std::vector<Mesh_view> meshes = {cgp_test::bumpy_sphere(2), cgp_test::torus(3, 1, 24, 12)};
+  cgp_test::Points flat = meshes[1].positions();
+  flat.col(meshes[1].corners(0)[1]) = flat.col(meshes[1].corners(0)[0]);
+  meshes[1].set_positions(flat);
+  const Joined_meshes all = cgp_test::interleaved(meshes);
+  write("a.off", off(all.mesh));
+  const std::string each = " a.off -q --each-component -o b.ply ";
+  for (const std::string command : {"spin --rho-expression .3*x --mollify=0", "flow --steps 1"}) {
+    EXPECT_TRUE(fails(run(command + each), 4, "of area zero"));
+    EXPECT_FALSE(has("b.ply"));
+    EXPECT_TRUE(fails(run(command + each + "--keep-going --json b.json"), 1,
+                      "1 of 2 components failed; component 1 (from vertex 1): "));
+    EXPECT_EQ(json("b.json")["result"]["verified_components"], 1);
+    EXPECT_EQ(points("b.ply", all.vertices[1]), points("a.off", all.vertices[1]));
+    EXPECT_NE(points("b.ply", all.vertices[0]), points("a.off", all.vertices[0]));
+    std::filesystem::remove(path("b.ply"));
+  }
 }
 
 TEST_F(Each_component, has_boundary_conditions_targets_and_differences_of_its_own)

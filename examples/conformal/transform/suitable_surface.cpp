@@ -22,7 +22,9 @@ Surface_input read_suitable_surface(const std::string& path, Session& session,
   session.note_all(input.notes);
   report_input(input, session.report());
   if (session.options().strict) require_untouched(input);
-  is_whole ? require_surface(input, flat_faces) : require_surface_components(input, flat_faces);
+  // A face of area zero is a fault of its component, which the others need not share.
+  const Flat_faces of_parts = session.options().keep_going ? Flat_faces::allowed : flat_faces;
+  is_whole ? require_surface(input, flat_faces) : require_surface_components(input, of_parts);
   return input;
 }
 
