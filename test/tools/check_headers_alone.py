@@ -3,11 +3,15 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Every header compiles alone, and what is below the skin of CGAL needs neither CGAL nor Boost.
 
+To read Eigen takes ten times as long as to read one of our headers. So the headers that reach the same
+ones of others (by themselves or by what they include) share these, precompiled: what they do not
+include stays missing.
+
 usage: check_headers_alone.py COMPILER [COMPILER ARGUMENT...]
 """
 
+import collections
 import concurrent.futures
-import functools
 import os
 import pathlib
 import re
@@ -18,7 +22,7 @@ import tempfile
 import sources
 
 SKIN = re.compile(r"^core/|^(?!config|exceptions|templates|version)[^/]*$")
-FOREIGN = re.compile(r"/(?:CGAL|boost)/\S*")
+OTHERS = re.compile(r"(Eigen|CGAL|boost)/")
 
 
 def needs_more(header):
@@ -27,26 +31,53 @@ def needs_more(header):
     return bool(re.search(r"adapters/(Cholmod|Metis|Petsc|Slepc)_", name))
 
 
-def complaints(compiler, header):
-    with tempfile.TemporaryDirectory() as folder:
-        files = pathlib.Path(folder) / "files"
-        command = [*compiler, "-std=c++17", "-fsyntax-only", "-x", "c++", "-w", "-MD", "-MF", files,
-                   "-I", sources.ROOT / "include", sources.INCLUDE / header]
-        result = subprocess.run(command, capture_output=True, text=True, check=False)
-        if result.returncode != 0:
-            return [f"{header}: does not compile alone: {result.stderr}"]
-        used = FOREIGN.search(files.read_text(encoding="utf-8"))
-    if used and not SKIN.search(header.as_posix()):
-        return [f"{header}: needs {used.group()}"]
-    return []
+def reached(header):
+    """The headers of Eigen, CGAL and Boost that it includes, by itself or by ours. Without what only
+    those read who use the library header-only (_impl.h)."""
+    waiting, seen, others = [header], {header}, set()
+    while waiting:
+        for _, name in sources.includes(sources.INCLUDE / waiting.pop()):
+            if OTHERS.match(name):
+                others.add(name)
+            elif name.startswith(sources.LIBRARY) and not name.endswith("_impl.h"):
+                own = pathlib.Path(name).relative_to(sources.LIBRARY)
+                waiting += {own} - seen
+                seen.add(own)
+    return frozenset(others)
+
+
+def precompile(command, folder, names):
+    """The options that read these headers."""
+    path = pathlib.Path(tempfile.mkdtemp(dir=folder)) / "others.h"
+    path.write_text("".join(f"#include <{name}>\n" for name in sorted(names)), encoding="utf-8")
+    subprocess.run([*command, "-x", "c++-header", path, "-o", f"{path}.gch"], check=True)
+    return ["-include", path]
+
+
+def complaints(command, header):
+    foreign = [name for name in sorted(reached(header)) if not name.startswith("Eigen/")]
+    if foreign and not SKIN.search(header.as_posix()):
+        return [f"{header}: needs {foreign[0]}"]
+    result = subprocess.run([*command, "-fsyntax-only", "-x", "c++", sources.INCLUDE / header],
+                            capture_output=True, text=True, check=False)
+    return [f"{header}: does not compile alone: {result.stderr}"] if result.returncode else []
 
 
 def main():
     compiler = sys.argv[1:] or ["c++", "-isystem", "/usr/include/eigen3"]
-    headers = [header for header in sources.interfaces() if not needs_more(header)]
-    with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-        found = pool.map(functools.partial(complaints, compiler), headers)
-    sources.finish(sum(found, []), f"{len(headers)} headers, each alone")
+    command = [*compiler, "-std=c++17", "-w", "-I", sources.ROOT / "include"]
+    needs = {header: reached(header) for header in sources.interfaces() if not needs_more(header)}
+    often = [names for names, count in collections.Counter(needs.values()).items() if count > 2]
+    with tempfile.TemporaryDirectory() as folder, \
+            concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+        shared = dict(zip(often, pool.map(lambda names: precompile(command, folder, names), often)))
+
+        def check(header):
+            most = max((names for names in often if names <= needs[header]), key=len, default=())
+            return complaints(command + shared.get(most, []), header)
+
+        found = sum(pool.map(check, needs), [])
+    sources.finish(found, f"{len(needs)} headers, each alone")
 
 
 if __name__ == "__main__":
