@@ -24,7 +24,7 @@ constexpr int no_column = (std::numeric_limits<int>::max)();
 constexpr std::int64_t kept_bytes = std::int64_t(1) << 27;
 
 // Number of row blocks of a large front per work item; they fit in the second-level cache.
-constexpr int piece = 8;
+constexpr int blocks_per_piece = 8;
 
 }  // namespace internal
 
@@ -148,8 +148,8 @@ void internal::Supernodal_factor<Scalar, Real>::eliminate(int s, Input& input, L
 {
   if (m_structure->first(s) > input.bad_column) return;
   const Front f = front(s);
-  const int bad = f.blocks > 2 * internal::piece ? eliminate_in_pieces(f, input, loops)
-                                                 : eliminate_at_once(f, input);
+  const int bad = f.blocks > 2 * internal::blocks_per_piece ? eliminate_in_pieces(f, input, loops)
+                                                            : eliminate_at_once(f, input);
   if (bad >= 0) input.report(m_structure->first(s) + bad);
 }
 
@@ -168,22 +168,22 @@ template <class Loops>
 int internal::Supernodal_factor<Scalar, Real>::eliminate_in_pieces(const Front& f,
                                                                    const Input& input, Loops& loops)
 {
-  constexpr int piece = internal::piece;
   const int lanes = layout().lanes();
   add_matrix(f, input);
   add_children_to_panel(f, 0, f.columns);
   const int bad = m_kernels.factor_panel(f.panel, f.columns, f.triangle);
   if (bad >= 0) return bad;
-  const int pieces = (f.blocks + piece - 1) / piece;
+  constexpr int length = internal::blocks_per_piece;
+  const int pieces = (f.blocks + length - 1) / length;
   loops.for_each(pieces, [&](int i) {
-    const int begin = i * piece, end = (std::min)(begin + piece, f.blocks);
+    const int begin = i * length, end = (std::min)(begin + length, f.blocks);
     add_children_to_panel(f, f.columns + begin * lanes,
                           f.columns + (std::min)(end * lanes, f.rows));
     m_kernels.solve_below(f.panel, f.columns, f.triangle + begin, f.triangle + end);
   });
   loops.for_each(pieces, [&](int i) {  // longest rows first
-    const int end = f.blocks - i * piece;
-    set_update(f, (std::max)(0, end - piece), end);
+    const int end = f.blocks - i * length;
+    set_update(f, (std::max)(0, end - length), end);
   });
   return -1;
 }
