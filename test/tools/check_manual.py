@@ -2,8 +2,9 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """README, gallery and manual fit the sources: the README's program is the example first_program,
-files in backticks and links exist, every example and named parameter is in the manual, and every
-picture is shown on a page and drawn by a program.
+files in backticks and links exist, links lead to headings that exist, the README is short, every
+measured page is in the index of evidence with numbers that it has, every example and named
+parameter is in the manual, and every picture is shown on a page and drawn by a program.
 """
 
 import re
@@ -12,8 +13,12 @@ import check_thesis_map
 import sources
 
 DOC = sources.ROOT / "doc"
-PAGES = ["README.md", "doc/overview.md", "doc/gallery.md", "doc/history.md"]
-LINK = re.compile(r"\]\((?!https?:)([^)#]+)\)")
+PAGES = ["README.md", "doc/overview.md", "doc/gallery.md", "doc/history.md", "doc/evidence.md"]
+LONGEST_README = 400  # words
+LINK = re.compile(r"\]\((?!https?:)([^)#]*)(?:#([^)]+))?\)")
+MEASURED = re.compile(r"(Written by|^)\s*`benchmark/\w+`", re.MULTILINE)
+ROW = re.compile(r"^\| \[[^]]+\]\((\w+\.md)\) \| (.*) \|$", re.MULTILINE)
+NUMBER = re.compile(r"(?<![\w.])-?\d[\d,]*(?:\.\d+)*(?:e-?\d+)?")
 
 
 def the_program():
@@ -23,11 +28,44 @@ def the_program():
         yield "README.md: its program is not that of examples/first_program.cpp"
 
 
+def headings(path):
+    """The names that GitHub gives to the headings of a page."""
+    lines = re.findall(r"^#+ +(.*)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", line.lower()).replace(" ", "-") for line in lines}
+
+
 def links():
-    for page in PAGES:
-        for target in LINK.findall(check_thesis_map.read(page)):
-            if not (sources.ROOT / page).parent.joinpath(target).exists():
+    folders = ("doc", "examples", "test", "benchmark", ".github")
+    written = [sources.ROOT / "README.md", *DOC.glob("manual/*.txt"),
+               *(path for folder in folders for path in (sources.ROOT / folder).rglob("*.md"))]
+    for path in written:
+        page = path.relative_to(sources.ROOT)
+        base = sources.ROOT if path.suffix == ".txt" else path.parent
+        for target, heading in LINK.findall(path.read_text(encoding="utf-8")):
+            found = base / target if target else path
+            if not found.exists():
                 yield f"{page}: there is no {target}"
+            elif heading and found.suffix == ".md" and heading not in headings(found):
+                yield f"{page}: {target} has no heading {heading}"
+
+
+def readme():
+    words = len(check_thesis_map.read("README.md").split())
+    if words > LONGEST_README:
+        yield f"README.md: {words} words, more than {LONGEST_README}"
+
+
+def evidence():
+    results = dict(ROW.findall(check_thesis_map.read("doc/evidence.md")))
+    for path in sorted(DOC.glob("*.md")):
+        text = path.read_text(encoding="utf-8")
+        if MEASURED.search(text) and path.name not in results and path.name != "evidence.md":
+            yield f"doc/evidence.md: without {path.name}"
+    for page, result in results.items():
+        text = (DOC / page).read_text(encoding="utf-8") if (DOC / page).exists() else ""
+        for number in NUMBER.findall(result):
+            if number not in text:
+                yield f"doc/evidence.md: {page} has no {number}"
 
 
 def examples():
@@ -62,7 +100,9 @@ def complaints():
     yield from the_program()
     for page in PAGES:
         yield from check_thesis_map.names_that_do_not_exist(page)
+    yield from readme()
     yield from links()
+    yield from evidence()
     yield from examples()
     yield from named_parameters()
     yield from pictures()
