@@ -48,7 +48,9 @@ TEST_F(Html_report, is_written_or_refused_with_the_reason)
   const Program_run r = run("spin -q a.off" + spin + "--html r.html");
   if (is_built_in()) {
     EXPECT_EQ(r.code, 0) << r.err;
-    EXPECT_TRUE(has("r.html"));
+    const std::string policy =
+        "Content-Security-Policy\" content=\"default-src 'none'; script-src 'sha256-";
+    EXPECT_NE(content(path("r.html")).find(policy), std::string::npos);
   } else {
     EXPECT_TRUE(fails(r, 2, conformal::why_no_html_reports()));
     EXPECT_FALSE(has("b.ply"));
