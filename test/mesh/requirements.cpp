@@ -199,10 +199,11 @@ TEST(Require_connected, refuses_two_components)
 
 TEST(Require_positive_areas, refuses_faces_whose_corners_coincide_or_are_in_line)
 {
-  Points p = icosphere(1).positions();
-  const auto& corners = icosphere(1).corners(30);
+  const Mesh_view mesh = icosphere(1);
+  Points p = mesh.positions();
+  const auto& corners = mesh.corners(30);
   p.col(corners[0]) = (p.col(corners[1]) + p.col(corners[2])) / 2;
-  const std::string message = complaint(CGP::require_surface, {p, icosphere(1).corners()});
+  const std::string message = complaint(CGP::require_surface, {p, mesh.corners()});
   EXPECT_EQ(message.substr(0, 42), "1 face of area zero, the first is face 30 ") << message;
   expect_refused(CGP::require_positive_areas, Mesh_view(Points::Ones(3, 3), {{0, 1, 2}}),
                  "1 face of area zero, the first is face 0 (vertices 0, 1, 2); "
