@@ -29,8 +29,9 @@ Control_point_search<SolverTraits, EigensolverTraits>::Control_point_search(
       m_exactness(transformation.exactness_if_looped(Curvature_potential::On::vertices)),
       m_points(std::move(points)),
       m_positions(transformation.system().surface(), transformation.reconstruction(), m_points),
-      m_scales(scale_masses(transformation.system().areas(), options.surface.scales),
-               wanted_log_scales(transformation.system().areas(), options.surface.scales)),
+      m_scales(transformation.system().areas(),
+               wanted_log_scales(transformation.system().areas(), options.surface.scales),
+               options.surface.scales.weights),
       m_unit(1 / transformation.system().unit())
 {
   std::vector<Spin_residual*> residuals, constraints;

@@ -12,13 +12,17 @@ namespace Conformal_geometry_processing {
 namespace internal {
 
 /// \ingroup PkgSpin
-/// \brief the root of w times the masses times the deviation of `log_scales()` from wanted ones;
-/// the mean of the deviation is free, because the total area is kept.
+/// \brief the root of w times the areas times the deviation of `log_scales()` from wanted ones.
+///
+/// The mean of the deviation over the whole surface is free, because the total area is kept. Where
+/// weights select a part, the mean over this part is not: it must not grow or shrink as a whole.
 class Scale_residual : public Spin_residual {
  public:
-  /// \param masses |V|, the area of each vertex times its weight, not negative
+  /// \param areas |V|
   /// \param wanted |V|, logs of factors of lengths
-  Scale_residual(Eigen::VectorXd masses, Eigen::VectorXd wanted);
+  /// \param weights |V|, of the areas, not negative; empty: 1
+  Scale_residual(Eigen::VectorXd areas, Eigen::VectorXd wanted,
+                 const Eigen::VectorXd& weights = {});
 
   /// \param w in 1/area
   void set_weight(double w) { m_weight = w; }
@@ -31,7 +35,7 @@ class Scale_residual : public Spin_residual {
  private:
   Eigen::VectorXd weighted(Eigen::VectorXd u) const;
 
-  Eigen::VectorXd m_masses, m_wanted;
+  Eigen::VectorXd m_areas, m_masses, m_wanted;
   double m_weight = 1;
   Spins m_lambda;
 };

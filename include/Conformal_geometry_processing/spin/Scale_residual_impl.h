@@ -15,9 +15,12 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-CGP_INLINE Scale_residual::Scale_residual(Eigen::VectorXd masses, Eigen::VectorXd wanted)
-    : m_masses(std::move(masses)), m_wanted(std::move(wanted))
-{}
+CGP_INLINE Scale_residual::Scale_residual(Eigen::VectorXd areas, Eigen::VectorXd wanted,
+                                          const Eigen::VectorXd& weights)
+    : m_areas(std::move(areas)), m_masses(m_areas), m_wanted(std::move(wanted))
+{
+  if (weights.size() > 0) m_masses.array() *= weights.array();
+}
 
 CGP_INLINE void Scale_residual::set_spins(const Spins& lambda)
 {
@@ -37,13 +40,13 @@ CGP_INLINE Eigen::VectorXd Scale_residual::change(const Spins& dlambda) const
 CGP_INLINE auto Scale_residual::gradient(const Eigen::VectorXd& y) const -> Spins
 {
   Eigen::VectorXd z = (m_weight * m_masses).cwiseSqrt().cwiseProduct(y);
-  z -= m_masses * (z.sum() / m_masses.sum());
+  z -= m_areas * (z.sum() / m_areas.sum());
   return log_scale_gradient(m_lambda, z);
 }
 
 CGP_INLINE Eigen::VectorXd Scale_residual::weighted(Eigen::VectorXd u) const
 {
-  u.array() -= m_masses.dot(u) / m_masses.sum();
+  u.array() -= m_areas.dot(u) / m_areas.sum();
   return (m_weight * m_masses).cwiseSqrt().cwiseProduct(u);
 }
 

@@ -16,11 +16,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-inline Eigen::VectorXd scale_masses(const Eigen::VectorXd& areas, const Scale_control& control)
-{
-  return control.weights.size() == 0 ? areas : areas.cwiseProduct(control.weights).eval();
-}
-
 inline Eigen::VectorXd wanted_log_scales(const Eigen::VectorXd& areas, const Scale_control& control)
 {
   if (control.factors.size() == 0) return Eigen::VectorXd::Zero(areas.size());
@@ -42,7 +37,7 @@ Scale_search<SolverTraits, EigensolverTraits>::Scale_search(
     const Exactness_constraints* exactness)
     : m_surface(system.surface()),
       m_rho(effective(std::move(rho), m_surface, system.is_closed())),
-      m_scales(scale_masses(system.areas(), control), wanted_log_scales(system.areas(), control)),
+      m_scales(system.areas(), wanted_log_scales(system.areas(), control), control.weights),
       m_inexact(m_surface, reconstruction),
       m_periods(exactness ? std::optional<Period_residual>({system.surface(), *exactness})
                           : std::nullopt),

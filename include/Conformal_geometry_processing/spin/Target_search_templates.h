@@ -44,7 +44,7 @@ Target_search<SolverTraits, EigensolverTraits>::Target_search(
       m_positions(transformation.system().surface(), transformation.reconstruction(),
                   vertices_as_control_points(targets), m_areas / m_areas.sum()),
       m_inexact(transformation.system().surface(), transformation.reconstruction()),
-      m_scales(scale_masses(m_areas, scales), wanted_log_scales(m_areas, scales)),
+      m_scales(m_areas, wanted_log_scales(m_areas, scales), scales.weights),
       m_periods(exactness ? std::optional<Period_residual>(
                                 {transformation.system().surface(), *exactness})
                           : std::nullopt),
