@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """The page that `conformal studio` writes does in headless Chromium what it offers: painting by mouse,
-finger and key, formulas, undo, the flow, refusals, saving; what it finds is what the program finds
+finger and key, formulas, pulled points, undo, the flow, refusals, saving; what it finds is what the program finds
 for the files that it saves; it asks for nothing, complains about nothing, and its memory is bounded.
 
 usage: check_studio.py CONFORMAL CHROMIUM [FOLDER]   (keeps the pages and pictures in FOLDER)
@@ -21,7 +21,7 @@ from check_html_report import bumpy_sphere, leaves, require
 from devtools import browser
 from headless_page import read_png
 
-CONTROL, MANY_STROKES = 2, 40
+CONTROL, MANY_STROKES = 2, 200
 
 
 class Studio:
@@ -186,6 +186,35 @@ def check_amount_and_flow(studio, conformal):
     studio.click("#undo")
 
 
+def check_pulls(studio, conformal):
+    """A pulled point arrives, where the program takes it for the saved targets, and can be undone."""
+    studio.click("[data-tool=pull]")
+    x, y = studio.place(.75, .5)
+    studio.page.drag([(x + 4 * i, y - 3 * i) for i in range(9)])
+    studio.settle()
+    pulled, command = studio.report(), studio.words("#command").split()
+    require(pulled.get("verified") is True, f"a pulled point is refused: {studio.words('#reason')}")
+    require(command[:2] == ["conformal", "deform"], f"the command is {command}")
+    require(studio.page.value("document.querySelectorAll('#pins i').length") == 8, "not all pins are shown")
+    path = studio.saved("#save-rho", "bumpy_targets.json")
+    check_same(pulled, program(conformal, command[1:], studio.folder), "a pulled point")
+    found = points(studio.saved("#save-obj", "bumpy_edited.obj"))
+    before = points(studio.saved("#save-before", "bumpy.obj"))
+    targets = json.loads(path.read_text())["targets"]
+    require(max(math.dist(found[t["vertex"]], t["to"]) for t in targets) < 1e-6, "a target is missed")
+    moved = sorted(math.dist(before[t["vertex"]], t["to"]) for t in targets)
+    require(moved[-1] > .1 and moved[-2] == 0, f"the targets are moved by {moved}")
+    same = program(conformal, ["compare", "bumpy_edited.obj", studio.saved("#save-glb", "bumpy_edited.glb").name],
+                   studio.folder)
+    require(same["result"]["quasi_conformal"]["max"] < 1.001, "the GLB file is another surface")
+    studio.picture("pulled.png")
+    studio.page.key("z", CONTROL)
+    studio.settle()
+    require(studio.report() == {}, "undo leaves a pulled point")
+    require(studio.page.value("document.querySelectorAll('#pins i').length") == 0, "undo leaves pins")
+    studio.click("[data-tool=bulge]")
+
+
 def check_refusal(studio):
     studio.set("#bound", "none", "change")
     studio.page.value("document.querySelector('#formula').value = '60*sin(9*x)'")
@@ -204,6 +233,7 @@ def check_memory(studio):
     studio.set("#strength", .25, "input")
     studio.page.value("document.querySelector('canvas').focus()")
     for i in range(MANY_STROKES):
+        studio.page.key("bd"[i % 2])  # so that what is painted does not pile up
         studio.page.key("Enter")
         studio.settle()
         if i % 4 == 3:
@@ -245,6 +275,7 @@ def main():
             check_brush(studio)
             check_formula(studio, conformal)
             check_amount_and_flow(studio, conformal)
+            check_pulls(studio, conformal)
             check_refusal(studio)
             check_memory(studio)
             check_touch(studio, folder / "page.html")

@@ -7,6 +7,7 @@
 #include "conformal/input/targets.h"
 #include "conformal/process/text.h"
 #include "conformal/report/certificate.h"
+#include "conformal/report/target_report.h"
 #include "conformal/transform/each_component.h"
 #include "conformal/transform/solve_deformation.h"
 #include "conformal/transform/suitable_surface.h"
@@ -72,26 +73,6 @@ Files files(const Deform_options& deform)
 {
   return {{"the input", deform.input, Named_file::Role::replaceable},
           {"the targets", deform.targets}};
-}
-
-/// what only this method knows to be wrong, empty if nothing
-std::string fault_of_targets(const CGP::Spin_report& report, const Verification_limits& limits)
-{
-  if (report.cancelled || report.reached >= limits.realised) return "";
-  return "only " + text_of(100 * report.reached, 3) +
-         " % of the way to the targets lead to a surface that verifies; try: nearer targets, a "
-         "finer mesh, --weight 30, or --min-realised";
-}
-
-void tell_targets(const CGP::Spin_report& spin, std::size_t count, Report& report)
-{
-  report.tell("result/targets/count", "control points", static_cast<int>(count));
-  report.set("result/targets/reached", spin.reached);
-  report.show("reached of the way to them (%)", text_of(100 * spin.reached, 3));
-  report.set("result/targets/distance/mean", spin.position_error.mean);
-  report.tell("result/targets/distance/max", "distance from the targets, max",
-              spin.position_error.max, 3);
-  report.end_table();
 }
 
 Deformation_solution deform_surface(const Surface_input& input, const Deformation_problem& problem,

@@ -4,6 +4,7 @@
 
 #include "conformal/input/User_frame.h"
 #include "conformal/report/certificate.h"
+#include "conformal/report/target_report.h"
 
 #include <Conformal_geometry_processing/measure/distortion.h>
 
@@ -20,11 +21,12 @@ CGP::Flow_options single_steps()
 }
 
 /// an outcome with the verdict on the evidence
-Outcome judged(const std::string& command, const Evidence& evidence)
+Outcome judged(const std::string& command, const Evidence& evidence,
+               const Verification_limits& limits = {})
 {
   Outcome outcome;
   outcome.command = command;
-  outcome.verdict = judge(evidence, {}, "a weaker rho");
+  outcome.verdict = judge(evidence, limits, "a weaker rho");
   return outcome;
 }
 
@@ -66,6 +68,26 @@ void Studio_surface::transform(const Eigen::VectorXd& rho, double bound)
     m_bound = bound;
   }
   keep(m_bounded->transform(in_mesh(rho)));
+}
+
+void Studio_surface::deform(const std::vector<CGP::internal::Control_point>& points, double bound,
+                            bool continues)
+{
+  if (!continues || !m_deformation || m_deformation_bound != bound) {
+    CGP::internal::Conformal_deformation_options options;
+    if (bound > 1) options.surface.scales.bound = bound;
+    m_deformation.emplace(m_mesh, options, "studio");
+    m_deformation_bound = bound;
+  }
+  CGP::Spin_result result = m_deformation->deform(points);
+  Verification_limits limits;
+  limits.realised = 1;
+  const Evidence evidence{
+      result.positions, result.report, {}, fault_of_targets(result.report, limits)};
+  m_outcome = judged("deform", evidence, limits);
+  tell_targets(result.report, points.size(), m_outcome.report);
+  tell_certificate(result.report, m_mesh.size_of_faces(), m_outcome);
+  m_positions = std::move(result.positions);
 }
 
 void Studio_surface::flow()

@@ -7,6 +7,8 @@
 
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/spin/Conformal_deformation.h>
+#include <Conformal_geometry_processing/spin/Control_point.h>
 #include <Conformal_geometry_processing/spin/Spin_preview.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
@@ -14,6 +16,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace conformal {
 
@@ -36,6 +39,14 @@ class Studio_surface {
   /// \param bound as `--max-scale`; at most 1: none
   void transform(const Eigen::VectorXd& rho, double bound);
 
+  /// \brief Computes what `conformal deform --targets` does: moves vertices to their targets.
+  ///
+  /// If it `continues`, the search starts from the last surface with the same points, which is
+  /// faster, and finds the surface of `conformal deform` up to about 1 % of the change of
+  /// curvature. \param bound as for `transform()`
+  void deform(const std::vector<CGP::internal::Control_point>& points, double bound,
+              bool continues);
+
   /// Takes the next step of the conformal Willmore flow of the surface.
   void flow();
 
@@ -54,6 +65,8 @@ class Studio_surface {
   std::optional<CGP::Spin_transformation<>> m_bounded;
   double m_bound = 0;
   std::optional<CGP::internal::Spin_preview<>> m_preview;
+  std::optional<CGP::internal::Conformal_deformation<>> m_deformation;
+  double m_deformation_bound = 0;
   std::optional<CGP::Conformal_willmore_flow<>> m_flow;
   int m_flow_steps = 0;
   CGP::Points m_positions;

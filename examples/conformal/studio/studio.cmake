@@ -35,7 +35,7 @@ if(CGP_HAS_STUDIO)
   endforeach()
   set(objects "")
   foreach(source studio/Studio_surface studio/wasm/kernels report/verification report/certificate
-                 report/Report report/Table report/Grid report/Outcome report/Outcome_json
+                 report/target_report report/Report report/Table report/Grid report/Outcome report/Outcome_json
                  process/text input/User_frame)
     string(REPLACE "/" "_" name ${source})
     set(object ${CMAKE_CURRENT_BINARY_DIR}/wasm_${name}.o)

@@ -32,13 +32,13 @@ function normalsOf(faces, vectors, count) {
   return normals;
 }
 
-/** The points about their centroid, with area 1. */
-function framed(faces, points, {areas, total}) {
+/** The centroid, and the root of the area: coordinates relative to them are those of the viewer. */
+function frameOf(faces, points, {areas, total}) {
   const middle = [0, 0, 0];
   for (let c = 0; c < faces.length; ++c)
     for (let k = 0; k < 3; ++k)
       middle[k] += areas[Math.floor(c / 3)] / 3 * points[3 * faces[c] + k] / total;
-  return Float32Array.from(points, (x, i) => (x - middle[i % 3]) / Math.sqrt(total));
+  return {middle, size: Math.sqrt(total)};
 }
 
 function radiusOf(points) {
@@ -78,7 +78,7 @@ function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
   const start = new THREE.Quaternion();
   const pose = {turn: start.clone(), start, x: 0, y: 0, zoom: 1};
   const viewer = {uniforms, pose, modes: [0, 0], home: new Float32Array()};
-  const radii = [0, 0];
+  const radii = [0, 0], frames = [];
   let exhibit = null, radius = 1, areasBefore = null;
 
   const attribute = (side, name, size, fill) => {
@@ -89,8 +89,9 @@ function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
   };
   const both = (...rest) => [0, 1].forEach(side => attribute(side, ...rest));
 
-  function place(side, points, areas) {
-    const {faces} = exhibit, own = framed(faces, points, areas);
+  function place(side, points, areas, frame) {
+    const {faces} = exhibit, {middle, size} = frames[side] = frame ?? frameOf(faces, points, areas);
+    const own = Float32Array.from(points, (x, i) => (x - middle[i % 3]) / size);
     const normals = normalsOf(faces, areas.vectors, points.length / 3);
     attribute(side, 'position', 3, into => atCorners(faces, own, 3, into));
     attribute(side, 'normal', 3, into => atCorners(faces, normals, 3, into));
@@ -129,10 +130,11 @@ function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
     pose.turn.copy(start);
   };
 
-  /** Shows other points after, with what belongs to them; or another rho alone. */
+  /** Shows other points after, with what belongs to them; or another rho alone. What `isInPlace` is
+      seen beside the points before as it is, and not about its own centroid. */
   viewer.change = changed => {
-    const {faces} = exhibit, {after, quality, scales, rho} = changed;
-    if (after) place(1, after, areasOf(faces, after));
+    const {faces} = exhibit, {after, quality, scales, rho, isInPlace} = changed;
+    if (after) place(1, after, areasOf(faces, after), isInPlace ? frames[0] : null);
     if (quality) both('quality', 1, into => ofFaces(quality, into));
     if (scales) both('scale', 1, into => ofFaces(scales.map(Math.log2), into));
     if (rho) both('rho', 1, into => rho.length === faces.length / 3 ? ofFaces(rho, into)
@@ -182,6 +184,7 @@ function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
       renderer.setScissor(left, bottom, width, height);
       renderer.render(sides[side].scene, camera);
     });
+    viewer.onDraw?.();
   };
 
   let isWaiting = false;
@@ -207,6 +210,31 @@ function makeViewer(THREE, canvas, ranges, isTaken = () => false) {
     return {side, origin: caster.ray.origin.applyQuaternion(back).toArray(),
             direction: caster.ray.direction.applyQuaternion(back).toArray(),
             corners: sides[side].mesh.geometry.getAttribute('position').array};
+  };
+
+  /** Turned as it is seen, a point of the shape after. */
+  const seen = point => {
+    const {middle, size} = frames[1];
+    return new THREE.Vector3(...point.map((x, k) => (x - middle[k]) / size)).applyQuaternion(pose.turn);
+  };
+
+  /** Where on the canvas a point of the shape after is seen. */
+  viewer.project = point => {
+    const {left, top, width, height} = viewer.rectangles()[1];
+    aim({width, height});
+    camera.updateProjectionMatrix();
+    const {x, y} = seen(point).project(camera);
+    return {x: left + (x + 1) / 2 * width, y: top + (1 - y) / 2 * height};
+  };
+
+  /** The point seen at a place of the canvas, as far from the camera as another one is. */
+  viewer.unproject = (x, y, like) => {
+    const {left, top, width, height} = viewer.rectangles()[1], {middle, size} = frames[1];
+    aim({width, height});
+    camera.updateProjectionMatrix();
+    const deep = seen(like).project(camera).z;
+    return new THREE.Vector3(2 * (x - left) / width - 1, 1 - 2 * (y - top) / height, deep).unproject(camera)
+        .applyQuaternion(pose.turn.clone().invert()).toArray().map((value, k) => middle[k] + size * value);
   };
 
   viewer.grab = control(canvas, THREE, pose, viewer.redraw, isTaken);

@@ -13,7 +13,7 @@ function rowsFor(report, faceCount) {
   if (r.closure_residual !== undefined) add('Closing error', number(r.closure_residual, 2), 'closure_residual');
   add('Flipped faces', `${r.flipped_faces} of ${faceCount.toLocaleString('en')}`, 'flipped_faces');
   const control = r.scale_control;
-  if (control?.weight > 0) add('Kept of the paint', `${number(100 * control.kept_norm, 3)} %`, 'kept');
+  if (control?.weight > 0 && report.command !== 'deform') add('Kept of the paint', `${number(100 * control.kept_norm, 3)} %`, 'kept');
   if (r.realised_share < .995) add('Kept, with handles closed', `${number(100 * r.realised_share, 3)} %`, 'realised');
   return rows;
 }

@@ -8,12 +8,13 @@ const ranges = {highest: 1.1, widest: 3, deepest: 3};
 const instructions = {
   bulge: 'Drag on a shape: where you paint, it bulges. The surface follows, and every angle stays as it was.',
   dent: 'Drag on a shape: where you paint, it is dented. The surface follows, and every angle stays as it was.',
-  erase: 'Drag over paint to take it away again.', turn: 'Drag to turn both shapes.'
+  erase: 'Drag over paint to take it away again.',
+  pull: 'Drag a point of the surface on the right; pins hold it elsewhere. Click to add a pin.', turn: 'Drag to turn both shapes.'
 };
 
 const brush = {tool: 'bulge', size: .5, strength: 4, symmetric: false};
 const sessions = new Map(), kernels = {quick: new Kernels(), exact: new Kernels()};
-let session = null, viewer = null, strokes = null;
+let session = null, viewer = null, strokes = null, pulls = null;
 
 function press(group, isPressed) {
   for (const button of element(group).querySelectorAll('button'))
@@ -40,12 +41,22 @@ function showPaint(rho) {
   viewer.change({rho});
 }
 
-function showPoints({base, after, quality}) {
-  const {faces} = session.shape;
-  viewer.change({after, quality, scales: Float32Array.from(scalesOf(areasOf(faces, base), areasOf(faces, after)))});
+function showPoints(state) {
+  const {faces} = session.shape, {base, after, quality} = state, isInPlace = kindOf(state) === 'deform';
+  viewer.change({after, quality, isInPlace, scales: Float32Array.from(scalesOf(areasOf(faces, base), areasOf(faces, after)))});
 }
 
-let shownBase = null;
+let shownBase = null, shownPins = [];
+
+/** Puts the pins where their targets are seen. */
+function placePins() {
+  element('pins').replaceChildren(...shownPins.map(({to}) => {
+    const pin = document.createElement('i'), {x, y} = viewer.project(to);
+    pin.style.left = `${x}px`;
+    pin.style.top = `${y}px`;
+    return pin;
+  }));
+}
 
 /** Shows a state: what is known of it. */
 function show(state, stage) {
@@ -59,6 +70,7 @@ function show(state, stage) {
   }
   showPaint(amounts(state));
   showPoints(state);
+  shownPins = state.targets;
   if (state.report) tellReport(state.report, faces.length / 3, stage);
   else if (stage === 'exact') tellNothing();
   else tellVerdict(stages[stage]);
@@ -79,15 +91,16 @@ function showInputs(isExact) {
   const isGood = isExact && state.report?.verified === true;
   element('undo').disabled = !history.canUndo;
   element('redo').disabled = !history.canRedo;
-  element('clear').disabled = isZero(state.rho);
+  element('clear').disabled = !['spin', 'deform'].includes(kindOf(state));
+  element('amount').disabled = kindOf(state) === 'deform';
   element('amount').value = state.amplitude;
   element('amount-value').textContent = number(state.amplitude, 3);
   element('bound').value = state.bound > 1 ? String(state.bound) : 'none';
   element('flow').disabled = !isExact || state.report?.verified === false;
   element('energy').textContent = state.flowed > 0 && state.report?.result.energy
       ? `Bending energy ${energyOf(state, 'initial')} → ${energyOf(state, 'final')} times that of a sphere` : '';
-  for (const id of ['save-ply', 'save-obj']) element(id).disabled = !isGood;
-  element('save-rho').disabled = isZero(state.rho);
+  for (const id of ['save-ply', 'save-obj', 'save-glb']) element(id).disabled = !isGood;
+  element('save-rho').disabled = element('clear').disabled;
   element('command').textContent = steps.length ? commandsOf(shape, steps) : 'Paint something first.';
 }
 
@@ -112,6 +125,23 @@ const edit = {
     session.preview(state);
   },
   finish: rho => session.commit({...session.ground('spin'), rho}),
+  cancel: () => session.refresh()
+};
+
+/** Edits of targets, for pulls. */
+const pull = {
+  faces: () => session.shape.faces,
+  ground: () => {
+    element('invitation').hidden = true;
+    session.hold();
+    return session.ground('deform');
+  },
+  show: targets => {
+    shownPins = targets;
+    viewer.redraw();
+    session.preview({...session.ground('deform'), targets});
+  },
+  finish: targets => session.commit({...session.ground('deform'), targets}),
   cancel: () => session.refresh()
 };
 

@@ -55,12 +55,23 @@ const stem = file => file.replace(/^.*[\\/]/, '').replace(/\.[^.]*$/, '') || 'sh
 /** A word for a shell. */
 const quoted = word => /^[\w./+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 
+/** Where vertices are wanted, by their numbers in the file. */
+function toTargetFile(shape, targets) {
+  const inFile = ({vertex, to}) => ({vertex: shape.fileVertices ? shape.origin[vertex] : vertex, to});
+  return JSON.stringify({targets: targets.map(inFile)}) + '\n';
+}
+
+/** The options of one step. */
+const optionsOf = {
+  flow: ({steps}) => ['--steps', String(steps)],
+  deform: ({bound}, file) => ['--targets', file, ...bound > 1 ? ['--max-scale', String(bound)] : []],
+  spin: ({amplitude, bound}, file) => ['--rho-file', file, '--max-scale', bound > 1 ? String(bound) : 'none',
+                                       ...amplitude === 1 ? [] : [`--amplitude=${amplitude}`]]
+};
+
 /** The command of one step: its input with the options for it, and what it makes. */
-function commandOf({kind, amplitude, bound, steps}, input, output, rhoFile) {
-  const words = kind === 'flow' ? ['conformal', 'flow', ...input, '--steps', String(steps)]
-      : ['conformal', 'spin', ...input, '--rho-file', rhoFile, '--max-scale', bound > 1 ? String(bound) : 'none'];
-  if (kind !== 'flow' && amplitude !== 1) words.push(`--amplitude=${amplitude}`);
-  return [...words, '-o', output].map(quoted).join(' ');
+function commandOf(step, input, output, file) {
+  return ['conformal', step.kind, ...input, ...optionsOf[step.kind](step, file), '-o', output].map(quoted).join(' ');
 }
 
 /** The steps of a state, as the program is told to take them. */
@@ -70,10 +81,12 @@ function commandsOf(shape, steps) {
   steps.forEach((step, i) => {
     const number = steps.length > 1 ? `_${i + 1}` : '';
     const output = `${name}_edited${number}.ply`;
-    all.push(commandOf(step, input, output, rhoName(shape, steps, i)));
+    all.push(commandOf(step, input, output, stepFile(shape, steps, i)));
     input = [output];
   });
   return all.join('\n');
 }
 
-const rhoName = (shape, steps, i) => `${stem(shape.file)}_rho${steps.length > 1 ? `_${i + 1}` : ''}.txt`;
+/** The file with what a step is made of. */
+const stepFile = (shape, steps, i) => stem(shape.file) + (steps[i].kind === 'deform' ? '_targets' : '_rho') +
+    (steps.length > 1 ? `_${i + 1}` : '') + (steps[i].kind === 'deform' ? '.json' : '.txt');

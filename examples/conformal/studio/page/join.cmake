@@ -22,8 +22,8 @@ if(THREE)
   file(READ ${here}/worker.js worker)
   set(code "")
   foreach(part ${reports}/geometry ${reports}/colours ${reports}/controls ${reports}/checkerboard
-               ${reports}/shaders ${reports}/viewer data kernels history session brush strokes formula
-               files certificate editor main)
+               ${reports}/shaders ${reports}/viewer data kernels history session brush strokes pulls formula
+               glb files certificate editor main)
     cmake_path(ABSOLUTE_PATH part BASE_DIRECTORY ${here})
     file(READ ${part}.js source)
     string(APPEND code "${source}")

@@ -68,6 +68,15 @@ class Kernels {
     return this.#ask('transform', {rho, bound});
   }
 
+  /** With vertices at their targets, a list of {vertex, to}. */
+  async deform(points, faces, targets, bound, continues) {
+    const isNew = this.#surface !== points;
+    await this.#open(points, faces);
+    return this.#ask('deform', {vertices: Int32Array.from(targets, ({vertex}) => vertex),
+                                targets: Float64Array.from(targets.flatMap(({to}) => to)), bound,
+                                continues: continues && !isNew});
+  }
+
   /** The surface after so many steps of the flow. */
   async flow(points, faces, steps) {
     if (this.#steps >= steps) this.#surface = null;

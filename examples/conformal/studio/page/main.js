@@ -34,7 +34,10 @@ function applyFormula(event) {
 function listenToPaint() {
   listen('undo', 'click', () => session.undo());
   listen('redo', 'click', () => session.redo());
-  listen('clear', 'click', () => edit.finish(new Float64Array(session.state.rho.length)));
+  listen('clear', 'click', () => {
+    if (kindOf(session.state) === 'deform') pull.finish([]);
+    else edit.finish(new Float64Array(session.state.rho.length));
+  });
   const scaled = () => ({...session.ground('spin'), amplitude: Number(element('amount').value)});
   listen('amount', 'input', () => {
     element('amount-value').textContent = number(scaled().amplitude, 3);
@@ -43,7 +46,10 @@ function listenToPaint() {
   });
   listen('amount', 'change', () => session.commit(scaled()));
   listen('formula-form', 'submit', applyFormula);
-  listen('bound', 'change', () => session.commit({...session.ground('spin'), bound: Number(element('bound').value) || 0}));
+  listen('bound', 'change', () => {
+    const state = kindOf(session.state) === 'deform' ? session.state : session.ground('spin');
+    session.commit({...state, bound: Number(element('bound').value) || 0});
+  });
   listen('flow', 'click', () => {
     const state = session.ground('flow');
     session.commit({...state, flowed: state.flowed + 1, report: null});
@@ -54,15 +60,17 @@ function listenToSaving() {
   const name = () => `${stem(session.shape.file)}_edited`;
   listen('save-ply', 'click', () => save(`${name()}.ply`, toPly(session.state.after, session.shape.faces, amounts(session.state))));
   listen('save-obj', 'click', () => save(`${name()}.obj`, [toObj(session.state.after, session.shape.faces)]));
+  listen('save-glb', 'click', () => save(`${name()}.glb`, toGlb(session.state.after, session.shape.faces)));
   listen('save-before', 'click', () => save(`${stem(session.shape.file)}.obj`, [toObj(session.shape.points, session.shape.faces)]));
   listen('save-rho', 'click', () => stepsOf(session.state).forEach((step, i, steps) => {
-    if (step.kind === 'spin') save(rhoName(session.shape, steps, i), [toRhoFile(session.shape, step.rho)]);
+    const content = {spin: toRhoFile, deform: toTargetFile}[step.kind]?.(session.shape, step.rho ?? step.targets);
+    if (content) save(stepFile(session.shape, steps, i), [content]);
   }));
   listen('copy', 'click', () => navigator.clipboard?.writeText(element('command').textContent));
 }
 
 function listenToKeys() {
-  const tools = {b: 'bulge', d: 'dent', e: 'erase', t: 'turn'};
+  const tools = {b: 'bulge', d: 'dent', e: 'erase', p: 'pull', t: 'turn'};
   const resize = factor => {
     brush.size = Math.min(Math.max(brush.size * factor, .04), .9);
     element('size').value = brush.size;
@@ -104,8 +112,10 @@ function offerShapes() {
 
 async function start() {
   const code = URL.createObjectURL(new Blob([text('three')], {type: 'text/javascript'}));
-  viewer = makeViewer(await import(code), element('canvas'), ranges, event => strokes.takes(event));
+  viewer = makeViewer(await import(code), element('canvas'), ranges, event => strokes.takes(event) || pulls.takes(event));
   strokes = new Strokes(element('canvas'), viewer, () => brush, edit);
+  viewer.onDraw = placePins;
+  pulls = new Pulls(element('canvas'), viewer, () => brush, pull);
   offerShapes();
   listenToBrush();
   listenToPaint();

@@ -2,20 +2,26 @@
    SPDX-License-Identifier: LGPL-3.0-or-later */
 
 // One shape while it is edited: its states, and who computes them. A state has the points `base`, the
-// `steps` that led there, and one step from there on: either `rho`, times `amplitude`, within `bound`,
-// or `flowed`, a number of steps of the flow. Once that is computed, it `isDone`, with what came of it.
+// `steps` that led there, and one step from there on: either `rho`, times `amplitude`, or `targets`, a
+// list of {vertex, to}, both within `bound`, or `flowed`, a number of steps of the flow. Once that is computed, it `isDone`, with what came of it.
 
 const isZero = rho => rho.every(value => value === 0);
 
 function freshState(base, faceCount, steps, bound) {
-  return {base, steps, rho: new Float64Array(base.length / 3), amplitude: 1, bound, flowed: 0,
+  return {base, steps, rho: new Float64Array(base.length / 3), amplitude: 1, bound, targets: [], flowed: 0,
           after: base, quality: new Float32Array(faceCount).fill(1), report: null, isDone: true};
 }
 
 /** The steps from the shape of the page to what a state shows. */
-function stepsOf({steps, rho, amplitude, bound, flowed}) {
-  if (flowed > 0) return [...steps, {kind: 'flow', steps: flowed}];
-  return isZero(rho) ? steps : [...steps, {kind: 'spin', rho, amplitude, bound}];
+function stepsOf(state) {
+  const {steps, rho, amplitude, bound, targets, flowed} = state, kind = kindOf(state);
+  const step = {flow: {kind, steps: flowed}, deform: {kind, targets, bound}, spin: {kind, rho, amplitude, bound}}[kind];
+  return step ? [...steps, step] : steps;
+}
+
+/** What the last step of a state is, if there is one. */
+function kindOf({rho, targets, flowed}) {
+  return flowed > 0 ? 'flow' : targets.length ? 'deform' : isZero(rho) ? null : 'spin';
 }
 
 const amounts = ({rho, amplitude}) => rho.map(value => value * amplitude);
@@ -41,12 +47,10 @@ class Session {
 
   get state() { return this.history.state; }
 
-  /** The state with which an edit of that kind begins: what was flowed is then the base of what is
-      painted, and the other way round. */
+  /** The state with which an edit of that kind begins: what was done in another way is its base. */
   ground(kind) {
     const state = this.state, {length} = this.shape.faces;
-    const isOther = kind === 'flow' ? state.flowed === 0 && !isZero(state.rho) : state.flowed > 0;
-    return isOther ? freshState(state.after, length / 3, stepsOf(state), state.bound) : state;
+    return ![null, kind].includes(kindOf(state)) ? freshState(state.after, length / 3, stepsOf(state), state.bound) : state;
   }
 
   /** An edit begins: what is still computed is not shown any more. */
@@ -66,8 +70,7 @@ class Session {
     this.#wanted = null;
     this.#isPreviewing = true;
     try {
-      const {after, quality, report} = await this.kernels.quick.preview(
-          state.base, this.shape.faces, amounts(state), this.#continues);
+      const {after, quality, report} = await this.#approximate(state);
       this.#continues = true;
       if (version === this.#version) {
         this.#seen = {after, quality, report};
@@ -78,6 +81,12 @@ class Session {
     }
     this.#isPreviewing = false;
     if (this.#wanted) this.#previewNext();
+  }
+
+  #approximate(state) {
+    const {base, targets, bound} = state, {faces} = this.shape, {quick} = this.kernels;
+    return kindOf(state) === 'deform' ? quick.deform(base, faces, targets, bound, this.#continues)
+                                      : quick.preview(base, faces, amounts(state), this.#continues);
   }
 
   /** Takes an edit over, and computes it. */
@@ -104,7 +113,7 @@ class Session {
     ++this.#version;
     this.#wanted = null;
     this.#continues &&= !this.state.isDone;
-    if (!this.state.isDone && this.state.flowed === 0 && isZero(this.state.rho))
+    if (!this.state.isDone && !kindOf(this.state))
       this.history.complete(this.state, {...freshState(this.state.base, this.shape.faces.length / 3,
                                                        this.state.steps, this.state.bound)});
     this.show(this.state, this.state.isDone ? 'exact' : 'computing');
@@ -134,8 +143,8 @@ class Session {
   }
 
   #exact(state) {
-    const {base, flowed, bound} = state, {faces} = this.shape;
-    return flowed > 0 ? this.kernels.exact.flow(base, faces, flowed)
-                      : this.kernels.exact.transform(base, faces, amounts(state), bound);
+    const {base, flowed, bound, targets} = state, {faces} = this.shape, {exact} = this.kernels;
+    return {flow: () => exact.flow(base, faces, flowed), deform: () => exact.deform(base, faces, targets, bound, false),
+            spin: () => exact.transform(base, faces, amounts(state), bound)}[kindOf(state)]();
   }
 }

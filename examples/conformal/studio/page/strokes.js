@@ -27,7 +27,7 @@ class Strokes {
       this.viewer.grab(first);
       return false;
     }
-    if (event.button !== 0 || event.shiftKey || this.tool().tool === 'turn') return false;
+    if (event.button !== 0 || event.shiftKey || !this.#paints()) return false;
     const point = this.#point(event.offsetX, event.offsetY);
     if (!point) return false;
     this.canvas.setPointerCapture(event.pointerId);
@@ -41,7 +41,7 @@ class Strokes {
   dabInTheMiddle() {
     const places = this.viewer.rectangles().map(r => [r.left + r.width / 2, r.top + r.height / 2]);
     const point = this.#point(...places[1]) ?? this.#point(...places[0]);
-    if (!point || this.tool().tool === 'turn') return;
+    if (!point || !this.#paints()) return;
     this.#begin({pointerId: -1, offsetX: 0, offsetY: 0});
     this.#dab(point);
     this.#end({pointerId: -1});
@@ -51,6 +51,8 @@ class Strokes {
     const ray = this.viewer.ray(x, y), hit = ray && meet(ray);
     return hit && pointOf(this.edit.faces(), this.viewer.home, hit);
   }
+
+  #paints() { return ['bulge', 'dent', 'erase'].includes(this.tool().tool); }
 
   #radius() { return .3 * this.tool().size; }
 
@@ -84,7 +86,7 @@ class Strokes {
 
   #move(event) {
     if (this.#stroke?.event.pointerId !== event.pointerId) {
-      const isFree = event.buttons === 0 && event.pointerType !== 'touch' && this.tool().tool !== 'turn';
+      const isFree = event.buttons === 0 && event.pointerType !== 'touch' && this.#paints();
       this.#ring(isFree ? this.#point(event.offsetX, event.offsetY) : null);
       return;
     }

@@ -24,6 +24,9 @@ const edits = {
       withArrays(module, [rho], place => module._studio_preview(place, continues)),
   transform: (module, {rho, bound}) =>
       withArrays(module, [rho], place => module._studio_transform(place, bound)),
+  deform: (module, {vertices, targets, bound, continues}) =>
+      withArrays(module, [vertices, targets], (points, places) =>
+          module._studio_deform(points, places, vertices.length, bound, continues)),
   flow: module => module._studio_flow()
 };
 

@@ -76,6 +76,19 @@ STUDIO_EXPORT bool studio_transform(const double* rho, double bound)
   return edit([&] { the_surface->transform(values(rho), bound); });
 }
 
+/// \param vertices numbers of the control points, \param targets 3 coordinates of each
+STUDIO_EXPORT bool studio_deform(const int* vertices, const double* targets, int count,
+                                 double bound, bool continues)
+{
+  return edit([&] {
+    std::vector<CGP::internal::Control_point> points;
+    for (int i = 0; i < count; ++i)
+      points.push_back(CGP::internal::control_point(
+          vertices[i], Eigen::Map<const Eigen::Vector3d>(targets + 3 * i)));
+    the_surface->deform(points, bound, continues);
+  });
+}
+
 STUDIO_EXPORT bool studio_flow()
 {
   return edit([] { the_surface->flow(); });

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_REPORT_TARGET_REPORT_H
+#define CONFORMAL_REPORT_TARGET_REPORT_H
+
+#include "Report.h"
+#include "Verification_limits.h"
+
+#include <Conformal_geometry_processing/spin/Spin_report.h>
+
+#include <cstddef>
+#include <string>
+
+namespace conformal {
+
+namespace CGP = Conformal_geometry_processing;
+
+/// Tells how far control points have come on the way to their targets.
+/// \param count of the control points
+void tell_targets(const CGP::Spin_report& spin, std::size_t count, Report& report);
+
+/// why a surface is refused that is not at its targets, with what to try; empty if it is near
+/// enough
+std::string fault_of_targets(const CGP::Spin_report& spin, const Verification_limits& limits);
+
+}  // namespace conformal
+
+#endif
