@@ -62,8 +62,10 @@ TEST(Verification, objects_to_each_fault_and_to_what_is_no_number)
   expect_objection(report, "the mean quasi-conformal error over the new area is");
   (report = faultless()).conformality.scale.collapsed_share = .6;
   expect_objection(report, "the share of the area that has collapsed is 0.6");
-  (report = faultless()).realised_share = .05;
-  expect_objection(report, "only 5 % of the norm of rho is realised");
+  (report = faultless()).realised_share = .4;  // .92 of the norm is left out
+  expect_objection(report, "only 40 % of the norm of rho is realised");
+  (report = faultless()).scales.kept_norm = .05;
+  expect_objection(report, "only 5 % of the norm of rho keeps lengths");
   (report = faultless()).residual = 1e-3;  // a tolerance of 1e300 makes everything converge
   expect_objection(report, "the eigenvector did not converge");
   (report = faultless()).direction_error.mean = nan;

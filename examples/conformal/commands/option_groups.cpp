@@ -263,11 +263,12 @@ void add_limits(CLI::App& command, Verification_limits& limits, bool& force)
       ->check(above_zero)
       ->capture_default_str();
   command
-      .add_option("--min-realised", limits.realised,
-                  "smallest share of the norm of rho that the new surface may have, where handles, "
-                  "holes or the bound on lengths do not allow all")
+      .add_option_function<double>(
+          "--min-realised", [&limits](double share) { limits.realised = limits.kept = share; },
+          "smallest share of the norm of rho that the new surface may have, where handles, "
+          "holes or the bound on lengths do not allow all")
       ->check(finite)
-      ->capture_default_str();
+      ->default_str(text_of(limits.realised) + ", for the bound " + text_of(limits.kept));
   add_map_limits(command, limits, force);
 }
 

@@ -18,6 +18,7 @@ CGP::Spin_report::Limits bounds(const Verification_limits& limits)
   bounds.closure = limits.closure;
   bounds.direction_error = limits.direction_error * std::acos(-1.) / 180;
   bounds.realised_share = limits.realised;
+  bounds.kept_norm = limits.kept;
   bounds.map = {limits.quasi_conformal, limits.flipped, limits.collapsed};
   return bounds;
 }
@@ -88,7 +89,7 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
     case Fault::directions:
       return fault_of_boundary(report, limits, easier);
     case Fault::left_out:
-      if (report.scales.kept_norm < limits.realised)
+      if (report.scales.kept_norm < limits.kept)
         return "only " + text_of(100 * report.scales.kept_norm, 3) +
                " % of the norm of rho keeps lengths within a factor of " +
                text_of(report.scales.bound, 3) +

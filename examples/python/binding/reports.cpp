@@ -59,10 +59,11 @@ py::dict as_dict(const CGP::Spin_report::Seconds& s)
 
 py::dict as_dict(const CGP::Spin_report::Limits& l)
 {
-  return py::dict(
-      "residual"_a = l.residual, "closure"_a = l.closure, "direction_error"_a = l.direction_error,
-      "realised_share"_a = l.realised_share, "quasi_conformal"_a = l.map.quasi_conformal,
-      "flipped_share"_a = l.map.flipped_share, "collapsed_share"_a = l.map.collapsed_share);
+  return py::dict("residual"_a = l.residual, "closure"_a = l.closure,
+                  "direction_error"_a = l.direction_error, "realised_share"_a = l.realised_share,
+                  "kept_norm"_a = l.kept_norm, "quasi_conformal"_a = l.map.quasi_conformal,
+                  "flipped_share"_a = l.map.flipped_share,
+                  "collapsed_share"_a = l.map.collapsed_share);
 }
 
 py::dict as_dict(const CGP::Parameterization_report::Seconds& s)

@@ -79,7 +79,7 @@ CGP_INLINE Spin_report::Fault Spin_report::fault() const
   if (boundary_fault != Boundary_fault::none && !is_open) return Fault::boundary;
   if (!(direction_error.mean <= limits.direction_error)) return Fault::directions;
   if (!(realised_share >= limits.realised_share)) return Fault::left_out;
-  if (!(scales.kept_norm >= limits.realised_share)) return Fault::left_out;
+  if (!(scales.kept_norm >= limits.kept_norm)) return Fault::left_out;
   if (!has_positions && !(closure_residual <= limits.closure)) return Fault::open;
   if (!(period_defect <= period_limit)) return Fault::open;
   const double rounding = 1e-9;

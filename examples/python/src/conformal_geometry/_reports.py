@@ -112,6 +112,7 @@ class Limits:
     closure: float
     direction_error: float
     realised_share: float
+    kept_norm: float
     quasi_conformal: float
     flipped_share: float
     collapsed_share: float
