@@ -11,6 +11,7 @@ std::vector<Command> commands()
       info_command(),
       spin_command(),
       deform_command(),
+      fair_command(),
       flow_command(),
       boundary_command(),
       fit_command(),

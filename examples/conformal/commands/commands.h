@@ -13,6 +13,7 @@ namespace conformal {
 Command info_command();
 Command spin_command();
 Command deform_command();
+Command fair_command();
 Command flow_command();
 Command boundary_command();
 Command fit_command();

@@ -68,25 +68,14 @@ Files files(const Spin_options& spin)
           {"--paint", spin.rho.image}};
 }
 
-/// numbers of the vertices from a formula or a property, none if both are empty
-Eigen::VectorXd vertex_numbers(const Surface_input& input, const std::string& expression,
-                               const std::string& property)
-{
-  Rho_options source;
-  source.expression = expression;
-  source.property = property;
-  source.on_faces = false;
-  if (!expression.empty()) return rho_from_expression(input, source).values;
-  if (!property.empty()) return rho_from_property(input, source).values;
-  return {};
-}
-
 /// on the whole surface
 CGP::internal::Scale_control scale_control(const Surface_input& input, const Scale_options& scales)
 {
   CGP::internal::Scale_control control;
-  control.factors = vertex_numbers(input, scales.target_expression, scales.target_property);
-  control.weights = vertex_numbers(input, scales.lock_expression, scales.lock_property);
+  control.factors = vertex_numbers(input, "--target-scale-expression", scales.target_expression,
+                                   scales.target_property);
+  control.weights =
+      vertex_numbers(input, "--lock-expression", scales.lock_expression, scales.lock_property);
   const bool is_used = control.factors.size() > 0 || control.weights.size() > 0;
   if (is_used && !scales.bound)
     throw Failure(Exit_code::usage,

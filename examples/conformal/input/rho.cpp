@@ -40,9 +40,22 @@ void require_finite(const Surface_input& input, const CGP::Curvature_potential& 
 
 }  // namespace
 
-CGP::Curvature_potential rho_from_expression(const Surface_input& input, const Rho_options& options)
+Eigen::VectorXd vertex_numbers(const Surface_input& input, const std::string& option,
+                               const std::string& expression, const std::string& property)
 {
-  Expression expression(options.expression);
+  Rho_options source;
+  source.expression = expression;
+  source.property = property;
+  source.on_faces = false;
+  if (!expression.empty()) return rho_from_expression(input, source, option).values;
+  if (!property.empty()) return rho_from_property(input, source).values;
+  return {};
+}
+
+CGP::Curvature_potential rho_from_expression(const Surface_input& input, const Rho_options& options,
+                                             const std::string& option)
+{
+  Expression expression(options.expression, option);
   const User_frame frame(input.mesh);
   const CGP::Mesh_view& mesh = input.mesh;
   if (options.on_faces.value_or(false)) {

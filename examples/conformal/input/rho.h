@@ -18,8 +18,15 @@ namespace conformal {
 /// \throws Failure, Read_error
 CGP::Curvature_potential read_rho(const Surface_input& input, const Rho_options& options);
 
+/// \brief Numbers of the vertices from a formula or a property, none if both are empty.
+/// \param option whose value the formula is
+/// \throws Failure, Read_error
+Eigen::VectorXd vertex_numbers(const Surface_input& input, const std::string& option,
+                               const std::string& expression, const std::string& property);
+
 /// each of the four sources, without the amplitude and filters on the surface
-CGP::Curvature_potential rho_from_expression(const Surface_input& input, const Rho_options&);
+CGP::Curvature_potential rho_from_expression(const Surface_input& input, const Rho_options&,
+                                             const std::string& option = "--rho-expression");
 CGP::Curvature_potential rho_from_property(const Surface_input& input, const Rho_options&);
 CGP::Curvature_potential rho_from_file(const Surface_input& input, const Rho_options&);
 CGP::Curvature_potential rho_from_image(const Surface_input& input, const Rho_options&);

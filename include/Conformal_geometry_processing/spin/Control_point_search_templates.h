@@ -103,7 +103,7 @@ void Control_point_search<SolverTraits, EigensolverTraits>::go(const Dirac_optio
     const double rest = 1 - m_reached - step;
     const bool is_there = go_to(rest < m_options.min_step ? 1 : 1 - rest, options, go_further);
     if (m_search->costs().cancelled) return;
-    step = is_there ? (std::min)(2 * step, 1 - m_reached) : step / 2;
+    if (!is_there) step /= 2;
   }
   if (m_options.surface.scales.bound) bound_scales(options, go_further);
 }
