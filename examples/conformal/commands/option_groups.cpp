@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "option_groups.h"
 
+#include "conformal/process/text.h"
+
 #include <cmath>
 #include <cstdlib>
 
