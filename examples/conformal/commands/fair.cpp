@@ -86,7 +86,8 @@ CGP::internal::Fairing_result fair_watched(const CGP::Mesh_view& mesh,
   Progress progress(session.options().quiet);
   int step = 0;
   const auto go_further = [&] {
-    progress.show(session.part() + "step " + std::to_string(++step),
+    ++step;
+    progress.show(session.part() + "step " + std::to_string(step),
                   static_cast<double>(step) / options.steps);
     return signal_received() == 0;
   };
