@@ -108,7 +108,7 @@ TEST_F(Fair, refuses_what_is_no_region)
   is_refused("--region-expression 'z+'", 2, "--region-expression");
   is_refused("--region-expression 'z-99'", 4, "no vertex is in the region");
   is_refused("--region-expression 0/0", 4, "no vertex is in the region");
-  is_refused("--region-expression 1", 4, "rim");
+  is_refused("--region-expression 1", 4, "the whole component");
   is_refused("--region-property none", 4, "none");
   is_refused("--region-expression 'z-.4' --max-quasi-conformal 1", 1, "quasi-conformal");
 }
