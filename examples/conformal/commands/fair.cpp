@@ -23,18 +23,17 @@ namespace conformal {
 namespace {
 
 const char* const about =
-    "Replaces a region of a surface by the smoothest one with the same rim and normals there: "
-    "that\n"
-    "of least Willmore energy. The region is where a formula, or a vertex property, is positive;\n"
+    "Replaces a region of a surface by the smoothest one with the same rim and normals there: the\n"
+    "one of least Willmore energy. The region is where a formula or a vertex property is positive;\n"
     "all else stays as it is, to the bit. By default the region stays in its conformal class, so\n"
     "that textures and the quality of triangles survive; --outline looks at nothing but the rim,\n"
     "as is right for a hole that was filled with any triangles.\n"
-    "The formula has x, y, z (the middle of the bounding box is 0, its diagonal 2), nx, ny and "
-    "nz,\n"
-    "as that of `conformal spin --rho-expression`.\n"
+    "The formula has x, y, z (the middle of the bounding box is 0, its diagonal 2) and the normal\n"
+    "nx, ny, nz, as that of `conformal spin --rho-expression`.\n"
     "The output has the vertex property quality (quasi-conformal error, 1 is perfect).\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
-    "Example: conformal fair bear.off --region-expression 'y-.3' -o bear_faired.ply";
+    "Example, which takes an ear off a bear: conformal fair bear.off --outline\n"
+    "  --region-expression 'min(y-.4,-x-.05)' -o bear_faired.ply";
 
 struct Fair_options {
   std::string input, expression, property;
