@@ -23,9 +23,10 @@ namespace conformal {
 namespace {
 
 const char* const about =
-    "Replaces a region of a surface by the smoothest one with the same rim and normals there: the\n"
-    "one of least Willmore energy. The region is where a formula or a vertex property is positive;\n"
-    "all else stays as it is, to the bit. By default the region stays in its conformal class, so\n"
+    "Replaces a region of a surface by the smoothest one with the same rim and normals there, "
+    "with\n"
+    "the least Willmore energy. The region is where a formula or a vertex property is positive.\n"
+    "All else stays as it is, to the bit. By default the region stays in its conformal class, so\n"
     "that textures and the quality of triangles survive; --outline looks at nothing but the rim,\n"
     "as is right for a hole that was filled with any triangles.\n"
     "The formula has x, y, z (the middle of the bounding box is 0, its diagonal 2) and the normal\n"
