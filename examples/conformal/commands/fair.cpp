@@ -23,8 +23,7 @@ namespace conformal {
 namespace {
 
 const char* const about =
-    "Replaces a region of a surface by the smoothest one with the same rim and normals there, "
-    "with\n"
+    "Replaces a region of a surface by the smoothest one with the same rim and normals, with\n"
     "the least Willmore energy. The region is where a formula or a vertex property is positive.\n"
     "All else stays as it is, to the bit. By default the region stays in its conformal class, so\n"
     "that textures and the quality of triangles survive; --outline looks at nothing but the rim,\n"
