@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+using namespace Conformal_geometry_processing;
+
 /// \ingroup PkgConcepts
 /// \cgalConcept
 ///
@@ -20,6 +22,12 @@
 ///
 /// Each map is a model of `ReadWritePropertyMap`, may be used longer than the traits, but not
 /// longer than the mesh, and shares its values with its copies.
+///
+/// Headers of these types, below `Conformal_geometry_processing/`:
+/// - `Conformal_geometry_processing::Conformal_mesh_traits`,
+///   `core/Conformal_mesh_traits.h`
+/// - `Conformal_geometry_processing::Quaternion`,
+///   `algebra/Quaternion.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Conformal_mesh_traits<TriangleMesh>`: dynamic
@@ -42,7 +50,7 @@ class ConformalMeshTraits {
   /// from faces to `double`: rho in 1/length, initially 0
   typedef unspecified_type Face_curvature_potential_map;
 
-  /// from vertices to `Conformal_geometry_processing::Quaternion<double>`: lambda, initially 1
+  /// from vertices to `Quaternion<double>`: lambda, initially 1
   typedef unspecified_type Vertex_spin_map;
 
   /// from vertices to a vector with `x()`, `y()`, `z()`, which is constructed from three

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+using namespace Conformal_geometry_processing;
+
 /// \ingroup PkgConcepts
 /// \cgalConcept
 ///
@@ -15,6 +17,14 @@
 /// The free function `boundary_loops(surface)`, found by argument-dependent lookup, returns the
 /// loops of boundary vertices, the surface on their left, or none on a closed surface.
 ///
+/// Headers of these types, below `Conformal_geometry_processing/`:
+/// - `Conformal_geometry_processing::Points`,
+///   `mesh/Mesh_view.h`
+/// - `Conformal_geometry_processing::Sheet`,
+///   `mesh/Sheet.h`
+/// - `Conformal_geometry_processing::Surface_ref`,
+///   `mesh/Surface_ref.h`
+///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Mesh_view`}
 /// \cgalHasModels{`Conformal_geometry_processing::Delaunay_view`}
@@ -23,7 +33,7 @@
 class ConformalSurface {
  public:
   /// the positions of the vertices, 3 x |V|; always the same object while the surface lives
-  const Conformal_geometry_processing::Points& positions() const;
+  const Points& positions() const;
 
   /// of the mesh: the number of values of a curvature on faces
   int size_of_faces() const;
@@ -36,5 +46,5 @@ class ConformalSurface {
   int size_of_sheets() const;
 
   /// sheet i; sheets of one triangle follow each other
-  Conformal_geometry_processing::Sheet sheet(int i) const;
+  Sheet sheet(int i) const;
 };

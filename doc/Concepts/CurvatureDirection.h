@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+using namespace Conformal_geometry_processing;
+
 /// \ingroup PkgConcepts
 /// \cgalConcept
 ///
@@ -10,15 +12,21 @@
 /// The parameter may be a `Surface_ref` instead, to which a mesh converts: then flows with
 /// mollification take the direction on their triangulation, in its unit of length.
 ///
+/// Headers of these types, below `Conformal_geometry_processing/`:
+/// - `Conformal_geometry_processing::Mesh_view`,
+///   `mesh/Mesh_view.h`
+/// - `Conformal_geometry_processing::Surface_ref`,
+///   `mesh/Surface_ref.h`
+///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Willmore_direction`}
 /// \cgalHasModelsEnd
 class CurvatureDirection {
  public:
   /// one finite number per vertex, in 1/length of the mesh: the rate of change of H |df|, by |df|
-  Eigen::VectorXd operator()(const Conformal_geometry_processing::Mesh_view& mesh) const;
+  Eigen::VectorXd operator()(const Mesh_view& mesh) const;
 
   /// what decreases along the direction, a positive number. Need not be there: then any step is
   /// accepted that is conformal enough, and the Willmore energy is reported.
-  double energy(const Conformal_geometry_processing::Mesh_view& mesh) const;
+  double energy(const Mesh_view& mesh) const;
 };

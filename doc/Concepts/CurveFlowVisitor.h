@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+using namespace Conformal_geometry_processing;
+
 /// \ingroup PkgConcepts
 /// \cgalConcept
 ///
@@ -10,6 +12,12 @@
 /// `Isometric_curve_flow` is at its last complete step then, and `isometric_curve_flow()` has
 /// written nothing. A model need be neither copied nor moved: it is passed as
 /// `parameters::visitor(std::ref(v))`.
+///
+/// Headers of these types, below `Conformal_geometry_processing/`:
+/// - `Conformal_geometry_processing::Curve_step_report`,
+///   `curves/Curve_flow_report.h`
+/// - `Conformal_geometry_processing::Isometric_curve_flow`,
+///   `curves/Isometric_curve_flow.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Curve_flow_visitor`}
@@ -23,6 +31,5 @@ class CurveFlowVisitor {
   bool go_further();
 
   /// called after every accepted step, with the new points
-  void on_step_end(const Conformal_geometry_processing::Curve_step_report& report,
-                   const Eigen::Matrix2Xd& points);
+  void on_step_end(const Curve_step_report& report, const Eigen::Matrix2Xd& points);
 };

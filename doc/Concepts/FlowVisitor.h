@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+using namespace Conformal_geometry_processing;
+
 /// \ingroup PkgConcepts
 /// \cgalConcept
 ///
@@ -12,16 +14,28 @@
 /// `parameters::visitor(std::ref(v))`. It must not make the flow that it watches go on: that throws
 /// `Precondition_error`, and leaves the flow as it was.
 ///
+/// Headers of these types, below `Conformal_geometry_processing/`:
+/// - `Conformal_geometry_processing::Conformal_willmore_flow`,
+///   `flow/Conformal_willmore_flow.h`
+/// - `Conformal_geometry_processing::Eigensolver_progress`,
+///   `linear_algebra/krylov/Eigensolver_result.h`
+/// - `Conformal_geometry_processing::Flow_step_report`,
+///   `flow/Flow_report.h`
+/// - `Conformal_geometry_processing::Mesh_view`,
+///   `mesh/Mesh_view.h`
+/// - `Conformal_geometry_processing::Precondition_error`,
+///   `exceptions.h`
+///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Flow_visitor`}
 /// \cgalHasModelsEnd
 class FlowVisitor {
  public:
   /// called once, with the surface the flow starts from and its energy
-  void on_flow_begin(const Conformal_geometry_processing::Mesh_view& mesh, double energy);
+  void on_flow_begin(const Mesh_view& mesh, double energy);
 
   /// called before every iteration of the eigenvalue solver, as in `SpinVisitor`
-  void on_iteration(const Conformal_geometry_processing::Eigensolver_progress& progress);
+  void on_iteration(const Eigensolver_progress& progress);
 
   /// asked before every step, and after each call of `on_iteration()`: `false` stops the flow at
   /// the last complete step
@@ -29,6 +43,5 @@ class FlowVisitor {
 
   /// called after every accepted step, with the new surface, whose vertices are numbered in the
   /// order of `vertices(mesh)`
-  void on_step_end(const Conformal_geometry_processing::Flow_step_report& report,
-                   const Conformal_geometry_processing::Mesh_view& mesh);
+  void on_step_end(const Flow_step_report& report, const Mesh_view& mesh);
 };

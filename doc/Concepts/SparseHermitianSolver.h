@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+using namespace Conformal_geometry_processing;
+
 /// \ingroup PkgConcepts
 /// \cgalConcept
 ///
@@ -13,6 +15,22 @@
 /// `Solver_status::wrong_state`. After a failure, the last step that succeeded before the failing
 /// one can be built upon. Models are default constructible; they need be neither copied nor moved.
 /// One object is used by one thread at a time.
+///
+/// Headers of these types, below `Conformal_geometry_processing/`:
+/// - `Conformal_geometry_processing::Block`,
+///   `algebra/Quaternion_vector.h`
+/// - `Conformal_geometry_processing::Hermitian_sparse_matrix`,
+///   `algebra/Hermitian_sparse_matrix.h`
+/// - `Conformal_geometry_processing::Quaternion`,
+///   `algebra/Quaternion.h`
+/// - `Conformal_geometry_processing::Solver_statistics`,
+///   `linear_algebra/dense/Solver_status.h`
+/// - `Conformal_geometry_processing::Solver_status`,
+///   `linear_algebra/dense/Solver_status.h`
+/// - `Conformal_geometry_processing::Sparse_pattern`,
+///   `algebra/Hermitian_sparse_matrix.h`
+/// - `Conformal_geometry_processing::Vector`,
+///   `algebra/Quaternion_vector.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Supernodal_cholesky`,}

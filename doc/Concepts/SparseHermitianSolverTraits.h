@@ -1,10 +1,16 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+using namespace Conformal_geometry_processing;
+
 /// \ingroup PkgConcepts
 /// \cgalConcept
 ///
 /// \brief one name for the solvers of all scalars: what the named parameter `sparse_solver` takes.
+///
+/// Headers of these types, below `Conformal_geometry_processing/`:
+/// - `Conformal_geometry_processing::Quaternion`,
+///   `algebra/Quaternion.h`
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Supernodal_solver_traits`, the default,}

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+using namespace Conformal_geometry_processing;
+
 /// \ingroup PkgConcepts
 /// \cgalConcept
 ///
@@ -11,6 +13,12 @@
 /// it is passed as `parameters::visitor(std::ref(v))`. It must not call the object that it watches:
 /// that throws `Precondition_error`, and leaves the object as it was.
 ///
+/// Headers of these types, below `Conformal_geometry_processing/`:
+/// - `Conformal_geometry_processing::Eigensolver_progress`,
+///   `linear_algebra/krylov/Eigensolver_result.h`
+/// - `Conformal_geometry_processing::Precondition_error`,
+///   `exceptions.h`
+///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{`Conformal_geometry_processing::Spin_visitor`}
 /// \cgalHasModelsEnd
@@ -19,7 +27,7 @@ class SpinVisitor {
   /// called before every iteration of the eigenvalue solver, with the number of iterations done in
   /// this solve (it starts at zero again in every substep), the smallest eigenvalue so far, and the
   /// error estimate, which falls to the tolerance
-  void on_iteration(const Conformal_geometry_processing::Eigensolver_progress& progress);
+  void on_iteration(const Eigensolver_progress& progress);
 
   /// asked after each call of `on_iteration()`: `false` cancels the work
   bool go_further();

@@ -26,7 +26,7 @@ namespace Conformal_geometry_processing {
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the surface; its points are overwritten
-/// \param np optional named parameters, as those of `spin_transform()`
+/// \param np optional named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{boundary_direction}
@@ -45,6 +45,10 @@ namespace Conformal_geometry_processing {
 ///                           zero, and the nearest of their surfaces is returned}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`minimal_kernel_tolerance()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map, output_vertex_point_map, vertex_spin_map, geom_traits,
+///                    sparse_solver, tolerance, number_of_iterations, random_seed, branch}
+///     \cgalParamDescription{see `spin_transform()`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
