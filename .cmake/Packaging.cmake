@@ -11,7 +11,7 @@ set(config_version ${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/Config.cmake.in ${config}
                               INSTALL_DESTINATION ${config_folder})
-write_basic_package_version_file(${config_version} COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(${config_version} COMPATIBILITY SameMajorVersion)
 
 # The targets of a component, and the file that find_package reads for it:
 # cgp_install(<component> <target>...)

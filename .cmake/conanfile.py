@@ -11,7 +11,7 @@ from conan.tools.files import copy
 
 class ConformalGeometryProcessing(ConanFile):
     name = "conformal-geometry-processing"
-    version = "0.1.0"
+    version = "1.0.0"
     license = "LGPL-3.0-or-later"
     description = "Surfaces edited, smoothed and flattened by their curvature, without shear"
     settings = "os", "compiler", "build_type", "arch"

@@ -4,7 +4,8 @@
 """README, gallery and manual fit the sources: the README's program is the example first_program,
 files in backticks and links exist, links lead to headings that exist, the README is short, every
 measured page is in the index of evidence with numbers that it has, every example and named
-parameter is in the manual, and every picture is shown on a page and drawn by a program.
+parameter is in the manual, every picture is shown on a page and drawn by a program, and the version
+is the same everywhere.
 """
 
 import re
@@ -13,11 +14,12 @@ import check_thesis_map
 import sources
 
 DOC = sources.ROOT / "doc"
-PAGES = ["README.md", "doc/overview.md", "doc/gallery.md", "doc/history.md", "doc/evidence.md"]
+PAGES = ["README.md", "doc/overview.md", "doc/gallery.md", "doc/CHANGELOG.md", "doc/evidence.md"]
 LONGEST_README = 400  # words
 LINK = re.compile(r"\]\((?!https?:)([^)#]*)(?:#([^)]+))?\)")
 MEASURED = re.compile(r"(Written by|^)\s*`benchmark/\w+`", re.MULTILINE)
 ROW = re.compile(r"^\| \[[^]]+\]\((\w+\.md)\) \| (.*) \|$", re.MULTILINE)
+VERSIONED = ["doc/CHANGELOG.md", "doc/CITATION.cff", ".cmake/conanfile.py", ".cmake/vcpkg/vcpkg.json"]
 NUMBER = re.compile(r"(?<![\w.])-?\d[\d,]*(?:\.\d+)*(?:e-?\d+)?")
 
 
@@ -96,6 +98,17 @@ def pictures():
             yield f"doc/figures/{picture.name} is drawn by no program"
 
 
+def version():
+    header = (sources.INCLUDE / "version.h").read_text(encoding="utf-8")
+    version = ".".join(re.findall(r"VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header))
+    if f'VERSION "{version}"' not in header:
+        yield "version.h: its text is not its numbers"
+    for page in VERSIONED:
+        first = re.search(r"(?m)^(?!cff-).*?(?:version\W+|## )(\d+\.\d+\.\d+)", check_thesis_map.read(page))
+        if not first or first[1] != version:
+            yield f"{page}: its version is not {version}"
+
+
 def complaints():
     yield from the_program()
     for page in PAGES:
@@ -106,6 +119,7 @@ def complaints():
     yield from examples()
     yield from named_parameters()
     yield from pictures()
+    yield from version()
 
 
 if __name__ == "__main__":
