@@ -44,7 +44,8 @@ install(FILES ${config} ${config_version} ${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc/licenses/ DESTINATION ${CMAKE_INSTALL_DOCDIR}
         COMPONENT headers)
 
-# Debian packages: `cpack -G DEB` makes libconformal-geometry-processing, -dev and conformal.
+# Debian packages: `cpack -G DEB` makes libconformal-geometry-processing, -dev, conformal and
+# python3-conformal-geometry.
 set(CPACK_PACKAGE_NAME conformal-geometry-processing)
 set(CPACK_PACKAGE_VENDOR "The Conformal Geometry Processing authors")
 set(CPACK_PACKAGE_CONTACT "${CPACK_PACKAGE_VENDOR} <authors@conformal-geometry-processing.invalid>")
@@ -69,6 +70,9 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME conformal)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 set(CPACK_COMPONENT_HEADERS_DEPENDS libraries)
 set(CPACK_COMPONENT_PROGRAM_DEPENDS libraries)
+set(CPACK_DEBIAN_PYTHON_DEBIAN_PACKAGE_NAME python3-conformal-geometry)
+set(CPACK_DEBIAN_PYTHON_DEBIAN_PACKAGE_SECTION python)
+set(CPACK_COMPONENT_PYTHON_DEBIAN_DEPENDS libraries)
 if(PROJECT_IS_TOP_LEVEL)
-  include(CPack)
+  cmake_language(DEFER CALL include CPack) # when it is known whether there is a Python module
 endif()

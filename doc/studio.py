@@ -31,7 +31,16 @@ class Studio:
         return self.folder / name
 
     def run(self, program, *arguments):
-        subprocess.run([self.build / "examples" / program, *map(str, arguments)], check=True)
+        """What the program prints."""
+        run = subprocess.run([self.build / "examples" / program, *map(str, arguments)], check=True,
+                             stdout=subprocess.PIPE, text=True)
+        print(run.stdout, end="")
+        return run.stdout
+
+    def certify(self, figure, program, *arguments):
+        """Runs the program, and keeps what it says in the end beside the figure."""
+        certificate = self.run(program, *arguments).rpartition("\n\n")[2]
+        (FIGURES / f"{figure}.txt").write_text(certificate, encoding="utf-8")
 
 
 def render(surfaces, picture, view=""):

@@ -3,7 +3,10 @@
 // Finds the rotations of many cameras from noisy measurements of how each is turned against its
 // neighbours: sparse linear algebra over the quaternions, without any surface.
 //
-//   average_rotations [CAMERAS [NOISE]]
+//   average_rotations [CAMERAS [NOISE [ANGLES.txt]]]
+//
+// ANGLES.txt gets two angles a camera, in degrees: how far its rotation is from the truth, taken
+// from one camera to the next, and by the eigenvector.
 //
 // Unit quaternions q_i with q_i = r_ij q_j make the sum of |q_i - r_ij q_j|^2 zero. Measured r_ij
 // do not fit together; the smallest eigenvector of that sum's Hermitian matrix comes nearest.
@@ -12,12 +15,21 @@
 #include <Conformal_geometry_processing/linear_algebra/eigensolvers.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <memory>
 
 namespace CGP = Conformal_geometry_processing;
 using Quaternion = CGP::Quaternion<double>;
+
+// the angle between two rotations
+double degrees(const Quaternion& p, const Quaternion& q)
+{
+  const double cosine = std::abs(CGP::dot(p, q)) / (CGP::norm(p) * CGP::norm(q));
+  return 360 / 3.14159265358979 * std::acos((std::min)(cosine, 1.));
+}
 
 int main(int argc, char* argv[])
 {
@@ -57,6 +69,13 @@ int main(int argc, char* argv[])
   Quaternion overlap{0, 0, 0, 0};  // all may be turned by one rotation, from the right
   for (int i = 0; i < n; ++i)
     overlap += CGP::conjugate(truth[i]) * found.vectors(i, 0) / CGP::norm(found.vectors(i, 0));
+  std::ofstream angles(argc > 3 ? argv[3] : "");
+  Quaternion next = truth[0];
+  for (int i = 0; i < n; ++i) {
+    const Quaternion found_i = found.vectors(i, 0) * CGP::inverse(overlap);
+    angles << degrees(next, truth[i]) << ' ' << degrees(found_i, truth[i]) << '\n';
+    if (i + 1 < n) next = -1 * (A.value(pattern->find(i + 1, i)) * next);
+  }
   std::cout << n << " rotations in " << found.iterations << " iterations, overlap with the truth "
             << CGP::norm(overlap) / n << '\n';
   return found.converged ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -7,6 +7,7 @@
 // Filters of surfaces are filters of images: the image is blurred or sharpened, and the map to
 // every result is conformal [CGP 6.2].
 #include <Conformal_geometry_processing/painting/image_filters.h>
+#include <Conformal_geometry_processing/spin/Spin_report_io.h>
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -60,7 +61,7 @@ int main(int argc, char* argv[])
     const auto binormals_stay =
         CGP::parameters::boundary_direction(CGP::Boundary_direction{0, 0, 1});
     const CGP::Spin_report report = CGP::spin_transform(mesh, rho, binormals_stay);
-    std::cout << "mean quasi-conformal error " << report.conformality.quasi_conformal.mean << '\n';
+    std::cout << report;
     //! [paint]
     if (!report) return EXIT_FAILURE;
   } catch (const CGP::Error& error) {

@@ -24,7 +24,8 @@ else()
   set(hostile_macros_arguments ${all_at_once_arguments})
   set(two_units_arguments ${all_at_once_arguments})
   foreach(what headers_alone hostile_macros two_units layers licences mirrored_tests format lengths
-               heads performance thesis_map manual public_types reference)
+               heads performance thesis_map manual manual_tasks public_types
+               reference)
     add_test(NAME sources.${what} COMMAND ${Python3_EXECUTABLE}
              ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_${what}.py ${${what}_arguments})
   endforeach()

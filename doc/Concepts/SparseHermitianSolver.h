@@ -16,6 +16,14 @@ using namespace Conformal_geometry_processing;
 /// one can be built upon. Models are default constructible; they need be neither copied nor moved.
 /// One object is used by one thread at a time.
 ///
+/// Products of quaternions do not commute: A x multiplies the scalars of x from the left. A model
+/// whose solutions are less exact than those of a factorization says so. For templates over both
+/// scalars, `Conformal_geometry_processing::conjugate()` of `algebra/scalar.h` is the identity on
+/// numbers, and `Hermitian_sparse_matrix::diagonal()` a number.
+///
+/// `examples/Ldl_solver.h` is a model of 200 lines, with nothing of the library but the headers
+/// below. The test `test/linear_algebra/solver_laws.h` asks of a model all that this page says.
+///
 /// Headers of these types, below `Conformal_geometry_processing/`:
 /// - `Conformal_geometry_processing::Block`,
 ///   `algebra/Quaternion_vector.h`
@@ -57,12 +65,14 @@ class SparseHermitianSolver {
 
   /// \brief prepares for matrices on a pattern, and chooses an ordering.
   ///
-  /// Done once per connectivity. The pattern need not outlive the call.
+  /// Done once per connectivity. The pattern need not outlive the call. One without rows is
+  /// `Solver_status::wrong_state`.
   Solver_status analyze(const Sparse_pattern& pattern);
 
   /// \brief the same with a given ordering.
   ///
-  /// \param order a permutation of the rows, as another solver's `ordering()` gives it
+  /// \param order a permutation of the rows, as another solver's `ordering()` gives it: row
+  /// `order[k]` is the k-th that is eliminated. What is none is `Solver_status::wrong_state`.
   Solver_status analyze(const Sparse_pattern& pattern, const std::vector<int>& order);
 
   /// the same, with a hint: column i of `positions`, 3 x n, is where vertex i is in space. A model
@@ -75,13 +85,14 @@ class SparseHermitianSolver {
   template <class OtherSolver>
   Solver_status analyze_like(const Sparse_pattern& pattern, const OtherSolver& other);
 
-  /// the ordering in use
+  /// the ordering in use, numbered likewise; of no rows before `analyze()`
   const std::vector<int>& ordering() const;
 
   /// \brief factorizes A + diag(shift).
   ///
-  /// Done any number of times, for matrices on the analyzed pattern.
-  /// \param shift one number per row, or empty
+  /// Done any number of times, for matrices on the analyzed pattern; one of another size, or with
+  /// another number of entries, is `Solver_status::wrong_state`.
+  /// \param shift one number per row, which may be zero, or empty
   /// \returns `Solver_status::not_positive_definite` where a pivot is zero or negative,
   /// `Solver_status::numerical_issue` where a value is not finite
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift);
@@ -91,7 +102,8 @@ class SparseHermitianSolver {
   /// \param x is resized; stays as it is unless the status is `Solver_status::success`
   Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;
 
-  /// the cost of the factorization; zeros before `analyze()`
+  /// the cost of the factorization: scalars stored, floating-point operations (at least one for
+  /// each of them), bytes; zeros before `analyze()`
   Solver_statistics statistics() const;
 
   /// @}
