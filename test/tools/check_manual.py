@@ -5,7 +5,7 @@
 files in backticks and links exist, links lead to headings that exist, the README is short, every
 measured page is in the index of evidence with numbers that it has, every example and named
 parameter is in the manual, every picture is shown on a page and drawn by a program, and the version
-is the same everywhere.
+is the same everywhere. What is installed was built before.
 """
 
 import re
@@ -20,6 +20,7 @@ LINK = re.compile(r"\]\((?!https?:)([^)#]*)(?:#([^)]+))?\)")
 MEASURED = re.compile(r"(Written by|^)\s*`benchmark/\w+`", re.MULTILINE)
 ROW = re.compile(r"^\| \[[^]]+\]\((\w+\.md)\) \| (.*) \|$", re.MULTILINE)
 VERSIONED = ["doc/CHANGELOG.md", "doc/CITATION.cff", ".cmake/conanfile.py", ".cmake/vcpkg/vcpkg.json"]
+BLOCK = re.compile(r"(?s)```.*?```|\\code.*?\\endcode")
 NUMBER = re.compile(r"(?<![\w.])-?\d[\d,]*(?:\.\d+)*(?:e-?\d+)?")
 
 
@@ -98,6 +99,16 @@ def pictures():
             yield f"doc/figures/{picture.name} is drawn by no program"
 
 
+def installations():
+    """What is installed in a block of commands was built in it before."""
+    pages = [sources.ROOT / "README.md", *DOC.glob("*.md"), *DOC.glob("manual/*.txt")]
+    for path in pages:
+        for block in BLOCK.findall(path.read_text(encoding="utf-8")):
+            before, found, _ = block.partition("cmake --install")
+            if found and "cmake --build" not in before:
+                yield f"{path.name}: cmake --install before anything was built"
+
+
 def version():
     header = (sources.INCLUDE / "version.h").read_text(encoding="utf-8")
     version = ".".join(re.findall(r"VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header))
@@ -120,6 +131,7 @@ def complaints():
     yield from named_parameters()
     yield from pictures()
     yield from version()
+    yield from installations()
 
 
 if __name__ == "__main__":
