@@ -25,7 +25,7 @@ class Period_residual : public Spin_residual {
   Eigen::VectorXd values() const override { return m_values; }
   Eigen::VectorXd change(const Spins& dlambda) const override;
   Spins gradient(const Eigen::VectorXd& y) const override;
-  double damping() const override { return (std::min)(0.01, 10 * m_values.norm()); }
+  double damping() const override { return (std::min)(0.01, m_values.norm()); }
 
  private:
   Eigen::VectorXd periods(const Eigen::MatrixX3d& edges) const;

@@ -42,7 +42,6 @@ void Potential_search<SolverTraits, EigensolverTraits>::restart(Curvature_potent
   m_now.rho = {m_rho.on, Eigen::VectorXd::Zero(m_rho.values.size())};
   m_now.solution.lambda = Spins::Constant(m_system.areas().size(), {1, 0, 0, 0});
   m_last_constraints.reset();
-  m_penalty = 0;
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -55,6 +54,7 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
   Dirac_options limited = options;
   limited.max_iterations = (std::min)(options.max_iterations, 40);
   m_last_length = 1;
+  m_penalty = 0;
   m_now = evaluate(m_now.rho.values, m_now.solution, limited, go_further);
   for (int i = 0; i < max_steps && !m_costs.cancelled; ++i) {
     const std::optional<Step> step = best_step();
@@ -209,9 +209,10 @@ auto Potential_search<SolverTraits, EigensolverTraits>::best_step(const Derivati
   step.gamma = S.gamma_change(step.change)[0];
   double rise = 2 * g.dot(step.change) + m_metric.squared_norm(step.change);
   for (const Spin_residual* r : m_residuals) rise += r->change(step.lambda).squaredNorm();
-  // The sum may rise to satisfy the constraints, but not by more than their price.
-  const double violation = m_now.constraints.norm();
-  if (violation > 0) m_penalty = (std::max)(m_penalty, 2 * rise / violation);
+  // The sum may rise to satisfy constraints, but not by more than the price of what is satisfied.
+  const Eigen::VectorXd left = m_now.constraints + gradients.transpose() * step.change;
+  const double reduction = m_now.constraints.norm() - left.norm();
+  if (reduction > 0) m_penalty = (std::max)(m_penalty, 2 * rise / reduction);
   m_costs.solves += S.number_of_solves();
   m_costs.seconds.eigenvectors += watch.lap();
   return step;
