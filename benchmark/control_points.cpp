@@ -5,8 +5,9 @@
 /// `Surface_mesh_deformation`, and drags it on in small steps. Prints a line of JSON for each mesh,
 /// distance and method.
 ///
-/// Usage: benchmark_control_points MESH.off...
+/// Usage: benchmark_control_points MESH...
 ///
+/// A mesh is a file or the name of a shape: sphere, bumpy_sphere, torus, disk.
 /// Meshes have the area 4 pi, so that the radius of the sphere of the same area is 1. The first
 /// control point is the highest vertex, each next one as far as possible from those before. The
 /// second is moved, the others are held.
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -31,9 +33,12 @@
 
 #include "stage.h"
 #include "support/Record.h"
+#include "support/bounded_meshes.h"
 #include "support/clock.h"
 #include "support/control_points.h"
+#include "support/spheres.h"
 #include "support/surface_mesh.h"
+#include "support/tori.h"
 #include "support/workloads.h"
 
 namespace {
@@ -46,6 +51,16 @@ const int count = 10;                  // of control points
 const int drags = 10;                  // after the move
 const double drag = 0.01;              // in radii, each
 const double distances[] = {0.3, 1.};  // of the move, in radii
+
+/// the mesh of a file, or of a shape of about 20,000 faces
+CGP::Mesh_view surface_of(const std::string& name)
+{
+  if (name == "sphere") return in_unit_frame(cgp_test::icosphere(5));
+  if (name == "bumpy_sphere") return in_unit_frame(bumpy_geodesic_sphere(32));
+  if (name == "torus") return in_unit_frame(cgp_test::irregular_torus(2, 1, 140, 70));
+  if (name == "disk") return in_unit_frame(cgp_test::jittered_disk(58, .1));
+  return make_mesh(name);
+}
 
 /// the root mean square change of the angles between the normals of neighbouring faces, in degrees
 double change_of_dihedral_angles(const CGP::Mesh_view& mesh, const CGP::Points& p)
@@ -82,13 +97,11 @@ void describe(const CGP::Mesh_view& mesh, const CGP::Points& p,
 
 class Comparison {
  public:
-  explicit Comparison(const std::string& path)
-      : m_name(path.substr(path.rfind('/') + 1)),
-        m_mesh(make_mesh(path)),
+  explicit Comparison(const std::string& name)
+      : m_name(std::filesystem::path(name).stem().string()),
+        m_mesh(surface_of(name)),
         m_poisson(seconds_of_scalar_poisson(m_mesh))
-  {
-    m_name.resize(m_name.rfind('.'));
-  }
+  {}
 
   void move_conformally(double distance) const
   {
