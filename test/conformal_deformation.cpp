@@ -99,6 +99,29 @@ TEST(Conformal_deformation_of_a_mesh, takes_named_parameters)
   EXPECT_GT(squared_norm(spins[v]), .1);
 }
 
+TEST(Conformal_deformation_of_a_mesh, changes_nothing_outside_of_a_region)
+{
+  const Mesh_view view = dumbbell(3);
+  Surface mesh = to_cgal_mesh<Surface>(view);
+  int top;
+  view.positions().row(1).maxCoeff(&top);
+  auto weights = mesh.add_property_map<Vertex, double>("v:region").first;
+  for (const Vertex v : mesh.vertices())
+    weights[v] = (std::min)(1., (std::max)(0., mesh.point(v).y()));
+  const Vertex moved(static_cast<unsigned>(top));
+  const Point target = mesh.point(moved) + Kernel::Vector_3(.2, .1, 0);
+  const CGP::Spin_report report = CGP::conformal_deformation(
+      mesh, Targets{{moved, target}}, CGP::parameters::vertex_region_map(weights));
+  ASSERT_TRUE(report);
+  ASSERT_TRUE(report.collar);
+  EXPECT_GT(report.collar->quasi_conformal.max, 1);
+  EXPECT_LT(CGAL::squared_distance(mesh.point(moved), target), 1e-16);
+  for (int v = 0; v < view.size_of_vertices(); ++v) {
+    const Point now = mesh.point(Vertex(static_cast<unsigned>(v)));
+    EXPECT_TRUE(view.position(v).y() > 0 || now == point(view.position(v))) << v;
+  }
+}
+
 TEST(Conformal_deformation_of_a_mesh, moves_regions)
 {
   const Mesh_view view = dumbbell(3);

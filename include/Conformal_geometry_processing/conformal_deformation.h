@@ -37,13 +37,17 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
           internal_np::eigenvalue_solver_t, internal_np::exactness_t, internal_np::limits_t,
           internal_np::tolerance_t, internal_np::maximum_number_of_substeps_t,
           internal_np::position_weight_t, internal_np::mollification_t, internal_np::scale_bound_t,
-          internal_np::vertex_scale_map_t, internal_np::vertex_scale_weight_map_t>,
+          internal_np::vertex_scale_map_t, internal_np::vertex_scale_weight_map_t,
+          internal_np::vertex_region_map_t>,
       "conformal_deformation(): unknown named parameter, see the manual for those it accepts");
   Conformal_deformation_options options;
   read_exactness_and_mollification(np, options.surface);
   options.surface.scales = scale_control(graph, np);
   options.position_weight = CGAL::to_double(CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, internal_np::position_weight), options.position_weight));
+  if constexpr (has_parameter<NamedParameters, internal_np::vertex_region_map_t>)
+    options.region = read_vertex_numbers(
+        graph, CGAL::parameters::get_parameter(np, internal_np::vertex_region_map));
   return options;
 }
 
@@ -61,6 +65,9 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
 /// What similarities can do costs nothing: one or two targets, or targets that are the image of the
 /// vertices under a similarity, move, turn and scale the whole surface. Fix parts by targets where
 /// they are. On a surface of genus > 0 the edges stay closed around handles; a boundary is free.
+///
+/// With a `vertex_region_map`, the cost is that of the region alone, and the report tells how
+/// conformal its `collar` is; the other measures are those of the faces that may move.
 ///
 /// Targets can be beyond what a conformal map of this mesh can reach. They are approached in steps
 /// along straight lines; where the next surface does not verify, or has flipped faces, the way
@@ -106,6 +113,15 @@ Conformal_deformation_options conformal_deformation_options(const Graph_view<Tri
 ///                           1 / R with R the radius of the sphere of the same area}
 ///     \cgalParamType{a positive number}
 ///     \cgalParamDefault{infinity: the targets are met exactly}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_region_map}
+///     \cgalParamDescription{the region that may move: where it is 1, the surface follows the
+///                           targets, where it is 0, it stays, to the bit; between them is the
+///                           collar, where the deformation fades out. Targets have to be where it
+///                           is 1. The region is connected}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a
+///                    number from 0 to 1 as value}
+///     \cgalParamDefault{none: all vertices may move}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{scale_bound}
 ///     \cgalParamDescription{lengths change by no more than this factor, on 98 % of the area,

@@ -33,6 +33,7 @@
   X(kernel_tolerance)                                   \
   X(mollification)                                      \
   X(branch)                                             \
+  X(vertex_region_map)                                  \
   X(vertex_scale_map)                                   \
   X(vertex_scale_weight_map)                            \
   X(scale_bound)                                        \

@@ -7,9 +7,11 @@
 #include <Conformal_geometry_processing/spin/Conformal_deformation_options.h>
 #include <Conformal_geometry_processing/spin/Control_point.h>
 #include <Conformal_geometry_processing/spin/Control_point_search.h>
+#include <Conformal_geometry_processing/spin/Region_of_interest.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,10 @@ namespace internal {
 /// search. A boundary is free. With a bound on scales, the weight of a term for them is raised
 /// until the lengths are within it, relative to the result without the similarity.
 ///
+/// With a region, only its faces are deformed, with the anchors of the `Region_of_interest` as
+/// further control points; the result is placed by these, and fades out in the collar. rho is that
+/// of the deformation before it fades out.
+///
 /// `Spin_report::limits` of the result demand that all of the way is made.
 ///
 /// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
@@ -42,8 +48,9 @@ template <class SolverTraits = Default_solver_traits,
           class EigensolverTraits = Lobpcg_eigensolver_traits>
 class Conformal_deformation {
  public:
-  /// \throw as the constructor of `Spin_transformation`, and Precondition_error if the boundary is
-  /// not free, or the position weight not positive
+  /// \throw as the constructor of `Spin_transformation`, for the region if there is one, or that of
+  /// `Region_of_interest`; and Precondition_error if the boundary is not free, or the position
+  /// weight not positive
   explicit Conformal_deformation(const Mesh_view& mesh,
                                  const Conformal_deformation_options& options = {},
                                  const std::string& function = "Conformal_deformation");
@@ -60,7 +67,8 @@ class Conformal_deformation {
   /// from the targets (`position_error`). If it was cancelled, there are no positions.
   /// \param points with targets in the unit of the mesh
   /// \throw Precondition_error see `require_control_points()`, or all targets are at one place
-  /// though the points are not, or `go_further` calls this function back
+  /// though the points are not, or a point is not inside of the region, or `go_further` calls this
+  /// function back
   /// \throw Solver_error if the first factorization fails
   Spin_result deform(const std::vector<Control_point>& points, const Dirac_options& options = {},
                      const Go_further& go_further = Always_go_further());
@@ -74,11 +82,16 @@ class Conformal_deformation {
   /// \throw Precondition_error if the best similarity shrinks the points to one
   void require_extent(const std::vector<Control_point>& points) const;
 
-  /// moves a surface to the targets by a similarity, and measures it there
+  /// the points on the surface that is transformed, and what holds it
+  std::vector<Control_point> all_points(const std::vector<Control_point>& points) const;
+
+  /// moves a surface to the targets by a similarity, fades it out, and measures it there
   void place(const std::vector<Control_point>& points, Spin_result& result) const;
 
   std::string m_function;
   Visit_guard m_visits;
+  int m_size;                                  // number of vertices of the mesh
+  std::optional<Region_of_interest> m_region;  // none: the whole mesh
   Conformal_deformation_options m_options;
   Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
   std::unique_ptr<Search> m_search;  // for the last points; refers to the members before

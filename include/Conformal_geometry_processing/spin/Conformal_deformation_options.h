@@ -5,6 +5,8 @@
 
 #include <Conformal_geometry_processing/spin/Spin_transformation_options.h>
 
+#include <Eigen/Core>
+
 #include <limits>
 
 namespace Conformal_geometry_processing {
@@ -19,6 +21,8 @@ struct Conformal_deformation_options {
   /// weight of the distances from the targets against rho, in multiples of 1 / R with R the radius
   /// of the sphere of the same area; infinity: the targets are met exactly
   double position_weight = std::numeric_limits<double>::infinity();
+  /// for each vertex of the mesh its weight in the `Region_of_interest`; empty: all may move
+  Eigen::VectorXd region = {};
   double min_step = 1. / 32;  ///< the smallest step towards the targets, as a share of the way
 };
 

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,33 @@ void tell_search(const Search& of, double unit, Spin_report& report)
   report.limits.realised_share = 1;
 }
 
+inline std::optional<Region_of_interest> region_of(const Mesh_view& mesh,
+                                                   const Conformal_deformation_options& options,
+                                                   const std::string& function)
+{
+  if (options.region.size() == 0) return std::nullopt;
+  return Region_of_interest(mesh, options.region, function);
+}
+
+/// options for the mesh of the region alone
+inline Conformal_deformation_options options_in(const std::optional<Region_of_interest>& region,
+                                                Conformal_deformation_options options)
+{
+  if (!region) return options;
+  for (Eigen::VectorXd* of : {&options.surface.scales.factors, &options.surface.scales.weights})
+    if (of->size() > 0) *of = (*of)(region->vertices()).eval();
+  return options;
+}
+
 template <class SolverTraits, class EigensolverTraits>
 Conformal_deformation<SolverTraits, EigensolverTraits>::Conformal_deformation(
     const Mesh_view& mesh, const Conformal_deformation_options& options,
     const std::string& function)
-    : m_function(function), m_options(options), m_transformation(mesh, options.surface, function)
+    : m_function(function),
+      m_size(mesh.size_of_vertices()),
+      m_region(region_of(mesh, options, function)),
+      m_options(options_in(m_region, options)),
+      m_transformation(m_region ? m_region->mesh() : mesh, m_options.surface, function)
 {
   if (options.surface.boundary.kind != Boundary_condition::Kind::free)
     throw Precondition_error(function, "the boundary has to be free");
@@ -48,12 +71,23 @@ Conformal_deformation<SolverTraits, EigensolverTraits>::Conformal_deformation(
 }
 
 template <class SolverTraits, class EigensolverTraits>
+std::vector<Control_point> Conformal_deformation<SolverTraits, EigensolverTraits>::all_points(
+    const std::vector<Control_point>& points) const
+{
+  require_control_points(points, m_size, m_function);
+  if (!m_region) return points;
+  std::vector<Control_point> all = m_region->in_part(points, m_function);
+  all.insert(all.end(), m_region->anchors().begin(), m_region->anchors().end());
+  return all;
+}
+
+template <class SolverTraits, class EigensolverTraits>
 Spin_result Conformal_deformation<SolverTraits, EigensolverTraits>::deform(
-    const std::vector<Control_point>& points, const Dirac_options& options,
+    const std::vector<Control_point>& given, const Dirac_options& options,
     const Go_further& go_further)
 {
   m_visits.require_no_visit(m_function);
-  require_control_points(points, m_transformation.domain().mesh().size_of_vertices(), m_function);
+  const std::vector<Control_point> points = all_points(given);
   require_extent(points);
   if (!m_search || !m_search->is_for(points))
     m_search = std::make_unique<Search>(m_transformation, points, m_options);
@@ -69,6 +103,11 @@ Spin_result Conformal_deformation<SolverTraits, EigensolverTraits>::deform(
   result.report.period_defect = m_search->period_defect();
   if (m_options.surface.scales.bound) result.report.scales = m_search->scales();
   place(points, result);
+  if (m_region) {
+    m_rho.values = m_region->in_whole(m_rho.values);
+    result.positions = m_region->in_whole(result.positions);
+    result.lambda = m_region->in_whole(result.lambda);
+  }
   return result;
 }
 
@@ -88,12 +127,20 @@ void Conformal_deformation<SolverTraits, EigensolverTraits>::place(
     const std::vector<Control_point>& points, Spin_result& result) const
 {
   const Framed_surface& domain = m_transformation.domain();
+  const Eigen::Index anchors =
+      m_region ? static_cast<Eigen::Index>(m_region->anchors().size()) : Eigen::Index{0};
+  const Eigen::Index placed = anchors > 0 ? anchors : static_cast<Eigen::Index>(points.size());
   const Points f = domain.frame().to_frame(result.positions), targets = targets_of(points);
-  const Alignment a = placement(positions_of(points, f), domain.frame().to_frame(targets));
+  const Alignment a = placement(positions_of(points, f).rightCols(placed),
+                                domain.frame().to_frame(targets).rightCols(placed));
   result.positions = domain.frame().from_frame(a.apply(f));
   const Quaternion<double> turn = spin_of(a.rotation, a.scale);
   for (Eigen::Index i = 0; i < result.lambda.size(); ++i)
     result.lambda[i] = result.lambda[i] * turn;
+  if (m_region) {
+    m_region->fade(result.positions, result.lambda);
+    result.report.collar = m_region->collar_conformality(result.positions, result.lambda);
+  }
   certify(domain.measured(), domain.frame().to_frame(result.positions), result.lambda,
           result.report);
   const Eigen::RowVectorXd distances =

@@ -90,6 +90,10 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
   Conformality conformality;  ///< of the map from the old surface to the new one
   double min_spin_ratio = 0;  ///< min |lambda| / max |lambda|; near zero if the map degenerates
 
+  /// of the map on the collar of a region of interest, where the deformation fades out; none if
+  /// there is no region
+  std::optional<Conformality> collar;
+
   /// wall clock seconds
   struct Seconds : internal::Dirac_evidence::Seconds {
     double setup = 0;           ///< pattern, ordering, symbolic analysis: once per mesh

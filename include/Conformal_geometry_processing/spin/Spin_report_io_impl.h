@@ -66,6 +66,9 @@ CGP_INLINE std::ostream& operator<<(std::ostream& out, const Spin_report& r)
   if (r.position_error.max > 0)
     out << "positions              missed by " << r.position_error.mean << " in the mean, "
         << r.position_error.max << " at most\n";
+  if (r.collar)
+    out << "collar                 quasi-conformal error " << r.collar->quasi_conformal.mean
+        << " in the mean, " << r.collar->quasi_conformal.max << " at most\n";
   internal::print_conformality(out, r.conformality);
   return out << "fault                  " << internal::reason_of(r) << '\n';
 }
