@@ -83,6 +83,31 @@ TEST_F(Deform, leaves_components_without_targets_alone)
     EXPECT_LT((moved.col(both.vertices[1][cgp_test::at(i)]) - two.position(i)).norm(), 1e-5);
 }
 
+TEST_F(Deform, changes_nothing_outside_of_a_region)
+{
+  const auto mesh = cgp_test::dumbbell(3);
+  int top;
+  mesh.positions().row(1).maxCoeff(&top);
+  write("a.off", off(mesh));
+  write("t.json",
+        "{\"targets\": [{\"vertex\": " + std::to_string(top) + ", \"move\": [0.2, 0.1, 0]}]}");
+  const std::string command = "deform a.off --targets t.json -o b.off --region-expression ";
+  const Program_run r = run(command + "4*y --json b.json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const Points before = points("a.off"), moved = points("b.off");
+  const double low = before.row(1).minCoeff(), middle = (low + before.row(1).maxCoeff()) / 2;
+  int stay = 0;
+  for (Eigen::Index v = 0; v < before.cols(); ++v)
+    if (before(1, v) < middle - 1e-9) {
+      EXPECT_EQ(moved.col(v), before.col(v)) << v;
+      ++stay;
+    }
+  EXPECT_GT(stay, before.cols() / 3);
+  EXPECT_LT((moved.col(top) - before.col(top) - Eigen::Vector3d(.2, .1, 0)).norm(), 1e-6);
+  EXPECT_GT(json("b.json")["result"]["collar"]["quasi_conformal"]["max"], 1);
+  EXPECT_TRUE(fails(run(command + "-4*y"), 4, "outside of the region"));
+}
+
 TEST_F(Deform, tells_how_far_it_comes)
 {
   const auto mesh = cgp_test::dumbbell(1);

@@ -34,6 +34,10 @@ const char* const about =
     "(quasi-conformal error, 1 is perfect) and rho.\n"
     "Targets beyond reach are approached as far as the surface verifies and no face is flipped;\n"
     "--min-realised tells how much of the way is enough.\n"
+    "With a region, nothing else changes, to the bit: a formula as that of `conformal fair`, or a\n"
+    "vertex property. Where it is 1 or more the surface follows the targets, where it is 0 or "
+    "less\n"
+    "it stays, and between them, in the collar, the deformation fades out.\n"
     "A result that does not verify is not written, and the exit code is 1.\n"
     "Example: conformal deform bear.off --targets lift_a_leg.json -o bear_deformed.ply";
 
@@ -41,6 +45,7 @@ struct Deform_options {
   Deform_options() { limits.realised = 1; }
 
   std::string input, targets;
+  std::string expression, property;     ///< of the region; all of the surface, if both are empty
   std::string lambda;                   ///< the name of the vertex properties, none if empty
   std::optional<double> scale_bound;    ///< on factors of lengths
   std::optional<double> weight;         ///< of the positions; none: exact
@@ -53,6 +58,11 @@ void add_options(CLI::App& command, Deform_options& deform, Common_options& comm
 {
   add_input(command, deform.input);
   command.add_option("--targets", deform.targets, "JSON file with the targets")->required();
+  auto* const region = command.add_option_group("region");
+  region->add_option("--region-expression", deform.expression,
+                     "formula of the weights in the region, 1: moves, 0: stays");
+  region->add_option("--region-property", deform.property, "vertex property with these numbers");
+  region->require_option(0, 1);
   command
       .add_option("--max-scale", deform.scale_bound,
                   "largest factor by which lengths may grow or shrink, on 98 % of the area, apart "
@@ -88,6 +98,7 @@ Deformation_solution deform_surface(const Surface_input& input, const Deformatio
   session.begin_stage();
   const CGP::Spin_report& report = solution.spin.report;
   tell_targets(report, problem.points.size(), session.report());
+  if (report.collar) tell_collar(*report.collar, session.report());
   tell_certificate(report, input.mesh.size_of_faces(), session.outcome());
   const Evidence evidence{
       solution.spin.positions, report, {}, fault_of_targets(report, options.limits)};
@@ -98,12 +109,21 @@ Deformation_solution deform_surface(const Surface_input& input, const Deformatio
   return solution;
 }
 
+/// between 0 and 1 for each vertex; empty if there is no region
+Eigen::VectorXd region_weights(const Surface_input& input, const Deform_options& options)
+{
+  return vertex_numbers(input, "--region-expression", options.expression, options.property)
+      .cwiseMax(0.)
+      .cwiseMin(1.);
+}
+
 void deform(const Deform_options& options, Session& session)
 {
   require_writable(session.options().output);
   const Surface_input input =
       read_suitable_surface(options.input, session, flat_faces(options.mollification));
   const std::vector<Target> targets = read_targets(input, options.targets);
+  const Eigen::VectorXd region = region_weights(input, options);
   const double unit = User_frame(input.mesh).unit();
   Transformed_surface surface = Transformed_surface::unchanged(input.mesh);
   surface.rho =
@@ -118,6 +138,7 @@ void deform(const Deform_options& options, Session& session)
     problem.scale_bound = options.scale_bound;
     problem.position_weight = options.weight;
     problem.mollification = options.mollification.value_or(0);
+    if (region.size() > 0) problem.region = region(component.vertices);
     const Deformation_solution solution = deform_surface(component.input, problem, options, own);
     surface.set(component, solution.spin);
     surface.rho.values(component.vertices) = unit * solution.rho.values;

@@ -17,6 +17,15 @@ void tell_targets(const CGP::Spin_report& spin, std::size_t count, Report& repor
   report.end_table();
 }
 
+void tell_collar(const CGP::Conformality& collar, Report& report)
+{
+  report.tell("result/collar/quasi_conformal/mean", "quasi-conformal error of the collar, mean",
+              collar.quasi_conformal.mean);
+  report.tell("result/collar/quasi_conformal/max", "quasi-conformal error of the collar, max",
+              collar.quasi_conformal.max);
+  report.end_table();
+}
+
 std::string fault_of_targets(const CGP::Spin_report& spin, const Verification_limits& limits)
 {
   if (spin.cancelled || spin.reached >= limits.realised) return "";

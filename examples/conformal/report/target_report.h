@@ -19,6 +19,9 @@ namespace CGP = Conformal_geometry_processing;
 /// \param count of the control points
 void tell_targets(const CGP::Spin_report& spin, std::size_t count, Report& report);
 
+/// Tells how conformal the collar of a region is, where a deformation fades out.
+void tell_collar(const CGP::Conformality& collar, Report& report);
+
 /// why a surface is refused that is not at its targets, with what to try; empty if it is near
 /// enough
 std::string fault_of_targets(const CGP::Spin_report& spin, const Verification_limits& limits);

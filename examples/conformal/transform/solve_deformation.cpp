@@ -16,6 +16,7 @@ Deformation_solution solve_deformation(
   own.surface.scales.bound = problem.scale_bound;
   if (problem.mollification > 0) own.surface.mollification = problem.mollification;
   if (problem.position_weight) own.position_weight = *problem.position_weight;
+  own.region = problem.region;
   CGP::Dirac_options dirac;
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;

@@ -7,6 +7,8 @@
 
 #include <Conformal_geometry_processing/spin/Control_point.h>
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <optional>
 #include <vector>
@@ -19,6 +21,7 @@ struct Deformation_problem {
   std::optional<double> scale_bound;
   std::optional<double> position_weight;  ///< none: exact
   double mollification = 0;               ///< if not 0, on the intrinsic Delaunay triangulation
+  Eigen::VectorXd region;  ///< weights of the vertices in a region of interest; empty: all may move
 };
 
 /// what came of it
