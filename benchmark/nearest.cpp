@@ -69,6 +69,7 @@ void add(const CGP::Nearest_spin_result& found, const CGP::Mesh_view& mesh,
   record.add(prefix + "verified", report ? 1 : 0)
       .add(prefix + "fault", to_string(report.fault()))
       .add(prefix + "distance", found.distance)
+      .add(prefix + "normals", found.normal_distance / found.source_normal_distance)
       .add(prefix + "Q", report.conformality.quasi_conformal.mean)
       .add(prefix + "low", scales.low)
       .add(prefix + "high", scales.high)

@@ -15,6 +15,7 @@
 ///   --seconds=S       no further run after S seconds of a row (20)
 ///   --amplitude=A     of rho (1)
 ///   --tolerance=T     of the eigenvector (1e-6)
+///   --unit=U          SSE2, AVX2, AVX-512 (the widest that there is)
 ///   --all             also the rows that are left out for their time
 
 #include <algorithm>
@@ -46,27 +47,13 @@ std::vector<Row> all_rows()
   return rows;
 }
 
-/// the registers that the kernels are compiled for
-const char* simd()
-{
-#if defined(__AVX512F__)
-  return "AVX-512";
-#elif defined(__AVX2__)
-  return "AVX2";
-#elif defined(__SSE2__)
-  return "SSE2";
-#else
-  return "others";
-#endif
-}
-
 Record begin_record(const Row& row, const std::string& mesh_name, const CGP::Mesh_view& mesh)
 {
   Record record;
   record.add("table", row.table).add("model", row.model);
   record.add("mesh", mesh_name.substr(mesh_name.rfind('/') + 1));
   record.add("faces", mesh.size_of_faces()).add("vertices", mesh.size_of_vertices());
-  record.add("simd", simd());
+  record.add("unit", CGP::to_string(CGP::vector_unit()));
   return record;
 }
 

@@ -26,26 +26,26 @@ class Measurements:
         self.by_name = {}
         for line in lines:
             row = json.loads(line)
-            key = (row["table"], row["mesh"], row["model"], row.get("build", ""))
+            key = (row["table"], row["mesh"], row["model"])
             self.by_name[key] = row
 
-    def rows(self, table, model=None, mesh=None, build=""):
+    def rows(self, table, model=None, mesh=None):
         """Those that were measured, or left out, in the order of the run."""
-        return [row for (t, m, o, b), row in self.by_name.items()
-                if t == table and b == build and model in (None, o) and mesh in (None, m)]
+        return [row for (t, m, o), row in self.by_name.items()
+                if t == table and model in (None, o) and mesh in (None, m)]
 
-    def measured(self, table, model=None, mesh=None, build=""):
-        return [row for row in self.rows(table, model, mesh, build) if "left_out" not in row]
+    def measured(self, table, model=None, mesh=None):
+        return [row for row in self.rows(table, model, mesh) if "left_out" not in row]
 
-    def row(self, table, model, mesh, build=""):
+    def row(self, table, model, mesh):
         """The row, or None if it was not measured."""
-        found = self.measured(table, model, mesh, build)
+        found = self.measured(table, model, mesh)
         return found[0] if found else None
 
     def meshes(self):
         """(name, faces, vertices): first the spheres, then the others, by their size."""
         found = {row["mesh"]: (row["mesh"], row["faces"], row["vertices"])
-                 for row in self.by_name.values() if not row.get("build")}
+                 for row in self.by_name.values()}
         return sorted(found.values(), key=lambda mesh: (not is_sphere(mesh[0]), mesh[1]))
 
     def sphere_exponent(self, table, model, value, least_faces=0):

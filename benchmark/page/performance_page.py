@@ -79,13 +79,6 @@ Wall clock.
 
 {threads}
 
-## Instruction sets
-
-The same source compiled for SSE2 (what x86-64 guarantees) and AVX2, seconds of the second numeric
-factorization.
-
-{simd}
-
 ## Factorizations
 
 Each model with the ordering that it chooses by itself. *Again* is a second factorization into the
@@ -114,7 +107,7 @@ def page(m, machine):
         all=len(tables.targets.TARGETS), exponents=tables.exponent_table(m),
         original=tables.original_table(m),
         transforms=headed(m, tables.transform_table, "transform"), flows=tables.flow_table(m),
-        threads=tables.thread_table(m), simd=tables.simd_table(m),
+        threads=tables.thread_table(m),
         factors=headed(m, tables.factor_table, "factor"))
 
 

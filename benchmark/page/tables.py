@@ -113,16 +113,3 @@ def thread_table(m):
              f"{row['wall_1'] / row['wall_2']:.2f}"] for row in m.measured("threads")]
     return table(["mesh", "what", "one thread", "two threads", "speedup"],
                  rows) if rows else "Not measured."
-
-
-def simd_table(m):
-    rows = []
-    for row in m.measured("factor", build="sse2"):
-        avx2 = m.row("factor", row["model"], row["mesh"], build="avx2")
-        native = m.row("factor", row["model"], row["mesh"])
-        if avx2:
-            rows.append([row["mesh"], row["model"], seconds(row["again"]), seconds(avx2["again"]),
-                         f"{seconds(native['again'])} ({native['simd']})" if native else "",
-                         f"{row['again'] / avx2['again']:.2f}"])
-    return table(["mesh", "model", "SSE2", "AVX2", "this machine", "SSE2 / AVX2"],
-                 rows) if rows else "Not measured."

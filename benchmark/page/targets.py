@@ -104,13 +104,6 @@ def speedup(model):
                       for row in m.measured("threads", model)]
 
 
-def sse2_ratio(m):
-    for row in m.measured("factor", "native, quaternion n", build="sse2"):
-        avx2 = m.row("factor", "native, quaternion n", row["mesh"], build="avx2")
-        if avx2:
-            yield row["mesh"], row["again"] / avx2["again"]
-
-
 DOUBLE, FLOAT, QUATERNION = "native, double", "native, float", "native, quaternion n"
 TARGETS = [
     Target("first transformation, double: time / P, to 0.5M faces",
@@ -159,8 +152,6 @@ TARGETS = [
     Target("8M faces: gigabytes", largest_gigabytes, at_most=10),
     Target("two threads, numeric factorization: speedup", speedup("numeric"), at_least=1.7),
     Target("two threads, first transformation: speedup", speedup("whole"), at_least=1.4),
-    Target("built for SSE2 / for AVX2, numeric factorization", lambda m: list(sse2_ratio(m)),
-           at_most=2.6),
     Target("assembly: percent of the first transformation",
            of_transform(DOUBLE, lambda row: 100 * row["assembly_share"], 10 * HUGE), at_most=2,
            form="{:.1f}"),

@@ -3,6 +3,8 @@
 #ifndef BENCHMARK_SOLVERS_OPTIONS_H
 #define BENCHMARK_SOLVERS_OPTIONS_H
 
+#include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
+
 #include <cstddef>
 #include <sstream>
 #include <stdexcept>
@@ -31,6 +33,16 @@ inline std::vector<std::string> split(const std::string& words, char separator)
   return parts;
 }
 
+/// the kernels of this vector unit from here on
+/// \throws std::runtime_error where the machine or the library has none of this name
+inline void choose_unit(const std::string& name)
+{
+  using Unit = CGP::internal::Vector_unit;
+  for (const Unit unit : {Unit::baseline, Unit::avx2, Unit::avx512})
+    if (name == CGP::to_string(unit) && CGP::set_vector_unit(unit)) return;
+  throw std::runtime_error("no vector unit " + name);
+}
+
 /// \throws std::exception where a word is not understood
 inline Options read_options(int argc, char** argv)
 {
@@ -55,6 +67,8 @@ inline Options read_options(int argc, char** argv)
       options.job.amplitude = std::stod(value);
     else if (key == "--tolerance")
       options.job.tolerance = std::stod(value);
+    else if (key == "--unit")
+      choose_unit(value);
     else if (key == "--all")
       options.all = true;
     else if (key == "--row")

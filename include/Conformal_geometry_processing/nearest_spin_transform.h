@@ -22,9 +22,11 @@ namespace Conformal_geometry_processing {
 /// \ingroup PkgSpin
 /// the report of `nearest_spin_transform()`
 struct [[nodiscard]] Nearest_spin_report : Spin_report {
-  double distance = 0;         ///< see `Nearest_spin_result`
-  double source_distance = 0;  ///< likewise that of the mesh
-  int sign_conflicts = 0;      ///< see `make_consistent()`; zero for smooth deformations
+  double distance = 0;                ///< see `Nearest_spin_result`
+  double source_distance = 0;         ///< likewise that of the mesh
+  double normal_distance = 0;         ///< see `Nearest_spin_result`
+  double source_normal_distance = 0;  ///< likewise that of the mesh
+  int sign_conflicts = 0;             ///< see `make_consistent()`; zero for smooth deformations
 };
 
 namespace internal {
@@ -46,8 +48,9 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 /// 6.3].
 ///
 /// Minimises the mean square distance of the vertices, weighted by their areas, from the target
-/// after the best similarity. The result is never farther from the target than the mesh. This turns
-/// any editor into a conformal one. Where the prescribed direction at a boundary leads to no such
+/// after the best similarity, as far as the normals come nearer with it: see `normal_weight`. The
+/// result is never farther from the target than the mesh. This turns any editor into a conformal
+/// one. Where the prescribed direction at a boundary leads to no such
 /// surface, others are tried, see `Nearest_spin_transformation`.
 ///
 /// \tparam TriangleMesh see \ref triangle_mesh_requirements
@@ -89,6 +92,13 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///                           at a boundary its tangents, wherever that is [CGP 5.9]}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`; with `vertex_scale_map` `true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{normal_weight}
+///     \cgalParamDescription{how much the normals count beside the positions, at least 0. With 0,
+///                           positions come nearer by wrinkles, where the target is far from
+///                           conformal}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{scale_bound}
 ///     \cgalParamDescription{the largest factor by which lengths may change, see
@@ -146,8 +156,8 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
           internal_np::vertex_spin_map_t, internal_np::sparse_solver_t,
           internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::tolerance_t,
           internal_np::maximum_number_of_substeps_t, internal_np::vertex_scale_map_t,
-          internal_np::blend_t, internal_np::keep_curvature_t, internal_np::scale_bound_t,
-          internal_np::boundary_direction_t, internal_np::exactness_t,
+          internal_np::blend_t, internal_np::keep_curvature_t, internal_np::normal_weight_t,
+          internal_np::scale_bound_t, internal_np::boundary_direction_t, internal_np::exactness_t,
           internal_np::maximum_period_defect_t, internal_np::limits_t,
           internal_np::mollification_t>,
       "nearest_spin_transform(): unknown named parameter, see the manual for those it accepts");
@@ -166,6 +176,8 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
   internal::read_exactness_and_mollification(np, options);
   options.keep_curvature = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, internal_np::keep_curvature), false);
+  options.normal_weight = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, internal_np::normal_weight), options.normal_weight);
   if constexpr (internal::has_parameter<NamedParameters, internal_np::scale_bound_t>)
     options.scales.bound = CGAL::parameters::get_parameter(np, internal_np::scale_bound);
   Nearest_spin_transformation<Solver_traits, Eigensolver_traits> nearest(
@@ -188,6 +200,8 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
   static_cast<Spin_report&>(report) = result.report;
   report.distance = result.distance;
   report.source_distance = result.source_distance;
+  report.normal_distance = result.normal_distance;
+  report.source_normal_distance = result.source_normal_distance;
   report.sign_conflicts = nearest.sign_conflicts();
   return report;
 }

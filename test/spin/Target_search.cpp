@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Target_search.h
 // Tests include/Conformal_geometry_processing/spin/Nearest_spin_transformation.h
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
@@ -120,6 +121,39 @@ TEST(Target_search, is_never_farther_than_the_mesh)
   const Nearest_spin_result found = nearest(mesh, target.positions());
   EXPECT_TRUE(found.report);
   EXPECT_LE(found.distance, found.source_distance);
+}
+
+// The sphere between bent ends is far from conformal to it: positions come nearer by wrinkles.
+TEST(Target_search, prefers_normals_to_wrinkles_unless_only_positions_count)
+{
+  const Mesh_view mesh = icosphere(3);
+  const Points target = mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+                          const double turn = pi / 6 * p.x(), radius = 6 / pi;
+                          return {(radius - p.z()) * std::sin(turn), p.y(),
+                                  radius - (radius - p.z()) * std::cos(turn)};
+                        }).positions();
+  CGP::Nearest_spin_options options;
+  const Nearest_spin_result smooth = nearest(mesh, target, options);
+  options.normal_weight = 0;
+  const Nearest_spin_result wrinkled = nearest(mesh, target, options);
+  EXPECT_TRUE(smooth.report);
+  EXPECT_TRUE(wrinkled.report);
+  EXPECT_LT(smooth.distance, smooth.source_distance);
+  EXPECT_LT(wrinkled.distance, smooth.distance);
+  EXPECT_LT(smooth.normal_distance, wrinkled.normal_distance);
+  EXPECT_LT(smooth.normal_distance, smooth.source_normal_distance);
+  EXPECT_LT(smooth.report.conformality.quasi_conformal.mean,
+            wrinkled.report.conformality.quasi_conformal.mean);
+}
+
+TEST(Target_search, refuses_a_negative_weight_of_normals)
+{
+  const Mesh_view mesh = icosphere(1);
+  CGP::Nearest_spin_options options;
+  for (const double weight : {-1., std::nan("")}) {
+    options.normal_weight = weight;
+    EXPECT_THROW(nearest(mesh, mesh.positions(), options), CGP::Precondition_error);
+  }
 }
 
 TEST(Target_search, keeps_lengths_within_a_bound)

@@ -33,7 +33,8 @@ const char* const about =
     "Deforms a surface conformally, as nearly as it can in the way another program has deformed\n"
     "it. SOURCE and TARGET have the same faces. The result is the nearest in the mean square\n"
     "distance of the vertices, after a similarity, and never farther than SOURCE: conformal, so\n"
-    "what only shears and stretches is approached by other means, or undone. A boundary takes\n"
+    "what only shears and stretches is approached by other means, or undone. It comes no nearer\n"
+    "by wrinkles: the normals count too, see --normal-weight. A boundary takes\n"
     "its tangents or binormals from TARGET, where that is possible. With --keep-curvature, the\n"
     "result has the curvature of TARGET, wherever that is. It has the vertex property quality\n"
     "(quasi-conformal error against the source, 1 is perfect) and the face property rho.\n"
@@ -44,6 +45,7 @@ struct Fit_options {
   Spin_options spin;  ///< what this command has in common with that; input is the source
   std::string target;
   bool keep_curvature = false;  ///< of the target, whatever the distance
+  double normal_weight = 1;     ///< how much the normals of the target count
   std::optional<double> scale_bound;
   double blend = 0;   ///< 0 is conformal, 1 nearest to the target
   std::string scale;  ///< a formula of factors for the scales of the target, none if empty
@@ -61,6 +63,13 @@ void add_options(CLI::App& command, Fit_options& fit, Common_options& common)
       ->capture_default_str();
   command.add_flag("--keep-curvature", fit.keep_curvature,
                    "keep the curvature of the target, and do not search for the nearest surface");
+  command
+      .add_option("--normal-weight", fit.normal_weight,
+                  "how much normals count beside positions; 0 comes nearest in positions, if need "
+                  "be by wrinkles")
+      ->check(finite)
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command
       .add_option("--max-scale", fit.scale_bound,
                   "largest factor by which lengths may grow or shrink, on 98 % of the area, apart "
@@ -132,6 +141,10 @@ void tell_target(const CGP::Mesh_view& mesh, const CGP::Mesh_view& target,
                 solution.distance);
     report.tell("result/distance/source", "likewise of the source", solution.source_distance);
     report.tell("result/distance/max", "distance from the target, max / diagonal", a.max);
+    report.tell("result/distance/normals", "normals from those of the target, rms",
+                solution.normal_distance);
+    report.tell("result/distance/source_normals", "likewise of the source",
+                solution.source_normal_distance);
   }
   report.end_table();
   if (solution.sign_conflicts > 0)
@@ -171,6 +184,7 @@ Fit_solution fit_surface(const Surface_input& input, const CGP::Boundary_conditi
 {
   problem.direction = boundary.direction;
   problem.keep_curvature = options.keep_curvature;
+  problem.normal_weight = options.normal_weight;
   problem.scale_bound = options.scale_bound;
   problem.blend = options.blend;
   problem.mollification = options.spin.mollification.value_or(0);

@@ -15,6 +15,7 @@ Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
   CGP::Nearest_spin_options own;
   own.direction = problem.direction;
   own.keep_curvature = problem.keep_curvature;
+  own.normal_weight = problem.normal_weight;
   own.scales.bound = problem.scale_bound;
   if (problem.mollification > 0) own.mollification = problem.mollification;
   CGP::Nearest_spin_transformation<> nearest(mesh, problem.target, "fit", own);
@@ -28,6 +29,8 @@ Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
           std::move(result.rho),
           result.distance,
           result.source_distance,
+          result.normal_distance,
+          result.source_normal_distance,
           result.direction,
           nearest.sign_conflicts()};
 }

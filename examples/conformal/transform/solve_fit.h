@@ -17,6 +17,7 @@ struct Fit_problem {
   Eigen::Vector3d direction{1, 0, 0};  ///< of the boundary frame, which becomes the target's
   double blend = 0;                    ///< 0 is conformal, 1 nearest to the target
   bool keep_curvature = false;         ///< that of the target, wherever the surface is then
+  double normal_weight = 1;            ///< how much normals count beside positions
   std::optional<double> scale_bound;   ///< on factors of lengths
   double mollification = 0;            ///< if not 0, on the intrinsic Delaunay triangulation
 };
@@ -27,6 +28,8 @@ struct Fit_solution {
   CGP::Curvature_potential rho;              ///< of the result, in 1/length of the mesh
   double distance = 0;                       ///< from the target, rms relative to the diagonal
   double source_distance = 0;                ///< likewise of the mesh
+  double normal_distance = 0;                ///< of face normals from the target's, rms
+  double source_normal_distance = 0;         ///< likewise of the mesh
   std::optional<Eigen::Vector3d> direction;  ///< at the boundary; none: it was left free
   int sign_conflicts = 0;  ///< edges across which the rotations of the target jump
 };

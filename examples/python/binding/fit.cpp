@@ -22,11 +22,12 @@ CGP::Nearest_spin_options nearest_options(const py::dict& options, const std::st
   CGP::Nearest_spin_options o;
   o.direction = direction_of(options["direction"], function);
   o.keep_curvature = py::cast<bool>(options["keep_curvature"]);
+  o.normal_weight = py::cast<double>(options["normal_weight"]);
   take_closing(options, function, o);
   return o;
 }
 
-/// (positions, spins, report, distance, sign_conflicts)
+/// (positions, spins, report, distance, normal_distance, sign_conflicts)
 py::tuple nearest(const Array& V, const Array& target, const Indices& F, double blend,
                   const py::dict& options, const py::dict& bounds, const py::object& callback)
 {
@@ -50,7 +51,7 @@ py::tuple nearest(const Array& V, const Array& target, const Indices& F, double 
     return found;
   });
   return py::make_tuple(to_rows(result.positions), to_rows(result.lambda), as_dict(result.report),
-                        result.distance, conflicts);
+                        result.distance, result.normal_distance, conflicts);
 }
 
 struct Pair {

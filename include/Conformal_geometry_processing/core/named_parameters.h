@@ -39,6 +39,7 @@
   X(scale_bound)                                        \
   X(blend)                                              \
   X(keep_curvature)                                     \
+  X(normal_weight)                                      \
   X(time_step)                                          \
   X(is_closed)                                          \
   X(closing)                                            \

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/Target_mismatch.h>
 
 #include <Eigen/Core>
 
@@ -23,7 +24,11 @@ struct Nearest_spin_result : Spin_result {
   /// to the diagonal of its bounding box
   double distance = 0;
   double source_distance = 0;  ///< likewise that of the mesh
-  Curvature_potential rho;     ///< the change of curvature, in 1/length of the mesh
+  /// root mean square of |n - n'| for the unit normals n of its faces and n' of the target's,
+  /// weighted by the areas of the target: small angles in radians. Wrinkles raise it.
+  double normal_distance = 0;
+  double source_normal_distance = 0;  ///< likewise that of the mesh
+  Curvature_potential rho;            ///< the change of curvature, in 1/length of the mesh
   /// the direction at the boundary that was taken from the target; none: it was left free, or there
   /// is none
   std::optional<Eigen::Vector3d> direction;
@@ -44,11 +49,14 @@ struct Nearest_spin_options {
   /// start of a search for the nearest one
   bool keep_curvature = false;
   internal::Scale_control scales = {};  ///< a bound on the change of lengths
+  /// how much the normals count beside the positions, >= 0, see `internal::Target_mismatch`. With
+  /// 0, a target that is far from conformal is approached by wrinkles
+  double normal_weight = 1;
 };
 
 /// \ingroup PkgSpin
 /// \brief finds the conformal deformation nearest to a given deformation, in the mean square
-/// distance of the vertices after the best similarity.
+/// distance of the vertices after the best similarity, as far as the normals come nearer with it.
 ///
 /// Starts from the spin transformation with the same curvature and, on surfaces with boundary, the
 /// same tangents or another direction of the boundary [CGP 5.9, 6.3], or from the mesh if that is
@@ -130,9 +138,6 @@ class Nearest_spin_transformation {
   Nearest_spin_result searched(Nearest_spin_result start, const Dirac_options& options,
                                const internal::Go_further& go_further);
 
-  /// the spins of a result, in the frame
-  internal::Dirac_solution solution_of(const Nearest_spin_result& result) const;
-
   /// the mesh, moved to the target
   Nearest_spin_result unchanged();
 
@@ -158,6 +163,7 @@ class Nearest_spin_transformation {
   Points m_target;
   std::optional<Eigen::Vector3d> m_direction;  // of the present transformation
   std::unique_ptr<Spin_transformation<SolverTraits, EigensolverTraits>> m_transformation;
+  internal::Target_mismatch m_mismatch;
   int m_conflicts = 0;
   Quaternion_vector<double> m_mu;
   Curvature_potential m_rho;

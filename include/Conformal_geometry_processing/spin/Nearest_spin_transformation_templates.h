@@ -119,29 +119,22 @@ Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>
   Curvature_potential rho = is_known ? start.rho : no_potential(domain.mesh());
   rho.values *= domain.unit();
   internal::Target_search<SolverTraits, EigensolverTraits> search(
-      *m_transformation, domain.frame().to_frame(m_target), m_options.scales, std::move(rho),
-      exactness);
-  search.run(is_known ? std::optional(solution_of(start)) : std::nullopt, options, go_further);
+      *m_transformation, domain.frame().to_frame(m_target), m_mismatch, m_options.scales,
+      std::move(rho), exactness);
+  std::optional<internal::Dirac_solution> first;
+  if (is_known) first = {in_units(start.report, 1 / domain.unit()), start.lambda, 0, {}};
+  search.run(first, options, go_further);
   Spin_result found = search.best();
   const bool is_cancelled = found.report.cancelled;
   if (found.positions.size() > 0) align_spins(found.lambda);
   rho = {search.potential().on, search.potential().values / domain.unit()};
   Nearest_spin_result nearest = placed(std::move(found), std::move(rho));
-  const bool is_nearer = nearest.report && nearest.distance < start.distance;
+  const bool is_nearer = nearest.report && nearest.distance <= nearest.source_distance &&
+                         m_mismatch.sum(nearest.distance, nearest.normal_distance) <
+                             m_mismatch.sum(start.distance, start.normal_distance);
   Nearest_spin_result& best = is_cancelled || is_nearer ? nearest : start;
   add_costs(best.report, (&best == &start ? nearest : start).report);
   return std::move(best);
-}
-
-template <class SolverTraits, class EigensolverTraits>
-internal::Dirac_solution Nearest_spin_transformation<SolverTraits, EigensolverTraits>::solution_of(
-    const Nearest_spin_result& result) const
-{
-  internal::Dirac_solution solution;
-  static_cast<internal::Dirac_evidence&>(solution) = result.report;
-  solution.eigenvalue *= m_transformation->domain().unit();
-  solution.lambda = result.lambda;
-  return solution;
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -178,7 +171,8 @@ Nearest_spin_transformation<SolverTraits, EigensolverTraits>::Nearest_spin_trans
       m_direction(options.direction),
       m_transformation(std::make_unique<Spin_transformation<SolverTraits, EigensolverTraits>>(
           mesh, transformation_options(Mesh_view(m_target, mesh.corners()), options, m_direction),
-          function))
+          function)),
+      m_mismatch(mesh, m_target, m_transformation->system().areas(), options.normal_weight)
 {}
 
 template <class SolverTraits, class EigensolverTraits>
@@ -224,6 +218,8 @@ Points Nearest_spin_transformation<SolverTraits, EigensolverTraits>::checked(
   internal::Framed_surface::require_faces(Mesh_view(target, mesh.corners()),
                                           options.mollification.has_value(), function + ", target");
   const auto [before, after] = in_frame(mesh, target);
+  if (!(options.normal_weight >= 0) || !std::isfinite(options.normal_weight))
+    throw Precondition_error(function, "the weight of normals has to be 0 or more, and finite");
   if (boundary_loops(mesh).empty() && !options.mollification)
     require_same_spin_structure(before, after, function);
   return target;
@@ -276,14 +272,17 @@ template <class SolverTraits, class EigensolverTraits>
 Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>::placed(
     Spin_result found, Curvature_potential rho) const
 {
-  const auto& system = m_transformation->system();
-  Nearest_spin_result result{std::move(found), 0, 0, std::move(rho), std::nullopt};
-  if (system.directions()) result.direction = m_direction;
+  Nearest_spin_result result;
+  static_cast<Spin_result&>(result) = std::move(found);
+  result.rho = std::move(rho);
+  if (m_transformation->system().directions()) result.direction = m_direction;
   if (!result.report.converged || result.report.cancelled) return result;
-  result.source_distance = align(m_transformation->positions(), m_target, system.areas()).rms;
-  const internal::Alignment a = align(result.positions, m_target, system.areas());
-  result.positions = a.apply(result.positions);
-  result.distance = a.rms;
+  const internal::Target_mismatch::Value here = m_mismatch(result.positions);
+  result.positions = here.alignment.apply(result.positions);
+  result.distance = here.alignment.rms;
+  result.normal_distance = here.normals;
+  result.source_distance = m_mismatch.source().alignment.rms;
+  result.source_normal_distance = m_mismatch.source().normals;
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <Conformal_geometry_processing/spin/Potential_search.h>
 #include <Conformal_geometry_processing/spin/Scale_residual.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/spin/Target_mismatch.h>
 
 #include <Eigen/Core>
 
@@ -30,9 +31,10 @@ namespace internal {
 /// closed by constraints.
 ///
 /// The weight w of the distance grows as long as surfaces verify and are within the bound: what is
-/// far from conformal would be approached by wrinkles that the mesh cannot represent. Where targets
-/// are reached, rho_0 is replaced by the rho found so far, so that what remains of the distance is
-/// neither that of rho_0.
+/// far from conformal would be approached by wrinkles that the mesh cannot represent. For the same
+/// reason, the result is the surface with the least mismatch of positions and normals together
+/// (`Target_mismatch`), and the search ends where it grows. Where targets are reached, rho_0 is
+/// replaced by the rho found so far, so that what remains of the distance is not that of rho_0.
 /// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
 template <class SolverTraits, class EigensolverTraits>
 class Target_search {
@@ -44,8 +46,10 @@ class Target_search {
   /// \param transformation must outlive the object
   /// \param targets 3 x |V|, in the frame of the transformation
   /// \param start rho_0, in 1/length of the frame
+  /// \param mismatch of surfaces and targets; must outlive the object
   /// \param exactness what keeps the edges closed around handles and holes, or null
-  Target_search(Transformation& transformation, const Points& targets, const Scale_control& scales,
+  Target_search(Transformation& transformation, const Points& targets,
+                const Target_mismatch& mismatch, const Scale_control& scales,
                 Curvature_potential start, const Exactness_constraints* exactness);
 
   /// \brief searches from the given rho, and its solution if it is known, otherwise from rho = 0.
@@ -53,8 +57,8 @@ class Target_search {
   void run(const std::optional<Dirac_solution>& start, const Dirac_options& options,
            const Go_further& go_further);
 
-  /// the nearest surface that verifies, its spins and the costs of the search; none was found if
-  /// it has no positions
+  /// the surface of least mismatch that verifies, its spins and the costs of the search; none was
+  /// found if it has no positions
   const Spin_result& best() const { return m_best; }
 
   /// its rho, in 1/length of the frame
@@ -62,7 +66,7 @@ class Target_search {
 
  private:
   /// minimises for a weight, raises that of scales until they are within the bound, and takes the
-  /// result if it verifies and is nearer
+  /// result if it verifies and has less mismatch
   /// \returns whether it verifies
   bool try_weight(double w, const Dirac_options& options, const Go_further& go_further);
 
@@ -77,8 +81,8 @@ class Target_search {
   Spin_result present();
 
   Transformation& m_transformation;
+  const Target_mismatch& m_mismatch;
   const Scale_control& m_control;
-  Points m_targets;
   Eigen::VectorXd m_areas;
   const Exactness_constraints* m_exactness;
   Position_residual<SolverTraits> m_positions;
@@ -88,6 +92,7 @@ class Target_search {
   Curvature_potential m_rho;
   Search m_search;
   double m_unit, m_scale_weight = 1;  // the square of R; s
+  double m_last, m_least;             // mismatch of the last result, and of the best
   double m_distance;                  // of the best result, relative to the diagonal
   Spin_result m_best;
 };

@@ -34,11 +34,11 @@ inline std::vector<Control_point> vertices_as_control_points(const Points& targe
 
 template <class SolverTraits, class EigensolverTraits>
 Target_search<SolverTraits, EigensolverTraits>::Target_search(
-    Transformation& transformation, const Points& targets, const Scale_control& scales,
-    Curvature_potential start, const Exactness_constraints* exactness)
+    Transformation& transformation, const Points& targets, const Target_mismatch& mismatch,
+    const Scale_control& scales, Curvature_potential start, const Exactness_constraints* exactness)
     : m_transformation(transformation),
+      m_mismatch(mismatch),
       m_control(scales),
-      m_targets(targets),
       m_areas(transformation.system().areas()),
       m_exactness(exactness),
       m_positions(transformation.system().surface(), transformation.reconstruction(),
@@ -55,7 +55,9 @@ Target_search<SolverTraits, EigensolverTraits>::Target_search(
                exactness ? std::vector<Spin_residual*>{&*m_periods} : std::vector<Spin_residual*>{},
                0.03),
       m_unit(1 / transformation.system().unit()),
-      m_distance(std::numeric_limits<double>::infinity())
+      m_last(0),
+      m_least(std::numeric_limits<double>::infinity()),
+      m_distance(m_least)
 {
   const double closure_weight = 1000;
   m_positions.set_targets(targets);
@@ -68,12 +70,15 @@ void Target_search<SolverTraits, EigensolverTraits>::run(const std::optional<Dir
                                                          const Dirac_options& options,
                                                          const Go_further& go_further)
 {
-  const double first_weight = 10, last_weight = 2e7, least_factor = 1.3;
+  const double first_weight = 10, last_weight = 2e7, least_factor = 1.3, much_worse = 1.3;
   if (start) restart({m_rho, *start, {}, {}});
   double factor = 4;
   for (double w = first_weight; w <= last_weight && factor > least_factor; w *= factor) {
     const Candidate before = m_search.present();
-    if (try_weight(w, options, go_further)) continue;
+    if (try_weight(w, options, go_further)) {
+      if (m_last > much_worse * m_least) break;
+      continue;
+    }
     if (m_search.costs().cancelled) break;
     m_search.restore(before);
     w /= factor;
@@ -123,10 +128,11 @@ bool Target_search<SolverTraits, EigensolverTraits>::try_weight(double w,
     m_scales.set_weight(m_scale_weight / m_unit);
   }
   if (!next.report || next.report.conformality.flipped_faces > 0) return false;
-  const Points f = m_transformation.domain().frame().to_frame(next.positions);
-  const double distance = placement(f, m_targets, m_areas).rms;
-  if (!(distance < m_distance)) return m_distance > 0;
-  m_distance = distance;
+  const Target_mismatch::Value mismatch = m_mismatch(next.positions);
+  m_last = m_mismatch.sum(mismatch.alignment.rms, mismatch.normals);
+  if (!(m_last < m_least)) return m_least > 0;
+  m_least = m_last;
+  m_distance = mismatch.alignment.rms;
   m_rho = m_search.present().rho;
   m_best = std::move(next);
   return true;

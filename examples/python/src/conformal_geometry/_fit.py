@@ -20,11 +20,12 @@ from ._spin import Callback, Spin_result, _progress, spin_result
 class Nearest_result(Spin_result):
     """A conformal deformation near a given one."""
     distance: float  #: root mean square from the target, relative to the diagonal of its box, by area
+    normal_distance: float  #: likewise of the unit normals of the faces; wrinkles raise it
     sign_conflicts: int  #: of the spins of the target; 0 for smooth deformations
 
 
 def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: bool = False,
-            direction: Any = (1, 0, 0), vertex_scale: Any = None,
+            normal_weight: float = 1., direction: Any = (1, 0, 0), vertex_scale: Any = None,
             exactness: Optional[str] = "adjoint",
             max_period_defect: Optional[float] = None, mollification: Optional[float] = None,
             eigenproblem: str = "standard", tolerance: float = 1e-8, max_iterations: int = 200,
@@ -32,8 +33,9 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: b
             limits: Optional[Dict[str, float]] = None, callback: Callback = None
             ) -> Nearest_result:
     """Deforms a surface conformally, as closely as possible to a given deformation: minimises the
-    mean square distance of the vertices after the best similarity. The result is never farther
-    from the target than the surface. So any editor becomes a conformal one.
+    mean square distance of the vertices after the best similarity, as far as the normals come
+    nearer with it. The result is never farther from the target than the surface. So any editor
+    becomes a conformal one.
 
     Parameters
     ----------
@@ -45,6 +47,9 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: b
     keep_curvature : bool
         the surface with the curvature of the target and, at a boundary, its tangents, wherever
         that is [CGP 5.9, 6.3]
+    normal_weight : float
+        how much the normals count beside the positions; with 0, positions come nearer by
+        wrinkles, where the target is far from conformal
     direction : (t, n, b)
         what of the boundary frame is taken from the target; (0, 0, 1), the binormals, can be
         realised for any
@@ -55,14 +60,16 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: b
     """
     name = "nearest"
     options = dict(direction=real(direction, name, "directions"), keep_curvature=keep_curvature,
+                   normal_weight=float(normal_weight),
                    vertex_scale=real_or_none(vertex_scale, name, "factors"), exactness=exactness,
                    max_period_defect=max_period_defect, mollification=mollification,
                    eigenproblem=eigenproblem, tolerance=tolerance, max_iterations=max_iterations,
                    max_substeps=max_substeps, random_seed=random_seed)
-    positions, spins, report, distance, conflicts = _kernels.nearest(
+    positions, spins, report, distance, normal_distance, conflicts = _kernels.nearest(
         points(V, name), points(target, name), faces(F, name), float(blend), options, known(limits),
         _progress(callback))
-    return Nearest_result(positions, spins, build(Spin_report, report), distance, conflicts)
+    return Nearest_result(positions, spins, build(Spin_report, report), distance, normal_distance,
+                          conflicts)
 
 
 def blend(A: Any, B: Any, F: Any, t: float = 0.5, *, onto: Any = None, tolerance: float = 1e-8,
