@@ -50,6 +50,22 @@ TEST(Curvature_difference, leads_to_conformal_surfaces_on_the_way_and_beyond)
   }
 }
 
+TEST(Curvature_difference, is_transferred_as_a_half_density)
+{
+  const Mesh_view mesh = bumpy_sphere(2), target = other(mesh);
+  const auto check = [&](const CGP::Curvature_potential& rho, auto areas) {
+    const CGP::Curvature_potential there = CGP::transferred(rho, mesh, target);
+    const Eigen::VectorXd before = rho.values.cwiseProduct(areas(mesh).cwiseSqrt()),
+                          after = there.values.cwiseProduct(areas(target).cwiseSqrt());
+    EXPECT_EQ(there.on, rho.on);
+    EXPECT_LT((after - before).norm(), 1e-12 * before.norm());
+  };
+  check(CGP::curvature_difference(mesh, target.positions()),
+        [](const Mesh_view& m) { return CGP::voronoi_areas(m); });
+  check(CGP::Curvature_potential::on_faces(Eigen::VectorXd::Random(mesh.size_of_faces())),
+        [](const Mesh_view& m) { return CGP::face_areas(m); });
+}
+
 TEST(Curvature_difference, of_a_surface_to_itself_is_zero_and_changes_sign_on_the_way_back)
 {
   const Mesh_view mesh = bumpy_sphere(2), target = other(mesh);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "commands.h"
 #include "numbered_outputs.h"
+#include "option_checks.h"
 #include "option_groups.h"
 
 #include "conformal/input/rho.h"
@@ -13,6 +14,7 @@
 #include "conformal/report/keep_exhibit.h"
 #include "conformal/transform/deform.h"
 #include "conformal/transform/each_component.h"
+#include "conformal/transform/solve_fit.h"
 #include "conformal/transform/suitable_surface.h"
 #include "conformal/transform/watched.h"
 #include "conformal/transform/write_result.h"
@@ -25,6 +27,7 @@
 #include <Conformal_geometry_processing/spin/turned_binormals.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,10 +37,11 @@ namespace {
 const char* const about =
     "Goes from A towards B, or beyond: adds t times the difference of their mean curvature\n"
     "half-densities. A and B have the same faces and are conformally equivalent, as results of\n"
-    "conformal spin and flow are to their inputs; so is every surface on the way. Area and\n"
+    "conformal spin and flow are to their inputs; so is every surface on the way. The difference\n"
+    "is corrected so that t = 1 is B, or the conformal surface nearest to it. Area and\n"
     "centroid are those of A; at a boundary the binormals turn evenly. --onto adds the\n"
-    "difference to a third surface. The output has the vertex properties quality\n"
-    "(quasi-conformal error, 1 is perfect) and rho.\n"
+    "difference to a third surface. The output has the vertex property quality\n"
+    "(quasi-conformal error, 1 is perfect) and the face property rho.\n"
     "What does not verify is not written, and the exit code is 1.\n"
     "Example: conformal blend bear.off bear_spin.ply --t 1.5 -o bear_more.ply";
 
@@ -46,6 +50,8 @@ struct Blend_options {
   std::string other, onto;   ///< files; the difference is added to A, unless there is another
   double t = 0.5, from = 0;  ///< of B - A; the first of the frames
   int frames = 0;
+  bool keep_curvature = false;  ///< the plain difference, wherever t = 1 is then
+  std::optional<double> scale_bound;
 };
 
 void add_options(CLI::App& command, Blend_options& blend, Common_options& common)
@@ -71,6 +77,13 @@ void add_options(CLI::App& command, Blend_options& blend, Common_options& common
       ->check(finite)
       ->needs("--frames")
       ->capture_default_str();
+  command.add_flag("--keep-curvature", blend.keep_curvature,
+                   "add the plain difference of curvature, wherever t = 1 is then");
+  command
+      .add_option("--max-scale", blend.scale_bound,
+                  "largest factor by which lengths may grow or shrink, on 98 % of the area, apart "
+                  "from the scale of the whole")
+      ->check(above_zero);
   add_lambda(command, blend.spin.lambda);
   add_solver(command, blend.spin.solver);
   add_transformation(command, common);
@@ -119,17 +132,42 @@ void note_unlike(const CGP::Mesh_view& a, const CGP::Mesh_view& b, const Blend_o
                  "): the way does not lead there, but to what has its curvature");
 }
 
-Difference difference(const Trio& meshes)
+/// The rho that transforms A into B, or into the surface nearest to it, if there is one: the
+/// difference of curvature misses B by the discretisation error.
+std::optional<CGP::Curvature_potential> search_difference(const Trio& meshes,
+                                                          const Session& session)
+{
+  const bool is_closed = CGP::topology(meshes.a).is_closed();
+  Fit_problem problem;
+  problem.target = meshes.b.positions();
+  problem.direction = {0, 0, 1};
+  Fit_solution found;
+  const auto solve = [&](const Go_further& go_further) {
+    found = solve_fit(meshes.a, problem, session.options(), go_further);
+    return found.spin;
+  };
+  watched(solve, session, "difference, ");
+  const bool is_nearer = found.spin.report && found.distance < found.source_distance &&
+                         (is_closed || found.direction == problem.direction);
+  return is_nearer ? std::optional(std::move(found.rho)) : std::nullopt;
+}
+
+Difference difference(const Trio& meshes, const Blend_options& options, Session& session)
 {
   const CGP::Points& p = meshes.b.positions();
-  return {CGP::transferred(CGP::curvature_difference(meshes.a, p), meshes.a, meshes.start),
+  std::optional<CGP::Curvature_potential> rho;
+  if (!options.keep_curvature) rho = search_difference(meshes, session);
+  if (!rho) rho = CGP::curvature_difference(meshes.a, p);
+  return {CGP::transferred(*rho, meshes.a, meshes.start),
           {CGP::align(p, meshes.a.positions()).apply(p), meshes.a.corners()}};
 }
 
-Spin_problem problem_at(double t, const Trio& meshes, const Difference& whole)
+Spin_problem problem_at(double t, const Trio& meshes, const Difference& whole,
+                        const Blend_options& options)
 {
   Spin_problem problem;
   problem.rho = {whole.rho.on, t * whole.rho.values};
+  problem.scales.bound = options.scale_bound;
   if (CGP::topology(meshes.start).is_closed()) return problem;
   problem.boundary = CGP::Boundary_condition::binormals(
       CGP::turned_binormals(meshes.a, whole.b_near_a, meshes.start, t));
@@ -146,11 +184,11 @@ struct Frame {
 
 std::vector<Frame> solve_frames(const Trio& meshes, const Blend_options& options, Session& session)
 {
-  const Difference whole = difference(meshes);
+  const Difference whole = difference(meshes, options, session);
   std::vector<Frame> frames;
   for (const double t : values_of_t(options)) {
     if (!frames.empty()) session.end_stage("frames");
-    const Spin_problem problem = problem_at(t, meshes, whole);
+    const Spin_problem problem = problem_at(t, meshes, whole, options);
     const auto solve = [&](const Go_further& go_further) {
       return solve_spin(meshes.start, problem, options.spin, session.options(), go_further);
     };
@@ -223,7 +261,8 @@ void blend(const Blend_options& options, Session& session)
   session.note_all(notes_of_repair_alike(a, {options.other, options.onto}));
   const double unit = User_frame(start.mesh).unit();
   Transformed_surface unchanged = Transformed_surface::unchanged(start.mesh);
-  unchanged.rho = CGP::no_potential(start.mesh);
+  unchanged.rho =
+      CGP::Curvature_potential::on_faces(Eigen::VectorXd::Zero(start.mesh.size_of_faces()));
   std::vector<Transformed_surface> surfaces(values_of_t(options).size(), unchanged);
   each_component(start, session, [&](const Component& component, Session& own) {
     const Trio meshes{on_component(a.mesh, component), on_component(b, component),
@@ -231,7 +270,8 @@ void blend(const Blend_options& options, Session& session)
     const auto frames = verified_frames(component.input, meshes, options, own);
     for (std::size_t k = 0; k < frames.size(); ++k) {
       surfaces[k].set(component, frames[k].solution);
-      surfaces[k].rho.values(component.vertices) = unit * frames[k].problem.rho.values;
+      surfaces[k].rho.values(component.faces) =
+          unit * at_faces(component.input.mesh, frames[k].problem.rho);
     }
   });
   write_frames(surfaces, start, options, session);

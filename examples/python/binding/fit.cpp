@@ -58,13 +58,34 @@ struct Pair {
   CGP::Mesh_view a, b, start;
 };
 
-/// the spin transformation of `start` by t times the difference of a and b
-CGP::Spin_result blended(const Pair& meshes, double t, const CGP::Dirac_options& options,
-                         const Watch& watch, const std::string& function)
+/// the rho that transforms a into b, or into the surface nearest to it; if there is none or the
+/// curvature is kept, the difference of curvature
+CGP::Curvature_potential difference(const Pair& meshes, bool keep_curvature,
+                                    const CGP::Dirac_options& options, const Watch& watch,
+                                    const std::string& function)
 {
   const CGP::Points& p = meshes.b.positions();
-  CGP::Curvature_potential rho =
-      CGP::transferred(CGP::curvature_difference(meshes.a, p), meshes.a, meshes.start);
+  if (!keep_curvature) {
+    CGP::Nearest_spin_options own;
+    own.direction = {0, 0, 1};
+    CGP::Nearest_spin_transformation<> search(meshes.a, p, function, own);
+    CGP::Nearest_spin_result found = search.transform(options, std::cref(watch));
+    const bool has_direction =
+        CGP::topology(meshes.a).is_closed() || found.direction == own.direction;
+    if (found.report && found.distance < found.source_distance && has_direction)
+      return std::move(found.rho);
+  }
+  return CGP::curvature_difference(meshes.a, p);
+}
+
+/// the spin transformation of `start` by t times the difference of a and b
+CGP::Spin_result blended(const Pair& meshes, double t, bool keep_curvature,
+                         const CGP::Dirac_options& options, const Watch& watch,
+                         const std::string& function)
+{
+  const CGP::Points& p = meshes.b.positions();
+  CGP::Curvature_potential rho = CGP::transferred(
+      difference(meshes, keep_curvature, options, watch, function), meshes.a, meshes.start);
   rho.values *= t;
   CGP::Spin_transformation_options own;
   if (!CGP::topology(meshes.start).is_closed()) {
@@ -88,7 +109,9 @@ py::tuple blend(const Array& A, const Array& B, const Array& onto, const Indices
   if (!std::isfinite(t)) throw CGP::Precondition_error(function, "t is not finite");
   const CGP::Dirac_options dirac = dirac_options(options, function);
   const Watch watch(callback);
-  return as_tuple(without_lock([&] { return blended(meshes, t, dirac, watch, function); }));
+  const bool keep_curvature = py::cast<bool>(options["keep_curvature"]);
+  return as_tuple(
+      without_lock([&] { return blended(meshes, t, keep_curvature, dirac, watch, function); }));
 }
 
 }  // namespace

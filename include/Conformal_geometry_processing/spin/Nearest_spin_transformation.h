@@ -143,11 +143,6 @@ class Nearest_spin_transformation {
 
   static Points integrated(const Mesh_view& mesh, const Quaternion_vector<double>& mu,
                            const std::string& function, const Nearest_spin_options& options);
-  static Points checked(const Mesh_view& mesh, Points target, const std::string& function,
-                        const Nearest_spin_options& options);
-
-  /// both in the normalized frame of the mesh, where squares of areas neither over- nor underflow
-  static std::pair<Mesh_view, Points> in_frame(const Mesh_view& mesh, const Points& target);
   static Spin_transformation_options transformation_options(
       const Mesh_view& target, const Nearest_spin_options& options,
       const std::optional<Eigen::Vector3d>& direction);

@@ -10,6 +10,7 @@
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
 #include <Conformal_geometry_processing/spin/Target_search_templates.h>
+#include <Conformal_geometry_processing/spin/checked_target.h>
 #include <Conformal_geometry_processing/spin/curvature_of_spins.h>
 #include <Conformal_geometry_processing/spin/face_spins.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
@@ -29,10 +30,12 @@ template <class SolverTraits, class EigensolverTraits>
 Nearest_spin_transformation<SolverTraits, EigensolverTraits>::Nearest_spin_transformation(
     const Mesh_view& mesh, Points target, const std::string& function,
     const Nearest_spin_options& options)
-    : Nearest_spin_transformation(function, mesh,
-                                  checked(mesh, std::move(target), function, options), options)
+    : Nearest_spin_transformation(
+          function, mesh,
+          internal::checked_target(mesh, std::move(target), options.mollification, function),
+          options)
 {
-  const auto [before, after] = in_frame(mesh, m_target);
+  const auto [before, after] = internal::in_frame(mesh, m_target);
   Quaternion_vector<double> faces = face_spins(before, after);
   if (options.mollification) replace_thin_faces(before, after, faces);
   m_conflicts = make_consistent(before, faces);
@@ -203,36 +206,6 @@ Points Nearest_spin_transformation<SolverTraits, EigensolverTraits>::integrated(
   own.mollification = options.mollification;
   Spin_transformation<SolverTraits, EigensolverTraits> transformation(mesh, own, function);
   return transformation.integrate(mu).positions;
-}
-
-template <class SolverTraits, class EigensolverTraits>
-Points Nearest_spin_transformation<SolverTraits, EigensolverTraits>::checked(
-    const Mesh_view& mesh, Points target, const std::string& function,
-    const Nearest_spin_options& options)
-{
-  internal::Framed_surface::require(mesh, options.mollification, function);
-  if (target.cols() != mesh.size_of_vertices())
-    throw Precondition_error(function, std::to_string(target.cols()) +
-                                           " target positions, one per vertex is needed: " +
-                                           std::to_string(mesh.size_of_vertices()));
-  internal::Framed_surface::require_faces(Mesh_view(target, mesh.corners()),
-                                          options.mollification.has_value(), function + ", target");
-  const auto [before, after] = in_frame(mesh, target);
-  if (!(options.normal_weight >= 0) || !std::isfinite(options.normal_weight))
-    throw Precondition_error(function, "the weight of normals has to be 0 or more, and finite");
-  if (boundary_loops(mesh).empty() && !options.mollification)
-    require_same_spin_structure(before, after, function);
-  return target;
-}
-
-template <class SolverTraits, class EigensolverTraits>
-std::pair<Mesh_view, Points> Nearest_spin_transformation<SolverTraits, EigensolverTraits>::in_frame(
-    const Mesh_view& mesh, const Points& target)
-{
-  const internal::Normalized_frame frame(mesh.positions());
-  std::pair<Mesh_view, Points> both{mesh, frame.to_frame(target)};
-  both.first.set_positions(frame.to_frame(mesh.positions()));
-  return both;
 }
 
 template <class SolverTraits, class EigensolverTraits>

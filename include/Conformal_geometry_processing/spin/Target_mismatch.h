@@ -32,7 +32,8 @@ class Target_mismatch {
   /// \param mesh that is to be deformed
   /// \param target 3 x |V|
   /// \param areas of the vertices
-  /// \param normal_weight w >= 0
+  /// \param normal_weight w
+  /// \throw Precondition_error unless w is finite and at least 0
   Target_mismatch(const Mesh_view& mesh, Points target, Eigen::VectorXd areas,
                   double normal_weight);
 

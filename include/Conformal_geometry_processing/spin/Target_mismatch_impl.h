@@ -4,12 +4,14 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_TARGET_MISMATCH_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/spin/Target_mismatch.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -34,7 +36,12 @@ CGP_INLINE Target_mismatch::Target_mismatch(const Mesh_view& mesh, Points target
       m_normals(double_vector_areas(m_target, m_target.positions())),
       m_normal_weight(normal_weight),
       m_source((*this)(mesh.positions()))
-{}
+{
+  if (!(normal_weight >= 0) || !std::isfinite(normal_weight))
+    throw Precondition_error("Target_mismatch", "the weight of normals is " +
+                                                    std::to_string(normal_weight) +
+                                                    ", it has to be finite and at least 0");
+}
 
 CGP_INLINE Target_mismatch::Value Target_mismatch::operator()(const Points& positions) const
 {

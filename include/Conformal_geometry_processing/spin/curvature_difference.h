@@ -24,8 +24,8 @@ Curvature_potential curvature_difference(const Mesh_view& mesh, const Points& po
 
 /// \ingroup PkgSpin
 /// \brief transfers rho from one surface to another of the same connectivity, with the half-density
-/// rho |df| fixed; on vertices.
-/// \pre rho is on the vertices of `from`
+/// rho |df| fixed; on vertices or faces, as the given one.
+/// \pre rho has the size for `from`, and areas are positive
 Curvature_potential transferred(const Curvature_potential& rho, const Mesh_view& from,
                                 const Mesh_view& to);
 

@@ -48,10 +48,12 @@ CGP_INLINE Curvature_potential transferred(const Curvature_potential& rho, const
 {
   const double unit = internal::Normalized_frame(from.positions()).unit() /
                       internal::Normalized_frame(to.positions()).unit();
-  const Eigen::VectorXd shrinking = voronoi_areas(internal::in_own_frame(from))
-                                        .cwiseQuotient(voronoi_areas(internal::in_own_frame(to)))
-                                        .cwiseSqrt();
-  return Curvature_potential::on_vertices(unit * rho.values.cwiseProduct(shrinking));
+  const auto areas = [&rho](const Mesh_view& mesh) -> Eigen::VectorXd {
+    const Mesh_view own = internal::in_own_frame(mesh);
+    return rho.on == Curvature_potential::On::faces ? face_areas(own) : voronoi_areas(own);
+  };
+  const Eigen::VectorXd shrinking = areas(from).cwiseQuotient(areas(to)).cwiseSqrt();
+  return {rho.on, unit * rho.values.cwiseProduct(shrinking)};
 }
 
 }  // namespace Conformal_geometry_processing

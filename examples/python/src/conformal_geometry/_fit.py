@@ -72,10 +72,12 @@ def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: b
                           conflicts)
 
 
-def blend(A: Any, B: Any, F: Any, t: float = 0.5, *, onto: Any = None, tolerance: float = 1e-8,
-          random_seed: int = 0, callback: Callback = None) -> Spin_result:
+def blend(A: Any, B: Any, F: Any, t: float = 0.5, *, onto: Any = None,
+          keep_curvature: bool = False, tolerance: float = 1e-8, random_seed: int = 0,
+          callback: Callback = None) -> Spin_result:
     """Goes from one surface towards a conformally equivalent one, or beyond: adds t times the
-    difference of their mean curvature half-densities [CGP 4.4].
+    difference of their mean curvature half-densities [CGP 4.4], corrected so that t = 1 is B or the
+    conformal surface nearest to it.
 
     Every surface on the way is conformally equivalent to both. Area and centroid are those of the
     start; at a boundary the binormals turn evenly.
@@ -83,10 +85,12 @@ def blend(A: Any, B: Any, F: Any, t: float = 0.5, *, onto: Any = None, tolerance
     Parameters
     ----------
     A, B : (n, 3) arrays
-        two surfaces; t = 0 gives A, 1 gives B up to a similarity and O(h^2), 1.5 exaggerates
+        two surfaces; t = 0 gives A, 1 gives B up to a similarity, 1.5 exaggerates
     F : (m, 3) array of integers
     onto : (n, 3) array, optional
         a third surface of the conformal class, to which the difference is added in place of A
+    keep_curvature : bool
+        adds the plain difference, which leads to B up to O(h^2), without a search
     tolerance, random_seed, callback
         as in ``spin_transform()``
     """
@@ -94,4 +98,5 @@ def blend(A: Any, B: Any, F: Any, t: float = 0.5, *, onto: Any = None, tolerance
     start = A if onto is None else onto
     return spin_result(*_kernels.blend(
         points(A, name), points(B, name), points(start, name), faces(F, name), float(t),
-        dict(tolerance=tolerance, random_seed=random_seed), _progress(callback)))
+        dict(keep_curvature=keep_curvature, tolerance=tolerance, random_seed=random_seed),
+        _progress(callback)))
