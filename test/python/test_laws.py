@@ -189,7 +189,7 @@ def test_blending_reaches_both_ends():
     def shape(points):
         return np.linalg.norm(points[F] - points[np.roll(F, 1, axis=1)], axis=2)
 
-    assert np.abs(shape(end) - shape(spun)).max() < .1 * shape(spun).max()
+    assert np.abs(shape(end) - shape(spun)).max() < 1e-3 * shape(spun).max()
     onto = cg.blend(V, spun, F, 0, onto=spun).positions
     assert np.abs(onto - spun).max() < 1e-6
     W, G = patch(9)
