@@ -127,7 +127,7 @@ bool Target_search<SolverTraits, EigensolverTraits>::try_weight(double w,
     m_scale_weight *= factor;
     m_scales.set_weight(m_scale_weight / m_unit);
   }
-  if (!next.report || next.report.conformality.flipped_faces > 0) return false;
+  if (!next.report) return false;
   const Target_mismatch::Value mismatch = m_mismatch(next.positions);
   m_last = m_mismatch.sum(mismatch.alignment.rms, mismatch.normals);
   if (!(m_last < m_least)) return m_least > 0;
