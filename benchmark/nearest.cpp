@@ -53,10 +53,8 @@ CGP::Points moved(const CGP::Mesh_view& mesh, bool is_bend)
 }
 
 CGP::Nearest_spin_result nearest(const CGP::Mesh_view& mesh, const CGP::Points& target,
-                                 bool keep_curvature)
+                                 const CGP::Nearest_spin_options& options = {})
 {
-  CGP::Nearest_spin_options options;
-  options.keep_curvature = keep_curvature;
   CGP::Nearest_spin_transformation<> transformation(mesh, target, "benchmark_nearest", options);
   return transformation.transform();
 }
@@ -85,7 +83,10 @@ void survey(const std::string& path)
   const int chi = mesh.size_of_vertices() - mesh.size_of_edges() + mesh.size_of_faces();
   for (const bool is_bend : {true, false}) {
     const CGP::Points target = moved(mesh, is_bend);
-    const CGP::Nearest_spin_result found = nearest(mesh, target, false);
+    const CGP::Nearest_spin_result found = nearest(mesh, target);
+    CGP::Nearest_spin_options curvature, positions;
+    curvature.keep_curvature = true;
+    positions.normal_weight = 0;
     Record record;
     record.add("mesh", path.substr(path.find_last_of('/') + 1))
         .add("faces", mesh.size_of_faces())
@@ -93,7 +94,8 @@ void survey(const std::string& path)
         .add("motion", is_bend ? "bend" : "twist")
         .add("target_Q", CGP::quasi_conformal_error(mesh, target).mean)
         .add("source_distance", found.source_distance);
-    add(nearest(mesh, target, true), mesh, "curvature_", record);
+    add(nearest(mesh, target, curvature), mesh, "curvature_", record);
+    add(nearest(mesh, target, positions), mesh, "positions_", record);
     add(found, mesh, "", record);
     record.print();
     std::fflush(stdout);
