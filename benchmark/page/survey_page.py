@@ -163,7 +163,7 @@ def check_table():
 def write():
     found = rows(RECORD)
     facts = {(row["set"], row["mesh"]): row for row in found if row["command"] == "info"}
-    called = "\n".join("- `" + shlex.join(["conformal", *command_line(name, "MESH")]) + "`"
+    called = "\n".join("- ``" + shlex.join(["conformal", *command_line(name, "MESH")]) + "``"
                        for name in COMMANDS)
     repaired = rows(REPAIRED)
     text = TEXT.format(repaired=survey_repair.summary(found, repaired),
