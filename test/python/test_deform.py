@@ -92,3 +92,16 @@ def test_refusals_name_the_target():
         cg.deform(V, F, {0: (np.nan, 0, 0)})
     with pytest.raises(cg.Precondition_error, match="at one place"):
         cg.deform(V, F, {0: V[0], 1: V[0]})
+
+
+def test_outside_of_a_region_nothing_moves():
+    V, F = icosphere(3)
+    V = V * [1, 1.2, 1.5] + .05 * np.sin(3 * V[:, [1, 2, 0]])
+    region = np.clip((V[:, 2] + .5) / .8, 0, 1)
+    top = int(np.argmax(V[:, 2]))
+    result = cg.deform(V, F, {top: V[top] + [.15, .05, .05]}, vertex_region=region)
+    assert result, result.report.fault
+    assert np.array_equal(result.positions[region == 0], V[region == 0])
+    assert np.linalg.norm(result.positions[top] - V[top] - [.15, .05, .05]) < 1e-7
+    assert 1 < result.report.collar.quasi_conformal.mean < 1.2
+    assert cg.deform(V, F, {top: V[top]}).report.collar is None

@@ -26,6 +26,7 @@ class Deformation {
     CGP::internal::Conformal_deformation_options own;
     own.surface = transformation_options(options, m_mesh, m_function);
     take(options, "position_weight", own.position_weight);
+    own.region = take_numbers(options, "vertex_region", m_function);
     m_deformation = without_lock([&] {
       return std::make_unique<CGP::internal::Conformal_deformation<>>(m_mesh, own, m_function);
     });

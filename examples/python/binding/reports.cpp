@@ -143,6 +143,7 @@ py::dict as_dict(const CGP::Spin_report& r)
   d["closure_residual"] = r.closure_residual;
   d["conformality"] = as_dict(r.conformality);
   d["min_spin_ratio"] = r.min_spin_ratio;
+  d["collar"] = r.collar ? py::object(as_dict(*r.collar)) : py::object(py::none());
   d["seconds"] = as_dict(r.seconds);
   d["limits"] = as_dict(r.limits);
   return d;

@@ -32,14 +32,15 @@ class Conformal_deformation:
 
     def __init__(self, V: Any, F: Any, *, position_weight: Optional[float] = None,
                  max_scale: Optional[float] = None, vertex_scale: Any = None,
-                 vertex_scale_weight: Any = None, exactness: Optional[str] = "adjoint",
-                 mollification: Optional[float] = None,
+                 vertex_scale_weight: Any = None, vertex_region: Any = None,
+                 exactness: Optional[str] = "adjoint", mollification: Optional[float] = None,
                  function: str = "Conformal_deformation") -> None:
         self._function = function
         options = dict(
             position_weight=position_weight, max_scale=max_scale, exactness=exactness,
             vertex_scale=real_or_none(vertex_scale, function, "vertex_scale"),
             vertex_scale_weight=real_or_none(vertex_scale_weight, function, "vertex_scale_weight"),
+            vertex_region=real_or_none(vertex_region, function, "vertex_region"),
             mollification=mollification)
         self._kernel = _kernels.Deformation(points(V, function), faces(F, function), options,
                                             function)
@@ -59,8 +60,8 @@ class Conformal_deformation:
 
 def deform(V: Any, F: Any, targets: Mapping[int, Any], *, position_weight: Optional[float] = None,
            max_scale: Optional[float] = None, vertex_scale: Any = None,
-           vertex_scale_weight: Any = None, exactness: Optional[str] = "adjoint",
-           mollification: Optional[float] = None,
+           vertex_scale_weight: Any = None, vertex_region: Any = None,
+           exactness: Optional[str] = "adjoint", mollification: Optional[float] = None,
            tolerance: float = 1e-8, random_seed: int = 0,
            limits: Optional[Dict[str, float]] = None,
            callback: Callback = None) -> Deformation_result:
@@ -84,6 +85,9 @@ def deform(V: Any, F: Any, targets: Mapping[int, Any], *, position_weight: Optio
     position_weight : float, optional
         weight of the distances from the targets against rho, in multiples of 1/R with R the radius
         of the sphere of the same area; None: the targets are met exactly
+    vertex_region : (n,) array, optional
+        the region that may move: 1 where it follows the targets, 0 where it stays as it is, to the
+        bit, between them it fades out; ``report.collar`` tells how conformal it is there
     limits : dict, optional
         what counts as success, see ``Limits``; ``realised_share`` is 1 unless it is given
     other parameters
@@ -91,7 +95,7 @@ def deform(V: Any, F: Any, targets: Mapping[int, Any], *, position_weight: Optio
     """
     return Conformal_deformation(
         V, F, position_weight=position_weight, max_scale=max_scale, vertex_scale=vertex_scale,
-        vertex_scale_weight=vertex_scale_weight, exactness=exactness, mollification=mollification,
-        function="deform").deform(
+        vertex_scale_weight=vertex_scale_weight, vertex_region=vertex_region, exactness=exactness,
+        mollification=mollification, function="deform").deform(
             targets, tolerance=tolerance, random_seed=random_seed, limits=limits,
             callback=callback)

@@ -161,6 +161,7 @@ class Spin_report(Report):
     closure_residual: float
     conformality: Conformality
     min_spin_ratio: float
+    collar: Optional[Conformality]
     seconds: Spin_seconds
     limits: Limits
 
