@@ -27,7 +27,7 @@ Points stretched(Points p)
   return p;
 }
 
-/// two squares with the angle between them, 6 points
+/// two squares of area 4 with the angle between them, 6 points
 Points folded(double angle)
 {
   const double c = std::cos(angle / 2), s = std::sin(angle / 2);
@@ -35,7 +35,7 @@ Points folded(double angle)
   p.row(0) << -c, 0, c, -c, 0, c;
   p.row(1) << 0, 0, 0, 1, 1, 1;
   p.row(2) << s, 0, s, s, 0, s;
-  return p;
+  return 2 * p;
 }
 
 Mesh_view::Corners folded_corners()
