@@ -146,6 +146,18 @@ TEST(Target_search, prefers_normals_to_wrinkles_unless_only_positions_count)
             wrinkled.report.conformality.quasi_conformal.mean);
 }
 
+// Up to where a search ends that stops at gains of 1 %.
+TEST(Target_search, does_not_depend_on_the_place_and_size_of_the_target)
+{
+  const Mesh_view mesh = perturbed(beam(2), .02);
+  const Points target = bent_beam(mesh, pi / 3, .5).positions();
+  const Nearest_spin_result here = nearest(mesh, target),
+                            there = nearest(mesh, 5 * moved_by_a_similarity(target));
+  EXPECT_TRUE(here.report);
+  EXPECT_NEAR(there.distance / there.source_distance, here.distance / here.source_distance, 1e-3);
+  EXPECT_NEAR(there.normal_distance, here.normal_distance, 1e-3);
+}
+
 TEST(Target_search, refuses_a_negative_weight_of_normals)
 {
   const Mesh_view mesh = icosphere(1);

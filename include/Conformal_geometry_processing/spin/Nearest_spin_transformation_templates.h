@@ -121,8 +121,12 @@ Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>
   if (!start.report.converged || is_turned) return start;
   Curvature_potential rho = is_known ? start.rho : no_potential(domain.mesh());
   rho.values *= domain.unit();
+  // The size of the target must not weigh distances against rho.
+  const Points target =
+      align(m_target, m_transformation->positions(), m_transformation->system().areas())
+          .apply(m_target);
   internal::Target_search<SolverTraits, EigensolverTraits> search(
-      *m_transformation, domain.frame().to_frame(m_target), m_mismatch, m_options.scales,
+      *m_transformation, domain.frame().to_frame(target), m_mismatch, m_options.scales,
       std::move(rho), exactness);
   std::optional<internal::Dirac_solution> first;
   if (is_known) first = {in_units(start.report, 1 / domain.unit()), start.lambda, 0, {}};
