@@ -34,7 +34,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const blend_about =
     "Goes from A towards B, or beyond: adds t times the difference of their mean curvature\n"
     "half-densities. A and B have the same faces and are conformally equivalent, as results of\n"
     "conformal spin and flow are to their inputs; so is every surface on the way. The difference\n"
@@ -281,7 +281,7 @@ void blend(const Blend_options& options, Session& session)
 
 Command blend_command()
 {
-  return make_command<Blend_options>("blend", about, add_options, files, blend);
+  return make_command<Blend_options>("blend", blend_about, add_options, files, blend);
 }
 
 }  // namespace conformal

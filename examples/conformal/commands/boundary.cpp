@@ -16,7 +16,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const boundary_about =
     "Deforms a surface with boundary conformally so that the boundary gets other tangents, "
     "binormals\n"
     "or positions, in one step. The mean curvature half-density stays as it is (a flat surface "
@@ -154,7 +154,7 @@ void boundary(const Boundary_options& options, Session& session)
 
 Command boundary_command()
 {
-  return make_command<Boundary_options>("boundary", about, add_options, files, boundary);
+  return make_command<Boundary_options>("boundary", boundary_about, add_options, files, boundary);
 }
 
 }  // namespace conformal

@@ -24,7 +24,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const compare_about =
     "Measures the map between two meshes with the same faces: angles, lengths, flips, energies.\n"
     "-o writes the second one with the vertex property quality (quasi-conformal error).\n"
     "Example: conformal compare bear.off bear_spin.ply --json map.json";
@@ -131,7 +131,7 @@ void compare(const Compare_options& options, Session& session)
 
 Command compare_command()
 {
-  return make_command<Compare_options>("compare", about, add_options, files, compare);
+  return make_command<Compare_options>("compare", compare_about, add_options, files, compare);
 }
 
 }  // namespace conformal

@@ -22,7 +22,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const curve_about =
     "Smooths curves in the plane without stretching them: every edge keeps its length, and every\n"
     "closed curve its turning number. Those that turn k times become circles run through k times,\n"
     "those that do not turn a figure eight, open ones straight.\n"
@@ -170,7 +170,7 @@ void curve(const Curve_options& options, Session& session)
 
 Command curve_command()
 {
-  return make_command<Curve_options>("curve", about, add_options, files, curve);
+  return make_command<Curve_options>("curve", curve_about, add_options, files, curve);
 }
 
 }  // namespace conformal

@@ -19,7 +19,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const deform_about =
     "Deforms a surface conformally so that vertices and regions move to given places.\n"
     "TARGETS is a JSON file in the units of the mesh, with vertices by their numbers from 0:\n"
     "  {\"targets\": [{\"vertex\": 12, \"to\": [0, 1, 0]},\n"
@@ -150,7 +150,7 @@ void deform(const Deform_options& options, Session& session)
 
 Command deform_command()
 {
-  return make_command<Deform_options>("deform", about, add_options, files, deform);
+  return make_command<Deform_options>("deform", deform_about, add_options, files, deform);
 }
 
 }  // namespace conformal

@@ -22,7 +22,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const fair_about =
     "Replaces a region of a surface by the smoothest one with the same rim and normals, with\n"
     "the least Willmore energy. The region is where a formula or a vertex property is positive.\n"
     "All else stays as it is, to the bit. By default the region stays in its conformal class, so\n"
@@ -155,7 +155,7 @@ void fair(const Fair_options& options, Session& session)
 
 Command fair_command()
 {
-  return make_command<Fair_options>("fair", about, add_options, files, fair);
+  return make_command<Fair_options>("fair", fair_about, add_options, files, fair);
 }
 
 }  // namespace conformal

@@ -29,7 +29,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const fit_about =
     "Deforms a surface conformally, as nearly as it can in the way another program has deformed\n"
     "it. SOURCE and TARGET have the same faces. The result is the nearest in the mean square\n"
     "distance of the vertices, after a similarity, and never farther than SOURCE: conformal, so\n"
@@ -230,7 +230,7 @@ void fit(const Fit_options& options, Session& session)
 
 Command fit_command()
 {
-  return make_command<Fit_options>("fit", about, add_options, files, fit);
+  return make_command<Fit_options>("fit", fit_about, add_options, files, fit);
 }
 
 }  // namespace conformal

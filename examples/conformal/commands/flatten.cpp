@@ -23,7 +23,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const flatten_about =
     "Maps a surface with boundary to the plane with little distortion of angles, and writes the\n"
     "map as texture coordinates in the unit square, beside the mesh as it was, or the flat mesh\n"
     "itself, as large as the surface. Holes are taken as they come. The property quality is the\n"
@@ -189,7 +189,7 @@ void flatten(const Flatten_options& options, Session& session)
 
 Command flatten_command()
 {
-  return make_command<Flatten_options>("flatten", about, add_options, files, flatten);
+  return make_command<Flatten_options>("flatten", flatten_about, add_options, files, flatten);
 }
 
 }  // namespace conformal

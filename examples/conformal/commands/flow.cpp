@@ -17,7 +17,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const flow_about =
     "Smooths a surface by the conformal Willmore flow: as smooth as its conformal class allows, a\n"
     "sphere where there are no handles. With a boundary that is free, or keeps its tangents, it\n"
     "becomes a minimal surface; with its binormals kept, one of constant mean curvature.\n"
@@ -204,7 +204,7 @@ void flow(const Flow_options& options, Session& session)
 
 Command flow_command()
 {
-  return make_command<Flow_options>("flow", about, add_options, files, flow);
+  return make_command<Flow_options>("flow", flow_about, add_options, files, flow);
 }
 
 }  // namespace conformal

@@ -27,7 +27,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const harmonic_about =
     "Finds the harmonic 1-forms of a closed surface with handles, two for each, and their tangent\n"
     "fields; of a torus also the conformal modulus. -o writes a PLY file with the fields as\n"
     "face properties harmonic_0_x, harmonic_0_y, harmonic_0_z, ..., in 1/length.\n"
@@ -199,7 +199,7 @@ void harmonic(const Harmonic_options& options, Session& session)
 
 Command harmonic_command()
 {
-  return make_command<Harmonic_options>("harmonic", about, add_options, files, harmonic);
+  return make_command<Harmonic_options>("harmonic", harmonic_about, add_options, files, harmonic);
 }
 
 }  // namespace conformal

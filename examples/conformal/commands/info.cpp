@@ -19,7 +19,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const info_about =
     "Tells what a mesh is: counts, topology, orientation, shape of its triangles, energies, and\n"
     "all that keeps it from being transformed.\n"
     "Example: conformal info bear.off --json bear.json";
@@ -152,7 +152,7 @@ void info(const Info_options& options, Session& session)
 
 Command info_command()
 {
-  return make_command<Info_options>("info", about, add_options, files, info);
+  return make_command<Info_options>("info", info_about, add_options, files, info);
 }
 
 }  // namespace conformal

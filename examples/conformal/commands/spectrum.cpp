@@ -23,7 +23,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const spectrum_about =
     "Finds eigenvalues of the quaternionic Dirac operator of a surface: those of the smallest\n"
     "modulus, or those nearest to a shift, with sign and multiplicity, in 1/length. Constants "
     "have\n"
@@ -228,7 +228,7 @@ void spectrum(const Spectrum_options& options, Session& session)
 
 Command spectrum_command()
 {
-  return make_command<Spectrum_options>("spectrum", about, add_options, files, spectrum);
+  return make_command<Spectrum_options>("spectrum", spectrum_about, add_options, files, spectrum);
 }
 
 }  // namespace conformal

@@ -19,7 +19,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const sphere_about =
     "Makes a Dirac sphere: a conformal image of the unit sphere with Willmore energy 4 pi "
     "kappa^2,\n"
     "whose curvature half-density is a multiple of its length density, from a spherical spinor.\n"
@@ -96,7 +96,7 @@ void sphere(const Sphere_options& options, Session& session)
 
 Command sphere_command()
 {
-  return make_command<Sphere_options>("sphere", about, add_options, files, sphere);
+  return make_command<Sphere_options>("sphere", sphere_about, add_options, files, sphere);
 }
 
 }  // namespace conformal

@@ -18,7 +18,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const spin_about =
     "Deforms a surface conformally so that its mean curvature changes by rho.\n"
     "rho is in 1/length of the normalised frame (the middle of the bounding box at 0, its "
     "diagonal\n"
@@ -139,7 +139,7 @@ void spin(const Spin_options& options, Session& session)
 
 Command spin_command()
 {
-  return make_command<Spin_options>("spin", about, add_options, files, spin);
+  return make_command<Spin_options>("spin", spin_about, add_options, files, spin);
 }
 
 }  // namespace conformal

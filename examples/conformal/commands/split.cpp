@@ -22,7 +22,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const split_about =
     "Writes each component of a mesh to a file of its own: OUTPUT with the number of the "
     "component,\n"
     "in the order of their first vertices (parts_0000.ply). Vertices and faces keep their order "
@@ -104,7 +104,7 @@ void split(const Split_options& options, Session& session)
 
 Command split_command()
 {
-  return make_command<Split_options>("split", about, add_options, files, split);
+  return make_command<Split_options>("split", split_about, add_options, files, split);
 }
 
 }  // namespace conformal

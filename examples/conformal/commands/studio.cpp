@@ -16,7 +16,7 @@
 namespace conformal {
 namespace {
 
-const char* const about =
+const char* const studio_about =
     "Writes a page on which one paints the change of mean curvature, rho, onto a surface, which\n"
     "follows: one HTML file that opens in a browser without a network. What is painted is "
     "computed\n"
@@ -78,7 +78,7 @@ void studio(const Studio_options& options, Session& session)
 
 Command studio_command()
 {
-  return make_command<Studio_options>("studio", about, add_options, files, studio);
+  return make_command<Studio_options>("studio", studio_about, add_options, files, studio);
 }
 
 }  // namespace conformal
