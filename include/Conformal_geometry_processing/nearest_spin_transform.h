@@ -100,6 +100,12 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{distance_tolerance}
+///     \cgalParamDescription{the search ends at this distance, relative to the diagonal of the
+///                           target, and a hundred times as many radians between normals}
+///     \cgalParamType{`double`, at least 0}
+///     \cgalParamDefault{1e-4, a tenth of a pixel of a picture of 1,000 pixels}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{scale_bound}
 ///     \cgalParamDescription{the largest factor by which lengths may change, see
 ///     `spin_transform()`} \cgalParamType{`double`, above 1} \cgalParamDefault{none}
@@ -141,7 +147,8 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 /// been written.
 /// \throw Precondition_error if the mesh, or the target, is not a connected, oriented manifold
 /// triangle mesh with finite coordinates and positive areas, or a factor is not positive, or the
-/// target of a closed mesh has another spin structure
+/// target of a closed mesh has another spin structure, or `normal_weight` or `distance_tolerance`
+/// is negative
 /// \throw Solver_error if a factorization fails
 template <class TriangleMesh, class PointMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -157,7 +164,8 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
           internal_np::eigenvalue_solver_t, internal_np::eigenproblem_t, internal_np::tolerance_t,
           internal_np::maximum_number_of_substeps_t, internal_np::vertex_scale_map_t,
           internal_np::blend_t, internal_np::keep_curvature_t, internal_np::normal_weight_t,
-          internal_np::scale_bound_t, internal_np::boundary_direction_t, internal_np::exactness_t,
+          internal_np::distance_tolerance_t, internal_np::scale_bound_t,
+          internal_np::boundary_direction_t, internal_np::exactness_t,
           internal_np::maximum_period_defect_t, internal_np::limits_t,
           internal_np::mollification_t>,
       "nearest_spin_transform(): unknown named parameter, see the manual for those it accepts");
@@ -178,6 +186,9 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
       CGAL::parameters::get_parameter(np, internal_np::keep_curvature), false);
   options.normal_weight = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, internal_np::normal_weight), options.normal_weight);
+  options.distance_tolerance = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, internal_np::distance_tolerance),
+      options.distance_tolerance);
   if constexpr (internal::has_parameter<NamedParameters, internal_np::scale_bound_t>)
     options.scales.bound = CGAL::parameters::get_parameter(np, internal_np::scale_bound);
   Nearest_spin_transformation<Solver_traits, Eigensolver_traits> nearest(

@@ -32,6 +32,7 @@
 #include <Conformal_geometry_processing/spin/Prescribed_directions_templates.h>
 #include <Conformal_geometry_processing/spin/Prescribed_positions_templates.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
+#include <Conformal_geometry_processing/spin/nearest_curvature_difference_templates.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
 #include <Conformal_geometry_processing/surfaces/associated_family_templates.h>
 

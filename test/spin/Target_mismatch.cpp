@@ -1,12 +1,14 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Target_mismatch.h
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Target_mismatch.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "support/meshes.h"
 
@@ -16,9 +18,10 @@ using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::internal::Target_mismatch;
 
-Target_mismatch mismatch_of(const Mesh_view& mesh, const Points& target, double normal_weight = 1)
+Target_mismatch mismatch_of(const Mesh_view& mesh, const Points& target, double normal_weight = 1,
+                            double tolerance = 0)
 {
-  return {mesh, target, CGP::vertex_areas(mesh), normal_weight};
+  return {mesh, target, CGP::vertex_areas(mesh), normal_weight, tolerance};
 }
 
 Points stretched(Points p)
@@ -102,4 +105,28 @@ TEST(Target_mismatch, of_flat_surfaces_is_finite)
   const Mesh_view mesh(folded(0), folded_corners());
   const Target_mismatch mismatch = mismatch_of(mesh, mesh.positions());
   EXPECT_EQ(mismatch.sum(mismatch.source().alignment.rms, mismatch.source().normals), 0);
+}
+
+// A displacement by e of details of 1 % of the diagonal turns normals by 100 e.
+TEST(Target_mismatch, is_reached_within_the_tolerance_of_positions_and_normals)
+{
+  const Mesh_view mesh = bumpy_sphere(1);
+  const Points target = stretched(mesh.positions());
+  const double e = 1e-3;
+  const Target_mismatch both = mismatch_of(mesh, target, 1, e),
+                        positions_alone = mismatch_of(mesh, target, 0, e);
+  EXPECT_TRUE(both.is_reached(.9 * e, 90 * e));
+  EXPECT_FALSE(both.is_reached(1.1 * e, 0));
+  EXPECT_FALSE(both.is_reached(0, 110 * e));
+  EXPECT_TRUE(positions_alone.is_reached(.9 * e, 2));
+  EXPECT_FALSE(positions_alone.is_reached(1.1 * e, 0));
+}
+
+TEST(Target_mismatch, refuses_weights_and_tolerances_below_zero)
+{
+  const Mesh_view mesh = icosphere(1);
+  for (const double bad : {-1., std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(mismatch_of(mesh, mesh.positions(), bad), CGP::Precondition_error);
+    EXPECT_THROW(mismatch_of(mesh, mesh.positions(), 1, bad), CGP::Precondition_error);
+  }
 }

@@ -29,8 +29,15 @@ CGP::Nearest_spin_options curvature_kept()
   return options;
 }
 
+CGP::Nearest_spin_options within(double tolerance)
+{
+  CGP::Nearest_spin_options options;
+  options.distance_tolerance = tolerance;
+  return options;
+}
+
 Nearest_spin_result nearest(const Mesh_view& mesh, const Points& target,
-                            const CGP::Nearest_spin_options& options = {})
+                            const CGP::Nearest_spin_options& options = within(0))
 {
   return Nearest(mesh, target, "test", options).transform();
 }
@@ -123,15 +130,42 @@ TEST(Target_search, is_never_farther_than_the_mesh)
   EXPECT_LE(found.distance, found.source_distance);
 }
 
+/// bent by 60 degrees from end to end
+Points bent(const Mesh_view& mesh)
+{
+  return mapped(mesh,
+                [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+                  const double turn = pi / 6 * p.x(), radius = 6 / pi;
+                  return {(radius - p.z()) * std::sin(turn), p.y(),
+                          radius - (radius - p.z()) * std::cos(turn)};
+                })
+      .positions();
+}
+
 // The sphere between bent ends is far from conformal to it: positions come nearer by wrinkles.
+TEST(Target_search, ends_where_the_rest_is_within_the_tolerance)
+{
+  const Mesh_view mesh = perturbed(bumpy_sphere(3), .02);
+  const Points target = transformed(mesh, 1);
+  double before = 1;
+  int solves = 0;
+  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+    const Nearest_spin_result found = nearest(mesh, target, within(tolerance));
+    EXPECT_TRUE(found.report);
+    EXPECT_LE(found.distance, tolerance);
+    EXPECT_LE(found.normal_distance, 100 * tolerance);
+    EXPECT_LE(found.distance, before);
+    EXPECT_GE(found.report.solves, solves);
+    before = found.distance;
+    solves = found.report.solves;
+  }
+  EXPECT_GT(solves, 3 * nearest(mesh, target, within(1e-2)).report.solves);
+}
+
 TEST(Target_search, prefers_normals_to_wrinkles_unless_only_positions_count)
 {
   const Mesh_view mesh = icosphere(3);
-  const Points target = mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
-                          const double turn = pi / 6 * p.x(), radius = 6 / pi;
-                          return {(radius - p.z()) * std::sin(turn), p.y(),
-                                  radius - (radius - p.z()) * std::cos(turn)};
-                        }).positions();
+  const Points target = bent(mesh);
   CGP::Nearest_spin_options options;
   const Nearest_spin_result smooth = nearest(mesh, target, options);
   options.normal_weight = 0;
@@ -146,16 +180,24 @@ TEST(Target_search, prefers_normals_to_wrinkles_unless_only_positions_count)
             wrinkled.report.conformality.quasi_conformal.mean);
 }
 
-// Up to where a search ends that stops at gains of 1 %.
+// Distances count against rho by their weight: it must not tell the size of the target. The sphere
+// is far from conformal to its bend, and the beam near to it.
 TEST(Target_search, does_not_depend_on_the_place_and_size_of_the_target)
 {
-  const Mesh_view mesh = perturbed(beam(2), .02);
-  const Points target = bent_beam(mesh, pi / 3, .5).positions();
-  const Nearest_spin_result here = nearest(mesh, target),
-                            there = nearest(mesh, 5 * moved_by_a_similarity(target));
-  EXPECT_TRUE(here.report);
-  EXPECT_NEAR(there.distance / there.source_distance, here.distance / here.source_distance, 1e-3);
-  EXPECT_NEAR(there.normal_distance, here.normal_distance, 1e-3);
+  const Mesh_view beam_mesh = perturbed(beam(2), .02), sphere = icosphere(3);
+  const auto expect_same = [](const Mesh_view& mesh, const Points& target, double tolerance) {
+    const Nearest_spin_result here = nearest(mesh, target, within(tolerance));
+    EXPECT_TRUE(here.report);
+    for (const double size : {.2, 1., 2.5}) {
+      const Nearest_spin_result there =
+          nearest(mesh, size * moved_by_a_similarity(target), within(tolerance));
+      const double share = here.distance / here.source_distance, angle = here.normal_distance;
+      EXPECT_NEAR(there.distance / there.source_distance, share, 1e-4 * share) << size;
+      EXPECT_NEAR(there.normal_distance, angle, 1e-4 * angle) << size;
+    }
+  };
+  expect_same(beam_mesh, bent_beam(beam_mesh, pi / 3, .5).positions(), 2e-3);
+  expect_same(sphere, bent(sphere), 0);
 }
 
 TEST(Target_search, refuses_a_negative_weight_of_normals)

@@ -14,7 +14,7 @@
 #include "conformal/report/keep_exhibit.h"
 #include "conformal/transform/deform.h"
 #include "conformal/transform/each_component.h"
-#include "conformal/transform/solve_fit.h"
+#include "conformal/transform/solve_spin.h"
 #include "conformal/transform/suitable_surface.h"
 #include "conformal/transform/watched.h"
 #include "conformal/transform/write_result.h"
@@ -23,12 +23,14 @@
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
+#include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/curvature_difference.h>
+#include <Conformal_geometry_processing/spin/nearest_curvature_difference.h>
 #include <Conformal_geometry_processing/spin/turned_binormals.h>
 
 #include <cmath>
+#include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace conformal {
@@ -38,7 +40,7 @@ const char* const blend_about =
     "Goes from A towards B, or beyond: adds t times the difference of their mean curvature\n"
     "half-densities. A and B have the same faces and are conformally equivalent, as results of\n"
     "conformal spin and flow are to their inputs; so is every surface on the way. The difference\n"
-    "is corrected so that t = 1 is B, or the conformal surface nearest to it. Area and\n"
+    "is corrected so that t = 1 is B to the eye, or the conformal surface nearest to it. Area and\n"
     "centroid are those of A; at a boundary the binormals turn evenly. --onto adds the\n"
     "difference to a third surface. The output has the vertex property quality\n"
     "(quasi-conformal error, 1 is perfect) and the face property rho.\n"
@@ -51,6 +53,7 @@ struct Blend_options {
   double t = 0.5, from = 0;  ///< of B - A; the first of the frames
   int frames = 0;
   bool keep_curvature = false;  ///< the plain difference, wherever t = 1 is then
+  double distance_tolerance = CGP::Nearest_spin_options().distance_tolerance;
   std::optional<double> scale_bound;
 };
 
@@ -79,6 +82,7 @@ void add_options(CLI::App& command, Blend_options& blend, Common_options& common
       ->capture_default_str();
   command.add_flag("--keep-curvature", blend.keep_curvature,
                    "add the plain difference of curvature, wherever t = 1 is then");
+  add_distance_tolerance(command, blend.distance_tolerance);
   command
       .add_option("--max-scale", blend.scale_bound,
                   "largest factor by which lengths may grow or shrink, on 98 % of the area, apart "
@@ -132,33 +136,30 @@ void note_unlike(const CGP::Mesh_view& a, const CGP::Mesh_view& b, const Blend_o
                  "): the way does not lead there, but to what has its curvature");
 }
 
-/// The rho that transforms A into B, or into the surface nearest to it, if there is one: the
-/// difference of curvature misses B by the discretisation error.
-std::optional<CGP::Curvature_potential> search_difference(const Trio& meshes,
-                                                          const Session& session)
+CGP::Curvature_potential searched_difference(const Trio& meshes, const Blend_options& options,
+                                             const Session& session)
 {
-  const bool is_closed = CGP::topology(meshes.a).is_closed();
-  Fit_problem problem;
-  problem.target = meshes.b.positions();
-  problem.direction = {0, 0, 1};
-  Fit_solution found;
+  CGP::Dirac_options dirac;
+  dirac.tolerance = session.options().tolerance;
+  dirac.random_seed = session.options().seed;
+  CGP::Curvature_potential rho;
   const auto solve = [&](const Go_further& go_further) {
-    found = solve_fit(meshes.a, problem, session.options(), go_further);
-    return found.spin;
+    rho = CGP::nearest_curvature_difference(meshes.a, meshes.b.positions(),
+                                            options.distance_tolerance, dirac,
+                                            std::cref(go_further), "blend");
+    return Spin_solution();
   };
   watched(solve, session, "difference, ");
-  const bool is_nearer = found.spin.report && found.distance < found.source_distance &&
-                         (is_closed || found.direction == problem.direction);
-  return is_nearer ? std::optional(std::move(found.rho)) : std::nullopt;
+  return rho;
 }
 
 Difference difference(const Trio& meshes, const Blend_options& options, Session& session)
 {
   const CGP::Points& p = meshes.b.positions();
-  std::optional<CGP::Curvature_potential> rho;
-  if (!options.keep_curvature) rho = search_difference(meshes, session);
-  if (!rho) rho = CGP::curvature_difference(meshes.a, p);
-  return {CGP::transferred(*rho, meshes.a, meshes.start),
+  const CGP::Curvature_potential rho = options.keep_curvature
+                                           ? CGP::curvature_difference(meshes.a, p)
+                                           : searched_difference(meshes, options, session);
+  return {CGP::transferred(rho, meshes.a, meshes.start),
           {CGP::align(p, meshes.a.positions()).apply(p), meshes.a.corners()}};
 }
 

@@ -46,6 +46,7 @@ struct Fit_options {
   std::string target;
   bool keep_curvature = false;  ///< of the target, whatever the distance
   double normal_weight = 1;     ///< how much the normals of the target count
+  double distance_tolerance = Fit_problem().distance_tolerance;
   std::optional<double> scale_bound;
   double blend = 0;   ///< 0 is conformal, 1 nearest to the target
   std::string scale;  ///< a formula of factors for the scales of the target, none if empty
@@ -70,6 +71,7 @@ void add_options(CLI::App& command, Fit_options& fit, Common_options& common)
       ->check(finite)
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  add_distance_tolerance(command, fit.distance_tolerance);
   command
       .add_option("--max-scale", fit.scale_bound,
                   "largest factor by which lengths may grow or shrink, on 98 % of the area, apart "
@@ -185,6 +187,7 @@ Fit_solution fit_surface(const Surface_input& input, const CGP::Boundary_conditi
   problem.direction = boundary.direction;
   problem.keep_curvature = options.keep_curvature;
   problem.normal_weight = options.normal_weight;
+  problem.distance_tolerance = options.distance_tolerance;
   problem.scale_bound = options.scale_bound;
   problem.blend = options.blend;
   problem.mollification = options.spin.mollification.value_or(0);

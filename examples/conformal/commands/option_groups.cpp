@@ -179,6 +179,17 @@ void add_boundary(CLI::App& command, Boundary_choice& boundary)
              "its binormals, which point out of the surface");
 }
 
+void add_distance_tolerance(CLI::App& command, double& tolerance)
+{
+  command
+      .add_option("--distance-tolerance", tolerance,
+                  "the search ends at this distance from the target, relative to its diagonal, and "
+                  "a hundred times as many radians between normals")
+      ->check(finite)
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
 void add_scale_control(CLI::App& command, Scale_options& scales)
 {
   scales.bound = 2;

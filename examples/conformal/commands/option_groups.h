@@ -68,6 +68,8 @@ void add_mollification(CLI::App& command, std::optional<double>& mollification,
                        const std::string& otherwise = "");
 /// `--max-scale`, 2 by default, and what it refers to
 void add_scale_control(CLI::App& command, Scale_options& scales);
+/// where the search for a surface ends
+void add_distance_tolerance(CLI::App& command, double& tolerance);
 void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect);
 void add_boundary(CLI::App& command, Boundary_choice& boundary);
 void add_eigenvector(CLI::App& command, Common_options& common);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "solve_fit.h"
 
-#include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
-
 #include <utility>
 
 namespace conformal {
@@ -16,6 +14,7 @@ Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
   own.direction = problem.direction;
   own.keep_curvature = problem.keep_curvature;
   own.normal_weight = problem.normal_weight;
+  own.distance_tolerance = problem.distance_tolerance;
   own.scales.bound = problem.scale_bound;
   if (problem.mollification > 0) own.mollification = problem.mollification;
   CGP::Nearest_spin_transformation<> nearest(mesh, problem.target, "fit", own);

@@ -5,6 +5,8 @@
 
 #include "solve_spin.h"
 
+#include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
+
 #include <functional>
 #include <optional>
 
@@ -18,8 +20,9 @@ struct Fit_problem {
   double blend = 0;                    ///< 0 is conformal, 1 nearest to the target
   bool keep_curvature = false;         ///< that of the target, wherever the surface is then
   double normal_weight = 1;            ///< how much normals count beside positions
-  std::optional<double> scale_bound;   ///< on factors of lengths
-  double mollification = 0;            ///< if not 0, on the intrinsic Delaunay triangulation
+  double distance_tolerance = CGP::Nearest_spin_options().distance_tolerance;  ///< search's end
+  std::optional<double> scale_bound;  ///< on factors of lengths
+  double mollification = 0;           ///< if not 0, on the intrinsic Delaunay triangulation
 };
 
 /// what came of it

@@ -9,6 +9,7 @@
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/curvature_difference.h>
+#include <Conformal_geometry_processing/spin/nearest_curvature_difference.h>
 #include <Conformal_geometry_processing/spin/turned_binormals.h>
 
 #include <optional>
@@ -23,6 +24,7 @@ CGP::Nearest_spin_options nearest_options(const py::dict& options, const std::st
   o.direction = direction_of(options["direction"], function);
   o.keep_curvature = py::cast<bool>(options["keep_curvature"]);
   o.normal_weight = py::cast<double>(options["normal_weight"]);
+  o.distance_tolerance = py::cast<double>(options["distance_tolerance"]);
   take_closing(options, function, o);
   return o;
 }
@@ -58,34 +60,18 @@ struct Pair {
   CGP::Mesh_view a, b, start;
 };
 
-/// the rho that transforms a into b, or into the surface nearest to it; if there is none or the
-/// curvature is kept, the difference of curvature
-CGP::Curvature_potential difference(const Pair& meshes, bool keep_curvature,
-                                    const CGP::Dirac_options& options, const Watch& watch,
-                                    const std::string& function)
-{
-  const CGP::Points& p = meshes.b.positions();
-  if (!keep_curvature) {
-    CGP::Nearest_spin_options own;
-    own.direction = {0, 0, 1};
-    CGP::Nearest_spin_transformation<> search(meshes.a, p, function, own);
-    CGP::Nearest_spin_result found = search.transform(options, std::cref(watch));
-    const bool has_direction =
-        CGP::topology(meshes.a).is_closed() || found.direction == own.direction;
-    if (found.report && found.distance < found.source_distance && has_direction)
-      return std::move(found.rho);
-  }
-  return CGP::curvature_difference(meshes.a, p);
-}
-
 /// the spin transformation of `start` by t times the difference of a and b
-CGP::Spin_result blended(const Pair& meshes, double t, bool keep_curvature,
+/// \param tolerance of the search for the difference; without one, the plain difference
+CGP::Spin_result blended(const Pair& meshes, double t, std::optional<double> tolerance,
                          const CGP::Dirac_options& options, const Watch& watch,
                          const std::string& function)
 {
   const CGP::Points& p = meshes.b.positions();
-  CGP::Curvature_potential rho = CGP::transferred(
-      difference(meshes, keep_curvature, options, watch, function), meshes.a, meshes.start);
+  const CGP::Curvature_potential difference =
+      tolerance ? CGP::nearest_curvature_difference(meshes.a, p, *tolerance, options,
+                                                    std::cref(watch), function)
+                : CGP::curvature_difference(meshes.a, p);
+  CGP::Curvature_potential rho = CGP::transferred(difference, meshes.a, meshes.start);
   rho.values *= t;
   CGP::Spin_transformation_options own;
   if (!CGP::topology(meshes.start).is_closed()) {
@@ -109,9 +95,11 @@ py::tuple blend(const Array& A, const Array& B, const Array& onto, const Indices
   if (!std::isfinite(t)) throw CGP::Precondition_error(function, "t is not finite");
   const CGP::Dirac_options dirac = dirac_options(options, function);
   const Watch watch(callback);
-  const bool keep_curvature = py::cast<bool>(options["keep_curvature"]);
+  std::optional<double> tolerance;
+  if (!py::cast<bool>(options["keep_curvature"]))
+    tolerance = py::cast<double>(options["distance_tolerance"]);
   return as_tuple(
-      without_lock([&] { return blended(meshes, t, keep_curvature, dirac, watch, function); }));
+      without_lock([&] { return blended(meshes, t, tolerance, dirac, watch, function); }));
 }
 
 }  // namespace

@@ -40,6 +40,7 @@
   X(blend)                                              \
   X(keep_curvature)                                     \
   X(normal_weight)                                      \
+  X(distance_tolerance)                                 \
   X(time_step)                                          \
   X(is_closed)                                          \
   X(closing)                                            \

@@ -52,6 +52,10 @@ struct Nearest_spin_options {
   /// how much the normals count beside the positions, >= 0, see `internal::Target_mismatch`. With
   /// 0, a target that is far from conformal is approached by wrinkles
   double normal_weight = 1;
+  /// the search ends at this distance, relative to the diagonal, and a hundred times as many
+  /// radians between normals: a tenth of a pixel of a picture of 1,000 pixels. What is left after
+  /// that costs most of the time
+  double distance_tolerance = 1e-4;
 };
 
 /// \ingroup PkgSpin

@@ -119,6 +119,8 @@ Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>
   const bool is_known = !exactness && start.report.scales.weight == 0;
   const bool is_turned = m_transformation->system().directions() && !is_known;
   if (!start.report.converged || is_turned) return start;
+  if (is_known && start.report && m_mismatch.is_reached(start.distance, start.normal_distance))
+    return start;
   Curvature_potential rho = is_known ? start.rho : no_potential(domain.mesh());
   rho.values *= domain.unit();
   // The size of the target must not weigh distances against rho.
@@ -179,7 +181,8 @@ Nearest_spin_transformation<SolverTraits, EigensolverTraits>::Nearest_spin_trans
       m_transformation(std::make_unique<Spin_transformation<SolverTraits, EigensolverTraits>>(
           mesh, transformation_options(Mesh_view(m_target, mesh.corners()), options, m_direction),
           function)),
-      m_mismatch(mesh, m_target, m_transformation->system().areas(), options.normal_weight)
+      m_mismatch(mesh, m_target, m_transformation->system().areas(), options.normal_weight,
+                 options.distance_tolerance)
 {}
 
 template <class SolverTraits, class EigensolverTraits>

@@ -33,9 +33,10 @@ class Target_mismatch {
   /// \param target 3 x |V|
   /// \param areas of the vertices
   /// \param normal_weight w
-  /// \throw Precondition_error unless w is finite and at least 0
-  Target_mismatch(const Mesh_view& mesh, Points target, Eigen::VectorXd areas,
-                  double normal_weight);
+  /// \param tolerance a distance that nobody sees, relative to the diagonal
+  /// \throw Precondition_error unless w and the tolerance are finite and at least 0
+  Target_mismatch(const Mesh_view& mesh, Points target, Eigen::VectorXd areas, double normal_weight,
+                  double tolerance);
 
   /// of a surface, 3 x |V|, anywhere in space and of any size
   Value operator()(const Points& positions) const;
@@ -49,11 +50,15 @@ class Target_mismatch {
   /// A mesh that is the target has d_0 = 1e-9, and one of the same normals n_0 = 1e-3.
   double sum(double d, double n) const;
 
+  /// \brief whether d is within the tolerance e and, unless w = 0, n is within 100 e: that is how
+  /// far details of 1 % of the diagonal turn which are displaced by e.
+  bool is_reached(double d, double n) const;
+
  private:
   Mesh_view m_target;
   Eigen::VectorXd m_areas;
   Points m_normals;  // of the target, times twice the areas of faces
-  double m_normal_weight;
+  double m_normal_weight, m_tolerance;
   Value m_source;
 };
 

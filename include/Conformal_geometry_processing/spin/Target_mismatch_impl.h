@@ -30,17 +30,22 @@ CGP_INLINE Points double_vector_areas(const Mesh_view& mesh, const Points& p)
 }
 
 CGP_INLINE Target_mismatch::Target_mismatch(const Mesh_view& mesh, Points target,
-                                            Eigen::VectorXd areas, double normal_weight)
+                                            Eigen::VectorXd areas, double normal_weight,
+                                            double tolerance)
     : m_target(std::move(target), mesh.corners()),
       m_areas(std::move(areas)),
       m_normals(double_vector_areas(m_target, m_target.positions())),
       m_normal_weight(normal_weight),
+      m_tolerance(tolerance),
       m_source((*this)(mesh.positions()))
 {
-  if (!(normal_weight >= 0) || !std::isfinite(normal_weight))
-    throw Precondition_error("Target_mismatch", "the weight of normals is " +
-                                                    std::to_string(normal_weight) +
-                                                    ", it has to be finite and at least 0");
+  const auto require = [](double x, const std::string& name) {
+    if (!(x >= 0) || !std::isfinite(x))
+      throw Precondition_error("Target_mismatch", name + " is " + std::to_string(x) +
+                                                      ", it has to be finite and at least 0");
+  };
+  require(normal_weight, "the weight of normals");
+  require(tolerance, "the tolerance of distances");
 }
 
 CGP_INLINE Target_mismatch::Value Target_mismatch::operator()(const Points& positions) const
@@ -65,6 +70,12 @@ CGP_INLINE double Target_mismatch::sum(double d, double n) const
   d /= (std::max)(m_source.alignment.rms, least_distance);
   n /= (std::max)(m_source.normals, least_angle);
   return d * d + m_normal_weight * n * n;
+}
+
+CGP_INLINE bool Target_mismatch::is_reached(double d, double n) const
+{
+  const double turn = 100;
+  return d <= m_tolerance && (m_normal_weight == 0 || n <= turn * m_tolerance);
 }
 
 }  // namespace internal

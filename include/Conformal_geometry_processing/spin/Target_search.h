@@ -33,8 +33,9 @@ namespace internal {
 /// The weight w of the distance grows as long as surfaces verify and are within the bound: what is
 /// far from conformal would be approached by wrinkles that the mesh cannot represent. For the same
 /// reason, the result is the surface with the least mismatch of positions and normals together
-/// (`Target_mismatch`), and the search ends where it grows. Where targets are reached, rho_0 is
-/// replaced by the rho found so far, so that what remains of the distance is not that of rho_0.
+/// (`Target_mismatch`), and the search ends where it grows, or where nobody sees the rest. Where
+/// targets are nearly reached, rho_0 is replaced by the best rho found so far, so that what remains
+/// of the distance is not that of rho_0.
 /// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
 template <class SolverTraits, class EigensolverTraits>
 class Target_search {
@@ -62,7 +63,7 @@ class Target_search {
   const Spin_result& best() const { return m_best; }
 
   /// its rho, in 1/length of the frame
-  const Curvature_potential& potential() const { return m_rho; }
+  const Curvature_potential& potential() const { return m_nearest.rho; }
 
  private:
   /// minimises for a weight, raises that of scales until they are within the bound, and takes the
@@ -70,12 +71,15 @@ class Target_search {
   /// \returns whether it verifies
   bool try_weight(double w, const Dirac_options& options, const Go_further& go_further);
 
-  /// goes on from a target that is nearly reached, with rho_0 the rho found so far, as long as the
-  /// distance is halved
+  /// goes on from the best result, near to the target, with rho_0 its rho, as long as the distance
+  /// is halved
   void polish(double w, const Dirac_options& options, const Go_further& go_further);
 
   /// searches on, near to a candidate
-  void restart(Candidate from);
+  void restart(const Candidate& from);
+
+  /// whether nobody sees the rest of the distance
+  bool is_reached() const { return m_mismatch.is_reached(m_distance, m_normal_distance); }
 
   /// the present surface with its report
   Spin_result present();
@@ -89,11 +93,11 @@ class Target_search {
   Exactness_residual<SolverTraits> m_inexact;
   Scale_residual m_scales;
   std::optional<Period_residual> m_periods;
-  Curvature_potential m_rho;
+  Candidate m_nearest;  // what the best result was made of; at first, only rho_0
   Search m_search;
-  double m_unit, m_scale_weight = 1;  // the square of R; s
-  double m_last, m_least;             // mismatch of the last result, and of the best
-  double m_distance;                  // of the best result, relative to the diagonal
+  double m_unit, m_scale_weight = 1;     // the square of R; s
+  double m_last, m_least;                // mismatch of the last result, and of the best
+  double m_distance, m_normal_distance;  // of the best result
   Spin_result m_best;
 };
 

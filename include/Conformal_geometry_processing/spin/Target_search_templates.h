@@ -48,8 +48,8 @@ Target_search<SolverTraits, EigensolverTraits>::Target_search(
       m_periods(exactness ? std::optional<Period_residual>(
                                 {transformation.system().surface(), *exactness})
                           : std::nullopt),
-      m_rho(std::move(start)),
-      m_search(transformation.system(), m_rho,
+      m_nearest{std::move(start), {}, {}, {}},
+      m_search(transformation.system(), m_nearest.rho,
                scales.bound ? std::vector<Spin_residual*>{&m_positions, &m_inexact, &m_scales}
                             : std::vector<Spin_residual*>{&m_positions, &m_inexact},
                exactness ? std::vector<Spin_residual*>{&*m_periods} : std::vector<Spin_residual*>{},
@@ -57,7 +57,8 @@ Target_search<SolverTraits, EigensolverTraits>::Target_search(
       m_unit(1 / transformation.system().unit()),
       m_last(0),
       m_least(std::numeric_limits<double>::infinity()),
-      m_distance(m_least)
+      m_distance(m_least),
+      m_normal_distance(m_least)
 {
   const double closure_weight = 1000;
   m_positions.set_targets(targets);
@@ -71,9 +72,10 @@ void Target_search<SolverTraits, EigensolverTraits>::run(const std::optional<Dir
                                                          const Go_further& go_further)
 {
   const double first_weight = 10, last_weight = 2e7, least_factor = 1.3, much_worse = 1.3;
-  if (start) restart({m_rho, *start, {}, {}});
+  if (start) restart({m_nearest.rho, *start, {}, {}});
   double factor = 4;
-  for (double w = first_weight; w <= last_weight && factor > least_factor; w *= factor) {
+  for (double w = first_weight; w <= last_weight && factor > least_factor && !is_reached();
+       w *= factor) {
     const Candidate before = m_search.present();
     if (try_weight(w, options, go_further)) {
       if (m_last > much_worse * m_least) break;
@@ -97,18 +99,19 @@ void Target_search<SolverTraits, EigensolverTraits>::polish(double w, const Dira
 {
   const double reached = 1e-3;
   m_inexact.set_weight(0);  // the target has as much
-  for (double before = 2 * reached; m_distance < (std::min)(before / 2, reached);) {
+  for (double before = 2 * reached;
+       m_distance < (std::min)(before / 2, reached) && !is_reached();) {
     before = m_distance;
-    restart(m_search.present());
+    restart(m_nearest);
     if (!try_weight(w, options, go_further)) return;
   }
 }
 
 template <class SolverTraits, class EigensolverTraits>
-void Target_search<SolverTraits, EigensolverTraits>::restart(Candidate from)
+void Target_search<SolverTraits, EigensolverTraits>::restart(const Candidate& from)
 {
   m_search.restart(from.rho);
-  m_search.restore(std::move(from));
+  m_search.restore(from);
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -133,7 +136,8 @@ bool Target_search<SolverTraits, EigensolverTraits>::try_weight(double w,
   if (!(m_last < m_least)) return m_least > 0;
   m_least = m_last;
   m_distance = mismatch.alignment.rms;
-  m_rho = m_search.present().rho;
+  m_normal_distance = mismatch.normals;
+  m_nearest = m_search.present();
   m_best = std::move(next);
   return true;
 }

@@ -11,6 +11,7 @@
 #include <Conformal_geometry_processing/spin/Position_derivative_templates.h>
 #include <Conformal_geometry_processing/spin/Spin_preview_templates.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
+#include <Conformal_geometry_processing/spin/nearest_curvature_difference_templates.h>
 
 #include <optional>
 
@@ -38,6 +39,10 @@ template internal::Closed_step internal::closed_step(
 template class Spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class internal::Spin_preview<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class Nearest_spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
+template Curvature_potential
+nearest_curvature_difference<Default_solver_traits, Lobpcg_eigensolver_traits>(
+    const Mesh_view&, const Points&, double, const Dirac_options&, const internal::Go_further&,
+    const std::string&);
 
 }  // namespace Conformal_geometry_processing
 

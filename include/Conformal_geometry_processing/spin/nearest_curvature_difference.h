@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_NEAREST_CURVATURE_DIFFERENCE_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_NEAREST_CURVATURE_DIFFERENCE_H
+
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
+
+#include <string>
+
+namespace Conformal_geometry_processing {
+
+/// \ingroup PkgSpin
+/// \brief the rho that transforms a surface into another one, or into the conformal surface nearest
+/// to it; on vertices or faces, in 1/length of the mesh.
+///
+/// `curvature_difference()` [CGP 4.4, (4.6)] misses the other surface by O(h^2). This function
+/// searches for the rho that arrives, by `Nearest_spin_transformation`, up to a distance that
+/// nobody sees. On surfaces with boundary, transformations by it prescribe the binormals of the
+/// other surface (`turned_binormals()`). Where no result is nearer to the other surface than the
+/// mesh, or none has these binormals, the plain difference is returned; also if the search is
+/// cancelled.
+///
+/// Costs what the search costs: a factorization for each of its steps, 10 to 40 for surfaces that
+/// are conformally equivalent, and some hundred solves with each.
+/// \param positions of the other surface, 3 x |V|
+/// \param distance_tolerance see `Nearest_spin_options`
+/// \param function named in exceptions
+/// \throw Precondition_error as the constructor of `Nearest_spin_transformation` does
+/// \throw Solver_error if a factorization fails
+template <class SolverTraits = Default_solver_traits,
+          class EigensolverTraits = Lobpcg_eigensolver_traits>
+Curvature_potential nearest_curvature_difference(
+    const Mesh_view& mesh, const Points& positions,
+    double distance_tolerance = Nearest_spin_options().distance_tolerance,
+    const Dirac_options& options = {},
+    const internal::Go_further& go_further = internal::Always_go_further(),
+    const std::string& function = "nearest_curvature_difference");
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/nearest_curvature_difference_templates.h>
+#endif
+
+#endif
