@@ -1,10 +1,12 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // How much of rho is kept with a bound of 2 on the factors of lengths, what that costs, and what
-// happens without it? Prints a line of JSON for each closed mesh, potential and amplitude.
+// happens without it? Prints a line of JSON for each closed mesh, potential and amplitude; with
+// --bounds for each mesh, amplitude of six rings and bound.
 //
-// usage: benchmark_scale_control NAME.off ...
+// usage: benchmark_scale_control [--bounds] NAME.off ...
 #include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/templates.h>
 
@@ -47,6 +49,35 @@ void add(const CGP::Spin_report& report, const std::string& prefix, Record& reco
       .add(prefix + "solves", report.solves);
 }
 
+std::string name_of(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+void compare_bounds(const std::string& path)
+{
+  const CGP::Mesh_view mesh = normalized(read_off(path));
+  CGP::require_surface(mesh, "benchmark_scale_control");
+  const CGP::internal::Topology topology = CGP::topology(mesh);
+  const std::optional<double> none;
+  for (const double amplitude : {1.2, 3.})
+    for (const std::optional<double>& bound : {none, {2}, {1.5}, {1.3}, {1.15}}) {
+      const CGP::Spin_report report =
+          transformed(mesh, sampled(mesh, potentials[1], amplitude), bound);
+      Record record;
+      record.add("mesh", name_of(path))
+          .add("faces", mesh.size_of_faces())
+          .add("genus", topology.genus)
+          .add("loops", topology.boundary_loops)
+          .add("amplitude", amplitude)
+          .add("bound", bound.value_or(0));
+      add(report, "", record);
+      record.add("Q_max", report.conformality.quasi_conformal.max)
+          .add("least", report.conformality.scale.min_scale)
+          .add("most", report.conformality.scale.max_scale)
+          .add("kept_norm", bound ? report.scales.kept_norm : 1)
+          .add("kept_correlation", bound ? report.scales.kept_correlation : 1);
+      record.print();
+    }
+}
+
 void survey(const std::string& path)
 {
   const CGP::Mesh_view mesh = normalized(read_off(path));
@@ -58,7 +89,7 @@ void survey(const std::string& path)
     for (const double amplitude : {.75, 1.5, 3.}) {
       const Rho rho = sampled(mesh, potential, amplitude);
       Record record;
-      record.add("mesh", path.substr(path.find_last_of('/') + 1))
+      record.add("mesh", name_of(path))
           .add("faces", mesh.size_of_faces())
           .add("genus", 1 - chi / 2)
           .add("potential", potential.name)
@@ -79,8 +110,9 @@ void survey(const std::string& path)
 
 int main(int argc, char** argv)
 {
-  for (int k = 1; k < argc; ++k) try {
-      survey(argv[k]);
+  const bool compares = argc > 1 && std::string(argv[1]) == "--bounds";
+  for (int k = compares ? 2 : 1; k < argc; ++k) try {
+      (compares ? compare_bounds : survey)(argv[k]);
     } catch (const std::exception& e) {
       std::fprintf(stderr, "%s: left out: %s\n", argv[k], e.what());
     }
