@@ -49,7 +49,10 @@ void add(const CGP::Spin_report& report, const std::string& prefix, Record& reco
       .add(prefix + "solves", report.solves);
 }
 
-std::string name_of(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+std::string name_of(const std::string& path)
+{
+  return path.substr(path.find_last_of('/') + 1);
+}
 
 void compare_bounds(const std::string& path)
 {
