@@ -1,8 +1,10 @@
 // Tests include/Conformal_geometry_processing/spin/curvature_of_displacement.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/curvature_of_displacement.h>
 
 #include "spin/boundary_tools.h"
@@ -129,6 +131,36 @@ TEST(Curvature_of_displacement, keeps_the_angles_that_a_displacement_spoils_as_t
   }
 }
 
+/// \brief how much of a bump on the side of a spheroid about x a spin transformation brings up.
+/// \param length of half its axis; its radius is 1
+/// \param s standard deviation of the bump, which is .1 s high
+double recovered_on_a_limb(int level, double length, double s)
+{
+  const Mesh_view mesh = mapped(icosphere(level), [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return {length * p.x(), p.y(), p.z()};
+  });
+  Eigen::VectorXd h(mesh.size_of_vertices()), ring = CGP::vertex_areas(mesh);
+  for (int v = 0; v < h.size(); ++v) {
+    const double d = (mesh.position(v) - Eigen::Vector3d(0, 0, 1)).norm();
+    h[v] = mesh.position(v).z() > 0 ? .1 * s * std::exp(-d * d / (2 * s * s)) : 0;
+    if (!(2.5 * s < d && d < 4 * s)) ring[v] = 0;
+  }
+  const CGP::Spin_result r =
+      CGP::Spin_transformation<>(mesh).transform(CGP::curvature_of_displacement(mesh, h));
+  EXPECT_TRUE(r.report);
+  const Points moved =
+      CGP::align(r.positions, mesh.positions(), ring).apply(r.positions) - mesh.positions();
+  double found = 0, given = 0;
+  for (int v = 0; v < h.size(); ++v) {
+    const Eigen::Vector3d p = mesh.position(v);
+    const Eigen::Vector3d normal =
+        Eigen::Vector3d(p.x() / (length * length), p.y(), p.z()).normalized();
+    found += h[v] * moved.col(v).dot(normal);
+    given += h[v] * h[v];
+  }
+  return found / given;
+}
+
 /// the gradient of a function in a face
 Eigen::Vector3d gradient(const Mesh_view& mesh, int f, const Eigen::VectorXd& h)
 {
@@ -137,6 +169,18 @@ Eigen::Vector3d gradient(const Mesh_view& mesh, int f, const Eigen::VectorXd& h)
   for (int c = 0; c < 3; ++c)
     sum += h[mesh.corners(f)[at(c)]] * normal.cross(mesh.vector(3 * f + c));
   return sum / normal.squaredNorm();
+}
+
+// The error is that of the mesh, as on the disk, and on limbs also what is omitted.
+TEST(Curvature_of_displacement, brings_low_bumps_up_on_spheres_and_on_limbs)
+{
+  for (const double s : {.25, .35})
+    for (const double length : {1., 2., 3.}) {
+      const double coarse = recovered_on_a_limb(4, length, s),
+                   fine = recovered_on_a_limb(5, length, s);
+      EXPECT_NEAR(fine, 1, .05) << s << " " << length;
+      EXPECT_LT(std::abs(fine - 1), .6 * std::abs(coarse - 1)) << s << " " << length;
+    }
 }
 
 TEST(Curvature_of_displacement, is_worth_half_the_energy_against_every_linear_function)

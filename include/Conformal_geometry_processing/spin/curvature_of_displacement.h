@@ -17,7 +17,9 @@ namespace Conformal_geometry_processing {
 /// A displacement by h N shears the surface unless h is small; the spin transformation by rho gives
 /// a bump of about the same height without shear. On planes and spheres H |df| changes by rho |df|
 /// to first order in h; on other surfaces also by -(H^2 - K) h |df|, which is omitted because the
-/// displacement is not conformal there.
+/// displacement is not conformal there. Low bumps of standard deviation s come out within 5 % on
+/// spheres and on limbs of radius 3 s and more, where edges are short against s; higher and wider
+/// ones do not.
 ///
 /// The Laplacian is M_V^-1 L, so that rho is exact in the weak sense, against every linear
 /// function. At the boundary, where L h also contains the slope of h, rho is the mean of the
