@@ -19,7 +19,7 @@ namespace Conformal_geometry_processing {
 /// to first order in h; on other surfaces also by -(H^2 - K) h |df|, which is omitted because the
 /// displacement is not conformal there. Low bumps of standard deviation s come out within 5 % on
 /// spheres and on limbs of radius 3 s and more, where edges are short against s; higher and wider
-/// ones do not.
+/// ones need not.
 ///
 /// The Laplacian is M_V^-1 L, so that rho is exact in the weak sense, against every linear
 /// function. At the boundary, where L h also contains the slope of h, rho is the mean of the
