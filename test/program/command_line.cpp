@@ -98,7 +98,7 @@ TEST_F(Command_line, outputs_that_cannot_be_written_are_refused_and_leave_nothin
   std::filesystem::create_symlink("/dev/full", path("full.ply"));
   EXPECT_TRUE(fails(run(spin + "full.ply -q"), 5, "full.ply"));
   EXPECT_EQ(temporary_files(), 0u);
-  EXPECT_EQ(shell(std::string(CGP_CONFORMAL_PROGRAM) + " info a.off >/dev/full").code, 5);
+  EXPECT_EQ(shell(program() + " info a.off >/dev/full").code, 5);
 }
 
 // A sphere with vertices so near to edges that its Laplacian cannot be factorized.
@@ -169,8 +169,7 @@ TEST_F(Command_line, numbers_do_not_follow_the_locale)
 {
   write("a.off", off(cgp_test::icosphere(1)));
   const std::string c = run("info a.off").out;
-  EXPECT_EQ(shell("LC_ALL=de_DE.UTF-8 " + std::string(CGP_CONFORMAL_PROGRAM) + " info a.off").out,
-            c);
+  EXPECT_EQ(shell("LC_ALL=de_DE.UTF-8 " + program() + " info a.off").out, c);
 }
 
 TEST_F(Command_line, signals_end_the_program_without_a_trace)
@@ -181,7 +180,7 @@ TEST_F(Command_line, signals_end_the_program_without_a_trace)
         std::pair("XCPU", 152), std::pair("KILL", 137)}) {
     // A fifo holds the program back until the signal has come.
     const Program_run r =
-        shell("rm -f in b.ply; mkfifo in; exec 3<>in; " CGP_CONFORMAL_PROGRAM
+        shell("rm -f in b.ply; mkfifo in; exec 3<>in; " + program() +
               " spin - --rho-expression x -o b.ply --json b.json <in & sleep 0.3; kill -" +
               std::string(signal) + " $!; wait $!");
     EXPECT_EQ(r.code, code) << signal << r.err;
@@ -195,7 +194,7 @@ TEST_F(Command_line, a_limit_on_the_size_of_files_is_a_write_error)
   // Not too small for the counts of executed lines, which an instrumented program writes.
   write("a.off", off(cgp_test::icosphere(5)));
   const Program_run r =
-      shell("ulimit -f 512; " CGP_CONFORMAL_PROGRAM " spin -q a.off --rho-expression x -o b.ply");
+      shell("ulimit -f 512; " + program() + " spin -q a.off --rho-expression x -o b.ply");
   EXPECT_TRUE(fails(r, 5, "b.ply"));
   EXPECT_EQ(temporary_files(), 0u);
 }

@@ -221,7 +221,7 @@ TEST_F(Curve_command, interrupted_it_leaves_the_last_complete_step)
   for (const auto& [signal, code] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
     // The first snapshot shows that there is a complete step; thousands would follow.
     const Program_run r =
-        shell("rm -f b*.csv b.json; " CGP_CONFORMAL_PROGRAM
+        shell("rm -f b*.csv b.json; " + program() +
               " curve -q a.csv --steps 99999 --time-step 1e-7 --every 1 -o b.csv --json b.json & "
               "for i in $(seq 3000); do [ -e b_0001.csv ] && break; sleep 0.01; done; kill -" +
               std::string(signal) + " $!; wait $!");

@@ -178,10 +178,10 @@ TEST_F(Flow, snapshots_have_their_number_before_the_extension)
   write("a.off", off(cgp_test::bumpy_sphere(2)));
   ASSERT_EQ(run("flow -q a.off --steps 1 --every 1 -o .off").code, 0);
   EXPECT_TRUE(has("_0001.off"));
-  ASSERT_EQ(shell("mkdir b.c && " CGP_CONFORMAL_PROGRAM
-                  " flow -q a.off --steps 1 --every 1 -o ./b.c/d.e.off")
-                .code,
-            0);
+  ASSERT_EQ(
+      shell("mkdir b.c && " + program() + " flow -q a.off --steps 1 --every 1 -o ./b.c/d.e.off")
+          .code,
+      0);
   EXPECT_TRUE(has("b.c/d.e_0001.off"));
 }
 
@@ -253,7 +253,7 @@ TEST_F(Flow, interrupted_it_leaves_the_last_complete_step)
   for (const auto& [signal, code] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
     // The first snapshot shows that there is a complete step; thousands would follow.
     const Program_run r =
-        shell("rm -f b*.ply b.json; " CGP_CONFORMAL_PROGRAM
+        shell("rm -f b*.ply b.json; " + program() +
               " flow -q a.off --steps 9999 --time-step 1e-5 --every 1 -o b.ply --json b.json & "
               "for i in $(seq 3000); do [ -e b_0001.ply ] && break; sleep 0.01; done; kill -" +
               std::string(signal) + " $!; wait $!");

@@ -11,10 +11,15 @@
 
 namespace program_test {
 
-Program_run Program::run(const std::string& arguments) const
+std::string program()
 {
   const char* const other = std::getenv("CGP_CONFORMAL_PROGRAM");  // see test/tools/sanitize
-  return shell((other ? other : CGP_CONFORMAL_PROGRAM) + (' ' + arguments));
+  return other ? other : CGP_CONFORMAL_PROGRAM;
+}
+
+Program_run Program::run(const std::string& arguments) const
+{
+  return shell(program() + ' ' + arguments);
 }
 
 Program_run Program::shell(const std::string& command) const

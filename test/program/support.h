@@ -24,6 +24,9 @@ struct Program_run {
   std::string out, err;
 };
 
+/// the file that is tested
+std::string program();
+
 class Program : public ::testing::Test {
  protected:
   std::string path(const std::string& name) const { return m_folder / name; }

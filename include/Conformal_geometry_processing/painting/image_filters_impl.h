@@ -23,7 +23,7 @@ CGP_INLINE Eigen::VectorXd gauss_weights(double radius)
 {
   const int reach = radius > 0 ? static_cast<int>(std::ceil(5 * radius)) : 0;
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(reach + 1);
-  for (int k = 1; k <= reach; ++k) weights[k] = std::exp(-k * k / (2 * radius * radius));
+  for (int k = 1; k <= reach; ++k) weights[k] = std::exp(-(k / radius) * (k / radius) / 2);
   return weights;
 }
 
