@@ -53,6 +53,14 @@ TEST(Conformal_deformation, meets_ten_targets_on_an_irregular_sphere)
   expect_met(sphere(), one_moved(sphere(), 10, .3), 1.05);
 }
 
+// To first order a round sphere moves only along its normals.
+TEST(Conformal_deformation, meets_ten_targets_on_a_round_sphere)
+{
+  const Mesh_view mesh = icosphere(4);
+  expect_met(mesh, one_moved(mesh, 10, .3), 1.015);
+  expect_met(mesh, one_moved(mesh, 10, 1), 1.03);
+}
+
 TEST(Conformal_deformation, meets_ten_targets_on_a_disk)
 {
   const Mesh_view mesh = jittered_disk(8, .1);

@@ -139,6 +139,10 @@ class Dirac_system {
   /// releases the memory of the factors until the next `set_potential()`
   void release();
 
+  /// how often the matrix, the factor or the geometry have changed: as long as this is the same,
+  /// they are
+  int changes() const { return m_changes; }
+
   /// <a, M_V a>
   double squared_norm(const Quaternion_vector<double>& a) const;
 
@@ -166,6 +170,7 @@ class Dirac_system {
   std::unique_ptr<Directions> m_directions;
   std::unique_ptr<Positions> m_positions;
   double m_shift = 0;
+  int m_changes = 0;
 };
 
 }  // namespace internal

@@ -102,6 +102,7 @@ internal::Dirac_system<SolverTraits>::Dirac_system(const Surface_ref& surface,
 template <class SolverTraits>
 void internal::Dirac_system<SolverTraits>::update_geometry()
 {
+  ++m_changes;
   m_areas = vertex_areas(m_surface);
   if (m_directions) m_directions->update_geometry();
 }
@@ -124,6 +125,7 @@ void internal::Dirac_system<SolverTraits>::assemble(const Curvature_potential& r
                                                     internal::Dirac_evidence::Seconds& seconds)
 {
   internal::Stopwatch watch;
+  ++m_changes;
   assemble_dirac_energy(m_surface, rho, m_X);
   seconds.assembly += watch.lap();
 }
@@ -134,6 +136,7 @@ void internal::Dirac_system<SolverTraits>::set_potential(const Curvature_potenti
                                                          double least)
 {
   internal::Stopwatch watch;
+  ++m_changes;
   assemble_dirac_energy(m_surface, rho, m_X);
   seconds.assembly += watch.lap();
   m_shift = least * unit();
@@ -216,6 +219,7 @@ auto internal::Dirac_system<SolverTraits>::projected(Vectors v) const -> Vectors
 template <class SolverTraits>
 void internal::Dirac_system<SolverTraits>::release()
 {
+  ++m_changes;
   release_factor(m_solver);
   if (m_reduced) m_reduced->release();
 }

@@ -29,6 +29,10 @@ class Linear_constraints {
   /// the shortest d with C^T d = c, K^-1 C (C^T K^-1 C)^-1 c
   Eigen::VectorXd least_solution(const Eigen::VectorXd& c) const;
 
+  /// \brief corrects what shortest solutions are made of: where the constraints changed by `change`
+  /// after `least_solution(c)`, they would now be expected to (Broyden's update, the least in K).
+  void observe(const Eigen::VectorXd& c, const Eigen::VectorXd& change);
+
   /// d without its part in the span of K^-1 C, orthogonally with respect to K
   Eigen::VectorXd project_out(Eigen::VectorXd d) const;
 
@@ -37,8 +41,9 @@ class Linear_constraints {
 
  private:
   Eigen::MatrixXd m_gradients, m_directions;
-  Eigen::LDLT<Eigen::MatrixXd> m_gram;    // C^T K^-1 C
-  Eigen::LDLT<Eigen::MatrixXd> m_damped;  // the same with the damping
+  Eigen::LDLT<Eigen::MatrixXd> m_gram;  // G = C^T K^-1 C
+  Eigen::MatrixXd m_change;             // of constraints by K^-1 C y: G with the damping, at first
+  Eigen::PartialPivLU<Eigen::MatrixXd> m_lu;  // of it
 };
 
 }  // namespace internal

@@ -25,13 +25,23 @@ CGP_INLINE Linear_constraints::Linear_constraints(Eigen::MatrixXd gradients,
   gram.diagonal().array() += rounding * largest;
   m_gram.compute(gram);
   gram.diagonal() += largest * dampings.cwiseAbs2();
-  m_damped.compute(gram);
+  m_change = gram;
+  m_lu.compute(m_change);
+}
+
+CGP_INLINE void Linear_constraints::observe(const Eigen::VectorXd& c, const Eigen::VectorXd& change)
+{
+  if (m_gradients.cols() == 0) return;
+  const Eigen::VectorXd y = m_lu.solve(c);
+  const Eigen::VectorXd Gy = m_gradients.transpose() * (m_directions * y);
+  m_change += (change - c) * Gy.transpose() / y.dot(Gy);
+  m_lu.compute(m_change);
 }
 
 CGP_INLINE Eigen::VectorXd Linear_constraints::least_solution(const Eigen::VectorXd& c) const
 {
   if (m_gradients.cols() == 0) return Eigen::VectorXd::Zero(m_gradients.rows());
-  return m_directions * m_damped.solve(c);
+  return m_directions * m_lu.solve(c);
 }
 
 CGP_INLINE Eigen::VectorXd Linear_constraints::project_out(Eigen::VectorXd d) const

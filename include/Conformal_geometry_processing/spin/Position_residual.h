@@ -78,6 +78,13 @@ class Position_residual : public Spin_residual {
 
   void set_spins(const Spins& lambda) override;
   Eigen::VectorXd values() const override { return coordinates(m_distances); }
+
+  /// \brief proportional to the distances that are left: a step by what hardly moves points would
+  /// be long and lead nowhere, and a short one makes it move them more.
+  ///
+  /// The first change of a round sphere moves it along its normals alone, and along itself it moves
+  /// once it is bumpy; near the targets nothing is left alone.
+  double damping() const override;
   Eigen::VectorXd change(const Spins& dlambda) const override;
   Spins gradient(const Eigen::VectorXd& y) const override;
 

@@ -49,6 +49,13 @@ void Position_residual<SolverTraits>::set_spins(const Spins& lambda)
 }
 
 template <class SolverTraits>
+double Position_residual<SolverTraits>::damping() const
+{
+  const double share = 0.3;  // of the distances in the frame
+  return share * m_distances.norm();
+}
+
+template <class SolverTraits>
 Eigen::VectorXd Position_residual<SolverTraits>::change(const Spins& dlambda) const
 {
   const Points dh =

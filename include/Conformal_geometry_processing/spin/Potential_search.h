@@ -80,7 +80,11 @@ class Potential_search {
   const Candidate& present() const { return m_now; }
 
   /// goes back to a rho' found before
-  void restore(Candidate candidate) { m_now = std::move(candidate); }
+  void restore(Candidate candidate)
+  {
+    m_now = std::move(candidate);
+    m_factored_at = -1;
+  }
 
   /// starts again from rho' = 0, for another rho
   void restart(Curvature_potential rho);
@@ -107,6 +111,12 @@ class Potential_search {
   Candidate evaluate(Eigen::VectorXd rho, const Dirac_solution& guess, const Dirac_options& options,
                      const Go_further& go_further);
 
+  /// adopts the spins of a candidate for the residuals, and their values for it
+  void measure(Candidate& c) const;
+
+  /// the present rho' with residuals that may have changed, and with its factor
+  void refresh(const Dirac_options& options, const Go_further& go_further);
+
   /// from the present rho', which was evaluated last; none if there is no derivative
   std::optional<Step> best_step();
   Step best_step(const Derivative& S);
@@ -118,6 +128,11 @@ class Potential_search {
   /// the sum would become less smaller than 1 %
   Eigen::VectorXd improvement(const Derivative& S, const Linear_constraints& constraints,
                               const Eigen::VectorXd& g, const Eigen::VectorXd& first) const;
+
+  /// \brief adds to a step the changes of spins and eigenvalue at the present rho', which was
+  /// evaluated last.
+  /// \returns false if there is no derivative
+  bool predict(Step& step);
 
   /// the solution after t times the step, to first order
   Dirac_solution predicted(const Step& step, double t) const;
@@ -137,12 +152,6 @@ class Potential_search {
   /// (K + S^T S) d
   Eigen::VectorXd curvature(const Derivative& S, const Eigen::VectorXd& d) const;
 
-  /// the dampings of all constraints
-  Eigen::VectorXd dampings() const;
-
-  /// the gradients of the constraints with respect to rho, one column each
-  Eigen::MatrixXd constraint_gradients(const Derivative& S) const;
-
   double merit(const Candidate& c) const { return c.sum + m_penalty * c.constraints.norm(); }
 
   Dirac_system<SolverTraits>& m_system;
@@ -150,6 +159,7 @@ class Potential_search {
   std::vector<Spin_residual*> m_residuals, m_constraints;
   Potential_metric<SolverTraits> m_metric;
   Candidate m_now;
+  int m_factored_at = -1;  // `changes()` of the system when it was that of m_now
   std::optional<Linear_constraints> m_last_constraints;  // of the last step
   double m_penalty = 0, m_last_length = 1;
   Dirac_solution m_costs;  // without spins

@@ -41,6 +41,7 @@ void Potential_search<SolverTraits, EigensolverTraits>::restart(Curvature_potent
   m_now = Candidate();
   m_now.rho = {m_rho.on, Eigen::VectorXd::Zero(m_rho.values.size())};
   m_now.solution.lambda = Spins::Constant(m_system.areas().size(), {1, 0, 0, 0});
+  m_factored_at = -1;
   m_last_constraints.reset();
 }
 
@@ -55,11 +56,14 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
   limited.max_iterations = (std::min)(options.max_iterations, 40);
   m_last_length = 1;
   m_penalty = 0;
-  m_now = evaluate(m_now.rho.values, m_now.solution, limited, go_further);
+  refresh(limited, go_further);
   for (int i = 0; i < max_steps && !m_costs.cancelled; ++i) {
     const std::optional<Step> step = best_step();
     if (!step) return false;
-    if (!step->is_improvement && m_now.constraints.norm() <= tolerance) return true;
+    // A step that only corrects: its gradients will do until nothing is left to correct.
+    if (!step->is_improvement && (m_now.constraints.norm() <= tolerance ||
+                                  follow_constraints(limited, go_further, tolerance)))
+      return true;
     if (!take(*step, limited, go_further)) return false;
   }
   return false;
@@ -71,26 +75,47 @@ bool Potential_search<SolverTraits, EigensolverTraits>::follow_constraints(
 {
   const double least_reduction = 0.1;
   if (!m_last_constraints || !m_residuals.empty()) return false;
+  // What is learned on the way is not kept: the first step shall tell how well the gradients still
+  // hold, or the sum would grow from call to call.
+  Linear_constraints constraints = *m_last_constraints;
+  refresh(options, go_further);
   const Candidate before = m_now;
-  m_now = evaluate(m_now.rho.values, m_now.solution, options, go_further);
   while (m_now.solution.converged && m_now.constraints.norm() > tolerance) {
-    const double norm = m_now.constraints.norm();
+    const Eigen::VectorXd c = m_now.constraints;
     Step step;
-    step.change = m_last_constraints->least_solution(-m_now.constraints);
-    try {
-      const Derivative S = derivative();
-      step.lambda = S.apply(step.change).col(0);
-      step.gamma = S.gamma_change(step.change)[0];
-      m_costs.solves += S.number_of_solves();
-    } catch (const No_derivative&) {
-      break;
-    }
+    step.change = constraints.least_solution(-c);
+    if (!predict(step)) break;
     m_now = moved(step, 1, options, go_further);
-    if (!(m_now.constraints.norm() <= (std::max)(least_reduction * norm, tolerance))) break;
+    if (!(m_now.constraints.norm() <= (std::max)(least_reduction * c.norm(), tolerance))) break;
+    constraints.observe(-c, m_now.constraints - c);
   }
   if (m_now.solution.converged && m_now.constraints.norm() <= tolerance) return true;
-  m_now = before;
+  restore(before);
   return false;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Potential_search<SolverTraits, EigensolverTraits>::predict(Step& step)
+{
+  try {
+    const Derivative S = derivative();
+    step.lambda = S.apply(step.change).col(0);
+    step.gamma = S.gamma_change(step.change)[0];
+    m_costs.solves += S.number_of_solves();
+    return true;
+  } catch (const No_derivative&) {
+    return false;
+  }
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Potential_search<SolverTraits, EigensolverTraits>::refresh(const Dirac_options& options,
+                                                                const Go_further& go_further)
+{
+  if (m_factored_at == m_system.changes())
+    measure(m_now);
+  else
+    m_now = evaluate(m_now.rho.values, m_now.solution, options, go_further);
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -115,7 +140,7 @@ bool Potential_search<SolverTraits, EigensolverTraits>::take(const Step& step,
     m_last_length = t;
     return true;
   }
-  m_now = before;
+  restore(before);
   return false;
 }
 
@@ -150,16 +175,6 @@ auto Potential_search<SolverTraits, EigensolverTraits>::evaluate(Eigen::VectorXd
                                                                  const Go_further& go_further)
     -> Candidate
 {
-  const auto values = [](const std::vector<Spin_residual*>& list, const Spins& lambda) {
-    Eigen::VectorXd all;
-    for (Spin_residual* r : list) {
-      r->set_spins(lambda);
-      const Eigen::VectorXd some = r->values();
-      all.conservativeResize(all.size() + some.size());
-      all.tail(some.size()) = some;
-    }
-    return all;
-  };
   Candidate c;
   c.rho = {m_rho.on, std::move(rho)};
   c.solution =
@@ -167,10 +182,17 @@ auto Potential_search<SolverTraits, EigensolverTraits>::evaluate(Eigen::VectorXd
   m_costs.cancelled = c.solution.cancelled;
   add_costs(m_costs, c.solution);
   add_costs(m_costs.seconds, c.solution.seconds);
-  c.residuals = values(m_residuals, c.solution.lambda);
-  c.constraints = values(m_constraints, c.solution.lambda);
-  c.sum = m_metric.squared_norm(c.rho.values - m_rho.values) + c.residuals.squaredNorm();
+  measure(c);
+  m_factored_at = c.solution.converged ? m_system.changes() : -1;
   return c;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Potential_search<SolverTraits, EigensolverTraits>::measure(Candidate& c) const
+{
+  c.residuals = values_at(c.solution.lambda, m_residuals);
+  c.constraints = values_at(c.solution.lambda, m_constraints);
+  c.sum = m_metric.squared_norm(c.rho.values - m_rho.values) + c.residuals.squaredNorm();
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -196,9 +218,10 @@ template <class SolverTraits, class EigensolverTraits>
 auto Potential_search<SolverTraits, EigensolverTraits>::best_step(const Derivative& S) -> Step
 {
   Stopwatch watch;
-  const Eigen::MatrixXd gradients = constraint_gradients(S);
+  const Eigen::MatrixXd gradients =
+      S.apply_transpose(gradients_of(m_constraints, S.lambda().size()));
   const Linear_constraints& constraints =
-      m_last_constraints.emplace(gradients, m_metric.solve(gradients), dampings());
+      m_last_constraints.emplace(gradients, m_metric.solve(gradients), dampings_of(m_constraints));
   const Eigen::VectorXd g = gradient(S);
   Step step;
   step.change = constraints.least_solution(-m_now.constraints);
@@ -258,32 +281,6 @@ Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::curvature(
   Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(dlambda.size(), 1, {});
   for (const Spin_residual* r : m_residuals) q.col(0) += r->gradient(r->change(dlambda));
   return m_metric.apply(d) + S.apply_transpose(q);
-}
-
-template <class SolverTraits, class EigensolverTraits>
-Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::dampings() const
-{
-  Eigen::VectorXd all(m_now.constraints.size());
-  Eigen::Index first = 0;
-  for (const Spin_residual* r : m_constraints) {
-    const Eigen::Index n = r->values().size();
-    all.segment(first, n).setConstant(r->damping());
-    first += n;
-  }
-  return all;
-}
-
-template <class SolverTraits, class EigensolverTraits>
-Eigen::MatrixXd Potential_search<SolverTraits, EigensolverTraits>::constraint_gradients(
-    const Derivative& S) const
-{
-  Block<Quaternion<double>> q(S.lambda().size(), m_now.constraints.size());
-  Eigen::Index column = 0;
-  for (const Spin_residual* r : m_constraints) {
-    const Eigen::Index n = r->values().size();
-    for (Eigen::Index k = 0; k < n; ++k) q.col(column++) = r->gradient(Eigen::VectorXd::Unit(n, k));
-  }
-  return S.apply_transpose(q);
 }
 
 }  // namespace internal

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace Conformal_geometry_processing {
 
 namespace internal {
@@ -38,8 +40,23 @@ class Spin_residual {
   virtual double damping() const { return 0; }
 };
 
+using Spin_residuals = std::vector<Spin_residual*>;
+
+/// adopts the spins for all, and returns the values of one after the other
+Eigen::VectorXd values_at(const Spin_residual::Spins& lambda, const Spin_residuals& residuals);
+
+/// `damping()` of each of the values
+Eigen::VectorXd dampings_of(const Spin_residuals& residuals);
+
+/// the gradients of the values with respect to the spins, |V| x number of values
+Block<Quaternion<double>> gradients_of(const Spin_residuals& residuals, Eigen::Index vertices);
+
 }  // namespace internal
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Spin_residual_impl.h>
+#endif
 
 #endif
