@@ -31,6 +31,20 @@ TEST_F(Spin_scales, lengths_stay_within_a_bound_of_two)
   EXPECT_LT(plain["scale"]["min"], .5);
 }
 
+TEST_F(Spin_scales, sizes_that_are_wanted_come_without_a_bound_to_choose)
+{
+  write("a.off", off(cgp_test::dumbbell(3)));
+  ASSERT_EQ(run("spin a.off --rho-expression 0 -o b.ply --json b.json "
+                "--target-scale-expression 'exp(.35*tanh(4*y))'")
+                .code,
+            0);
+  const auto report = read_json("b.json");
+  EXPECT_EQ(report["options"]["max-scale"], "1.25");
+  EXPECT_LE(report["result"]["scale_control"]["high"], 1.25);
+  const auto scale = report["result"]["scale"];  // wanted: 2.01
+  EXPECT_GT(scale["max"].get<double>() / scale["min"].get<double>(), 1.3);
+}
+
 TEST_F(Spin_scales, sizes_can_be_wanted_and_locked)
 {
   write("a.off", off(cgp_test::dumbbell(3)));

@@ -203,13 +203,14 @@ void add_scale_control(CLI::App& command, Scale_options& scales)
     const bool is_good = text == "none" || (*end == 0 && bound > 1 && finite(text).empty());
     return is_good ? std::string() : "a number above 1, or none, is needed: " + text;
   };
-  command
-      .add_option_function<std::string>(
-          "--max-scale", read,
-          "largest factor by which lengths may grow or shrink, on 98 % of the area, or none: rho "
-          "is applied as it is, whatever collapses")
-      ->check(CLI::Validator(is_bound, "FLOAT > 1 or none"))
-      ->default_str("2");
+  auto* max_scale =
+      command
+          .add_option_function<std::string>(
+              "--max-scale", read,
+              "largest factor by which lengths may grow or shrink, on 98 % of the area, or none: "
+              "rho is applied as it is, whatever collapses; 1.25 where sizes are wanted")
+          ->check(CLI::Validator(is_bound, "FLOAT > 1 or none"))
+          ->default_str("2");
   auto* target = command.add_option_group("wanted sizes", "factors of lengths, one of");
   target
       ->add_option("--target-scale-expression", scales.target_expression,
@@ -228,6 +229,12 @@ void add_scale_control(CLI::App& command, Scale_options& scales)
   lock->add_option("--lock-property", scales.lock_property, "vertex property with these numbers")
       ->check(not_empty);
   for (CLI::Option_group* group : {target, lock}) group->require_option(0, 1);
+  // Within a factor of two of most wishes is what there was before.
+  target->parse_complete_callback([&scales, max_scale, target] {
+    if (max_scale->count() > 0 || target->count_all() == 0) return;
+    max_scale->default_str("1.25");
+    scales.bound = 1.25;
+  });
 }
 
 void add_period_defect(CLI::App& command, std::optional<double>& max_period_defect)
