@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Potential_search.h
-// Tests spin/Spin_residual.h spin/Scale_residual.h spin/Period_residual.h spin/Linear_constraints.h
+// Tests spin/Spin_residual.h spin/Scale_residual.h spin/Period_residual.h
 // Tests spin/Exactness_residual.h
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Exactness_residual.h>
-#include <Conformal_geometry_processing/spin/Linear_constraints.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
 #include <Conformal_geometry_processing/spin/Potential_metric.h>
 #include <Conformal_geometry_processing/spin/Potential_search.h>
@@ -193,23 +192,4 @@ TEST(Potential_search, measures_inexact_edges)
   EXPECT_NEAR(inexact.size(), r.report.closure_residual, 1e-6);
   EXPECT_NEAR(values.norm(), 2 * inexact.size(), 1e-12);
   EXPECT_LT((inexact.change(d) * length - difference).norm(), 1e-8 * difference.norm());
-}
-
-TEST(Linear_constraints, are_met_by_the_shortest_step)
-{
-  Eigen::MatrixXd C(30, 4);
-  for (int k = 0; k < 4; ++k) C.col(k) = random_numbers(30, k + 1);
-  const Eigen::VectorXd masses = random_numbers(30, 9).cwiseAbs().array() + .1;
-  const Eigen::MatrixXd directions = masses.cwiseInverse().asDiagonal() * C;
-  const CGP::internal::Linear_constraints constraints(C, directions,
-                                                      Eigen::VectorXd::Constant(4, .01));
-  const CGP::internal::Linear_constraints exact(C, directions, Eigen::VectorXd::Zero(4));
-  const Eigen::VectorXd c = random_numbers(4, 10), v = random_numbers(30, 11);
-  const Eigen::VectorXd d = constraints.least_solution(c), rest = constraints.project_out(v);
-  EXPECT_LT((C.transpose() * d - c).norm(), 1e-2 * c.norm());  // damped
-  EXPECT_LT((C.transpose() * exact.least_solution(c) - c).norm(), 1e-10 * c.norm());
-  EXPECT_LT((C.transpose() * rest).norm(), 1e-9 * v.norm());
-  EXPECT_NEAR(d.dot(masses.cwiseProduct(rest)), 0, 1e-9 * d.norm() * v.norm());
-  EXPECT_NEAR(constraints.project_gradient(c[0] * v).dot(v), c[0] * v.dot(rest),
-              1e-9 * v.squaredNorm());
 }
