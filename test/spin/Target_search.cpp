@@ -181,7 +181,8 @@ TEST(Target_search, prefers_normals_to_wrinkles_unless_only_positions_count)
 }
 
 // Distances count against rho by their weight: it must not tell the size of the target. The sphere
-// is far from conformal to its bend, and the beam near to it.
+// is far from conformal to its bend, and the beam near to it. What is left, for a turned target, is
+// whether a solver takes one iteration more; with the wrong weight, the differences are .3 to 20 %.
 TEST(Target_search, does_not_depend_on_the_place_and_size_of_the_target)
 {
   const Mesh_view beam_mesh = perturbed(beam(2), .02), sphere = icosphere(3);
@@ -192,8 +193,8 @@ TEST(Target_search, does_not_depend_on_the_place_and_size_of_the_target)
       const Nearest_spin_result there =
           nearest(mesh, size * moved_by_a_similarity(target), within(tolerance));
       const double share = here.distance / here.source_distance, angle = here.normal_distance;
-      EXPECT_NEAR(there.distance / there.source_distance, share, 1e-4 * share) << size;
-      EXPECT_NEAR(there.normal_distance, angle, 1e-4 * angle) << size;
+      EXPECT_NEAR(there.distance / there.source_distance, share, 1e-3 * share) << size;
+      EXPECT_NEAR(there.normal_distance, angle, 1e-3 * angle) << size;
     }
   };
   expect_same(beam_mesh, bent_beam(beam_mesh, pi / 3, .5).positions(), 2e-3);

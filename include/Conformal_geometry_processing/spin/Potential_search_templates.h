@@ -57,14 +57,17 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
   m_last_length = 1;
   m_penalty = 0;
   refresh(limited, go_further);
+  double last_norm = 0;
   for (int i = 0; i < max_steps && !m_costs.cancelled; ++i) {
     const std::optional<Step> step = best_step();
     if (!step) return false;
-    // A step that only corrects: its gradients will do until nothing is left to correct.
-    if (!step->is_improvement && (m_now.constraints.norm() <= tolerance ||
-                                  follow_constraints(limited, go_further, tolerance)))
-      return true;
+    const double norm = m_now.constraints.norm();
+    // Where a step only corrects, and the last one left a tenth, its gradients do until the end.
+    const auto follows = [&] { return follow_constraints(limited, go_further, tolerance); };
+    const bool is_near = norm <= last_norm / 10;
+    if (!step->is_improvement && (norm <= tolerance || (is_near && follows()))) return true;
     if (!take(*step, limited, go_further)) return false;
+    last_norm = norm;
   }
   return false;
 }
