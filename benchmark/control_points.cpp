@@ -87,7 +87,8 @@ void describe(const CGP::Mesh_view& mesh, const CGP::Points& p,
 {
   const CGP::Conformality map =
       CGP::conformality(mesh, p, CGP::neighbourhood_normals({p, mesh.corners()}));
-  const auto missed = CGP::internal::positions_of(points, p) - CGP::internal::targets_of(points);
+  const CGP::Points missed =
+      CGP::internal::positions_of(points, p) - CGP::internal::targets_of(points);
   record.add("q_mean", map.quasi_conformal.mean).add("q_max", map.quasi_conformal.max);
   record.add("flips", map.flipped_faces).add("lengths", map.scale.log_deviation);
   record.add("scale_min", map.scale.min_scale).add("scale_max", map.scale.max_scale);

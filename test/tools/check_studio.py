@@ -82,12 +82,12 @@ class Studio:
         return path
 
 
-def check_same(found, wanted, what):
+def check_same(found, wanted, what, tolerance=1e-9):
     """The numbers of both reports, but those that measure rounding."""
     numbers = dict(leaves(wanted["result"], ""))
     for place, value in leaves(found["result"], ""):
-        if not place.endswith(("residual", "iterations", "solves", "dirac_residual")):
-            require(math.isclose(value, numbers[place], rel_tol=1e-9, abs_tol=1e-9),
+        if not place.endswith(("residual", "iterations", "factorizations", "solves")):
+            require(math.isclose(value, numbers[place], rel_tol=tolerance, abs_tol=tolerance),
                     f"{what}: {place} is {value}, not {numbers[place]}")
     require(found["verified"] is wanted["verified"], f"{what}: verified differs")
 
@@ -197,7 +197,8 @@ def check_pulls(studio, conformal):
     require(command[:2] == ["conformal", "deform"], f"the command is {command}")
     require(studio.page.value("document.querySelectorAll('#pins i').length") == 8, "not all pins are shown")
     path = studio.saved("#save-rho", "bumpy_targets.json")
-    check_same(pulled, program(conformal, command[1:], studio.folder), "a pulled point")
+    # A search that ends where targets are met to 1e-9, after as many steps as rounding decides.
+    check_same(pulled, program(conformal, command[1:], studio.folder), "a pulled point", 1e-5)
     found = points(studio.saved("#save-obj", "bumpy_edited.obj"))
     before = points(studio.saved("#save-before", "bumpy.obj"))
     targets = json.loads(path.read_text())["targets"]
