@@ -37,30 +37,28 @@ def write_ply(path, V, F):
         np.savetxt(file, np.column_stack([np.full(len(F), 3), F]), fmt="%d")
 
 
-def draw(path, surfaces, F, rho):
-    """The surfaces side by side, coloured by rho: red where the curvature is to grow."""
-    import matplotlib
-    matplotlib.use("Agg")
+def picture(surfaces, F, values, zoom=1.4):
+    """A figure with the surfaces side by side, coloured by values per vertex: red where positive."""
     from matplotlib import cm, colors, pyplot
 
     figure = pyplot.figure(figsize=(5 * len(surfaces), 4))
-    tones = cm.coolwarm(colors.Normalize(-np.abs(rho).max(), np.abs(rho).max())(rho[F].mean(axis=1)))
+    bound = np.abs(values).max()
+    tones = cm.coolwarm(colors.Normalize(-bound, bound)(values[F].mean(axis=1)))
     for k, V in enumerate(surfaces):
         axes = figure.add_subplot(1, len(surfaces), k + 1, projection="3d", proj_type="ortho")
         normals = np.cross(V[F[:, 1]] - V[F[:, 0]], V[F[:, 2]] - V[F[:, 0]])
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
         light = .35 + .65 * np.clip(normals @ np.array([.3, -.5, .81]), 0, 1)
         mesh = axes.plot_trisurf(*V.T, triangles=F, linewidth=0, antialiased=False)
-        mesh.set_facecolors(np.clip(tones * np.append(np.ones(3), 1) * np.column_stack(
-            [light, light, light, np.ones(len(F))]), 0, 1))
-        axes.set_box_aspect(np.ptp(V, axis=0), zoom=1.5)
+        mesh.set_facecolors(tones * np.column_stack([light, light, light, np.ones(len(F))]))
+        axes.set_box_aspect(np.maximum(np.ptp(V, axis=0), 1e-3), zoom=zoom)
         axes.view_init(45, -60)
         axes.set_axis_off()
     figure.subplots_adjust(0, 0, 1, 1, 0, 0)
-    figure.savefig(path, dpi=100)
+    return figure
 
 
-def main(output="first_picture.ply", picture=None):
+def main(output="first_picture.ply", picture_file=None):
     V, F, angle = ring(180, 36)
     rho = 1.2 * np.sin(9 * angle)                         # the change of mean curvature, in 1/length
     result = cg.spin_transform(V, F, rho, max_scale=2)    # lengths change by a factor of 2 at most
@@ -68,8 +66,8 @@ def main(output="first_picture.ply", picture=None):
     if not result:
         sys.exit(result.report.fault)
     write_ply(output, result.positions, F)
-    if picture:
-        draw(picture, [V, result.positions], F, rho)
+    if picture_file:
+        picture([V, result.positions], F, rho).savefig(picture_file, dpi=100)
 
 
 if __name__ == "__main__":

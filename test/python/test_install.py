@@ -1,15 +1,21 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""What `cmake --install` puts below a prefix, and the Debian package, can be imported from there."""
+"""What `cmake --install` puts below a prefix, and the Debian package, can be imported from there; what
+`pip install` asks of CMake are options of this build, and the version is where it looks for it."""
 
 import os
+import pathlib
+import re
 import shutil
 import subprocess
 import sys
 
 import pytest
 
+import conformal_geometry as cg
+
 BUILD = os.environ.get("CGP_BUILD_FOLDER")
+PROJECT = pathlib.Path(__file__).parents[2] / "examples/python/pyproject.toml"
 
 
 def imported_from(folder, working_directory):
@@ -40,3 +46,16 @@ def test_the_packaged_module(tmp_path):
         subprocess.run(["dpkg-deb", "--extract", package, tmp_path / "root"], check=True)
     folder = tmp_path / "root/usr/lib/python3/dist-packages"
     assert imported_from(folder, tmp_path).startswith(str(folder))
+
+
+@pytest.mark.skipif(not BUILD, reason="no build folder")
+def test_what_pip_asks_of_cmake():
+    tomllib = pytest.importorskip("tomllib")
+    asked = tomllib.loads(PROJECT.read_text(encoding="utf-8"))["tool"]["scikit-build"]
+    folder = PROJECT.parent
+    cached = re.findall(r"(?m)^(\w+):", pathlib.Path(BUILD, "CMakeCache.txt").read_text("utf-8"))
+    assert set(asked["cmake"]["define"]) <= {*cached, "BUILD_SHARED_LIBS"}
+    assert (folder / asked["cmake"]["source-dir"] / "CMakeLists.txt").exists()
+    version = asked["metadata"]["version"]
+    found = re.search(version["regex"], (folder / version["input"]).read_text(encoding="utf-8"))
+    assert found["value"] == cg.__version__
