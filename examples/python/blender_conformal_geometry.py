@@ -59,18 +59,23 @@ class Edit:
     def poll(cls, context):
         return context.object is not None and context.object.type == "MESH"
 
+    def refuse(self, reason):
+        self.report({"ERROR"}, reason)
+        return {"CANCELLED"}
+
     def execute(self, context):
         mesh = context.object.data
-        triangulate(mesh)
-        V, F = arrays(mesh)
+        triangles = mesh.copy()  # for the mesh changes only if all is well
         try:
-            result = self.compute(context.object, V, F)
+            triangulate(triangles)
+            result = self.compute(context.object, *arrays(triangles))
         except cg.Error as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+            return self.refuse(str(error))
+        finally:
+            bpy.data.meshes.remove(triangles)
         if not result:
-            self.report({"ERROR"}, result.report.fault)
-            return {"CANCELLED"}
+            return self.refuse(result.report.fault)
+        triangulate(mesh)
         write(mesh, result.positions)
         Q = result.report.conformality.quasi_conformal.mean
         self.report({"INFO"}, f"mean quasi-conformal error {Q:.3f}, 1 is conformal")

@@ -1,9 +1,12 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The example runs; so does the add-on for Blender, with as much of Blender as it asks for."""
+"""The examples run; so does the add-on for Blender: in Blender where it is installed, and with as
+much of Blender as it asks for."""
 
 import importlib.util
+import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import types
@@ -64,6 +67,7 @@ def blender_object(V, F, weights):
     mesh = types.SimpleNamespace(
         vertices=Rows([types.SimpleNamespace(co=v, groups=g) for v, g in zip(V, groups)]),
         polygons=Rows([types.SimpleNamespace(vertices=f) for f in F]), update=lambda: None)
+    mesh.copy = lambda: mesh
     return types.SimpleNamespace(type="MESH", data=mesh,
                                  vertex_groups=types.SimpleNamespace(active_index=0))
 
@@ -73,6 +77,7 @@ def addon(monkeypatch):
     bpy, bmesh = types.ModuleType("bpy"), types.ModuleType("bmesh")
     menu = types.SimpleNamespace(append=lambda draw: None, remove=lambda draw: None)
     bpy.types = types.SimpleNamespace(Operator=object, Menu=object, VIEW3D_MT_object=menu)
+    bpy.data = types.SimpleNamespace(meshes=types.SimpleNamespace(remove=lambda mesh: None))
     bpy.props = types.SimpleNamespace(FloatProperty=dict, IntProperty=dict)
     bpy.utils = types.SimpleNamespace(register_class=lambda cls: None,
                                       unregister_class=lambda cls: None)
@@ -115,3 +120,15 @@ def test_the_addon_tells_what_is_wrong(addon):
     thing = blender_object(np.vstack([V, [9, 9, 9]]), F, np.zeros(len(V) + 1))
     answer, told = execute(addon.CONFORMAL_OT_flow(), thing, steps=2)
     assert answer == {"CANCELLED"} and "vertex 42" in told[0]
+
+
+@pytest.mark.skipif(not shutil.which("blender"), reason="no Blender")
+def test_the_addon_in_blender():
+    """Debian's Blender, whose Python is that of the system."""
+    environment = {**os.environ, "PYTHONPATH": str(pathlib.Path(cg.__file__).parents[1])}
+    told = subprocess.run(
+        ["blender", "--background", "--factory-startup", "--python-use-system-env",
+         "--python-exit-code", "1", "--python", pathlib.Path(__file__).with_name("in_blender.py"),
+         "--", EXAMPLES / "blender_conformal_geometry.py"],
+        env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    assert told.returncode == 0 and "the add-on works" in told.stdout, told.stdout
