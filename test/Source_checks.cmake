@@ -23,9 +23,10 @@ else()
   set(headers_alone_arguments ${licences_arguments})
   set(hostile_macros_arguments ${all_at_once_arguments})
   set(two_units_arguments ${all_at_once_arguments})
+  set(cgal_package_arguments ${CMAKE_CXX_COMPILER})
   foreach(what headers_alone hostile_macros two_units layers licences mirrored_tests format lengths
                heads performance thesis_map manual manual_tasks public_types
-               reference)
+               reference cgal_package)
     add_test(NAME sources.${what} COMMAND ${Python3_EXECUTABLE}
              ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_${what}.py ${${what}_arguments})
   endforeach()
