@@ -3,11 +3,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
+#include <Conformal_geometry_processing/operators/exterior_derivative.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/curvature_of_displacement.h>
 
 #include "spin/boundary_tools.h"
+#include "support/scans.h"
 #include "support/spheres.h"
 
 /// The tabled numbers come from an implementation of the same formulas that shares no code with
@@ -64,45 +67,30 @@ Recovery recovered(int n, const Boundary_condition& condition, double height = 0
   return {h.dot(z) / h.squaredNorm(), z.maxCoeff() / h.maxCoeff()};
 }
 
-struct Row {
-  int n;
-  double height, peak, free_height;
-};
-const Row table[] = {
-    {16, 0.9621, 0.9273, 0.9358}, {32, 0.9905, 0.9809, 0.9836}, {64, 0.9979, 0.9955, 0.9961}};
-
-/// The error agrees with the table, to 6 % and to its digits
-void expect_recovered(double found, double tabled)
-{
-  EXPECT_NEAR(found, tabled, 0.06 * (1 - tabled) + 1e-4);
-}
-
 }  // namespace
 
-TEST(Curvature_of_displacement, brings_the_displacement_up_between_fixed_tangents_as_tabled)
+// Between fixed directions the error falls with the fourth power of the edges; what the formula
+// takes for a linear height at a free boundary leaves one of second order.
+TEST(Curvature_of_displacement, brings_the_displacement_up_on_coarse_disks)
 {
-  for (const Row& row : table) {
-    const Recovery found = recovered(row.n, Boundary_condition::tangents());
-    expect_recovered(found.height, row.height);
-    expect_recovered(found.peak, row.peak);
+  for (const Boundary_condition& condition :
+       {Boundary_condition::tangents(), Boundary_condition::binormals()}) {
+    const Recovery coarse = recovered(16, condition), fine = recovered(32, condition);
+    EXPECT_NEAR(coarse.height, 1, .01);
+    EXPECT_NEAR(fine.height, 1, .001);
+    EXPECT_NEAR(coarse.peak, 1, .02);
+    EXPECT_NEAR(fine.peak, 1, .002);
   }
+  std::vector<double> errors;
+  for (const int n : {16, 32, 64})
+    errors.push_back(1 - recovered(n, Boundary_condition::free()).height);
+  expect_order(2, errors);
+  EXPECT_LT(errors.front(), .04);
 }
 
-TEST(Curvature_of_displacement, brings_it_up_between_fixed_binormals_just_as_well)
+TEST(Curvature_of_displacement, brings_higher_bumps_up_a_little_more)
 {
-  for (const Row& row : table)
-    expect_recovered(recovered(row.n, Boundary_condition::binormals()).height, row.height);
-}
-
-TEST(Curvature_of_displacement, brings_it_up_with_a_free_boundary_as_tabled)
-{
-  for (const Row& row : table)
-    expect_recovered(recovered(row.n, Boundary_condition::free()).height, row.free_height);
-}
-
-TEST(Curvature_of_displacement, brings_higher_bumps_up_a_little_more_as_tabled)
-{
-  EXPECT_NEAR(recovered(64, Boundary_condition::free(), 0.1).height, 1.045, 2e-3);
+  EXPECT_NEAR(recovered(64, Boundary_condition::free(), 0.1).height, 1.045, 3e-3);
 }
 
 TEST(Curvature_of_displacement, keeps_the_angles_that_a_displacement_spoils_as_tabled)
@@ -122,7 +110,7 @@ TEST(Curvature_of_displacement, keeps_the_angles_that_a_displacement_spoils_as_t
     EXPECT_NEAR(r.report.conformality.quasi_conformal.max - 1, bumped.Q_max - 1,
                 0.05 * bumped.Q_max - 0.05);
     EXPECT_NEAR(heights(mesh, r.positions).maxCoeff() / rim(mesh, r.positions), bumped.result,
-                2e-4);
+                .006 * bumped.result);
     Points offset = mesh.positions();
     offset.row(2) += h.transpose();
     const CGP::internal::Distribution Q = CGP::quasi_conformal_error(mesh, offset);
@@ -131,18 +119,38 @@ TEST(Curvature_of_displacement, keeps_the_angles_that_a_displacement_spoils_as_t
   }
 }
 
-/// \brief how much of a bump on the side of a spheroid about x a spin transformation brings up.
-/// \param length of half its axis; its radius is 1
-/// \param s standard deviation of the bump, which is .1 s high
-double recovered_on_a_limb(int level, double length, double s)
+/// the normals at the vertices
+Points normals(const Mesh_view& mesh)
 {
-  const Mesh_view mesh = mapped(icosphere(level), [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
-    return {length * p.x(), p.y(), p.z()};
-  });
+  Points sum = Points::Zero(3, mesh.size_of_vertices());
+  for (int f = 0; f < mesh.size_of_faces(); ++f)
+    for (const int v : mesh.corners(f)) sum.col(v) += mesh.double_area_vector(f);
+  return sum.colwise().normalized();
+}
+
+/// \brief a motion of the vertices along the normals, without that of a rigid body which moves the
+/// vertices of these weights like h.
+Eigen::VectorXd heights_over(const Eigen::VectorXd& surroundings, const Mesh_view& mesh,
+                             const Points& motion, const Eigen::VectorXd& h)
+{
+  const Points n = normals(mesh);
+  Eigen::MatrixXd rigid(mesh.size_of_vertices(), 6);
+  for (int v = 0; v < rigid.rows(); ++v)
+    rigid.row(v) << n.col(v).transpose(),
+        mesh.position(v).cross(Eigen::Vector3d(n.col(v))).transpose();
+  const Eigen::VectorXd z = n.cwiseProduct(motion).colwise().sum().transpose();
+  const Eigen::MatrixXd weighted = rigid.transpose() * surroundings.asDiagonal();
+  return z - rigid * (weighted * rigid).ldlt().solve(weighted * (z - h));
+}
+
+/// \brief how much of a bump comes up over what is around it.
+/// \param s standard deviation of the bump, which is .1 s high
+double recovered_at(const Mesh_view& mesh, const Eigen::Vector3d& top, double s)
+{
   Eigen::VectorXd h(mesh.size_of_vertices()), ring = CGP::vertex_areas(mesh);
   for (int v = 0; v < h.size(); ++v) {
-    const double d = (mesh.position(v) - Eigen::Vector3d(0, 0, 1)).norm();
-    h[v] = mesh.position(v).z() > 0 ? .1 * s * std::exp(-d * d / (2 * s * s)) : 0;
+    const double d = (mesh.position(v) - top).norm();
+    h[v] = .1 * s * std::exp(-d * d / (2 * s * s));
     if (!(2.5 * s < d && d < 4 * s)) ring[v] = 0;
   }
   const CGP::Spin_result r =
@@ -150,52 +158,57 @@ double recovered_on_a_limb(int level, double length, double s)
   EXPECT_TRUE(r.report);
   const Points moved =
       CGP::align(r.positions, mesh.positions(), ring).apply(r.positions) - mesh.positions();
-  double found = 0, given = 0;
-  for (int v = 0; v < h.size(); ++v) {
-    const Eigen::Vector3d p = mesh.position(v);
-    const Eigen::Vector3d normal =
-        Eigen::Vector3d(p.x() / (length * length), p.y(), p.z()).normalized();
-    found += h[v] * moved.col(v).dot(normal);
-    given += h[v] * h[v];
-  }
-  return found / given;
+  return h.dot(heights_over(ring, mesh, moved, h)) / h.squaredNorm();
 }
 
-/// the gradient of a function in a face
-Eigen::Vector3d gradient(const Mesh_view& mesh, int f, const Eigen::VectorXd& h)
-{
-  const Eigen::Vector3d normal = mesh.double_area_vector(f);
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int c = 0; c < 3; ++c)
-    sum += h[mesh.corners(f)[at(c)]] * normal.cross(mesh.vector(3 * f + c));
-  return sum / normal.squaredNorm();
-}
-
-// The error is that of the mesh, as on the disk, and on limbs also what is omitted.
+// Edges are up to half of the deviation, and limbs four times as thick as it.
 TEST(Curvature_of_displacement, brings_low_bumps_up_on_spheres_and_on_limbs)
 {
-  for (const double s : {.25, .35})
-    for (const double length : {1., 2., 3.}) {
-      const double coarse = recovered_on_a_limb(4, length, s),
-                   fine = recovered_on_a_limb(5, length, s);
-      EXPECT_NEAR(fine, 1, .05) << s << " " << length;
-      EXPECT_LT(std::abs(fine - 1), .6 * std::abs(coarse - 1)) << s << " " << length;
+  for (const double length : {1., 2., 4.})
+    for (const int level : {4, 5}) {
+      const double s = level == 4 ? .25 : .125;
+      const Mesh_view mesh =
+          mapped(icosphere(level), [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+            return {length * p.x(), p.y(), p.z()};
+          });
+      EXPECT_NEAR(recovered_at(mesh, {0, 0, 1}, s), 1, .05) << length << " " << level;
     }
 }
 
-TEST(Curvature_of_displacement, is_worth_half_the_energy_against_every_linear_function)
+TEST(Curvature_of_displacement, brings_low_bumps_up_all_over_a_scan)
 {
-  const Mesh_view mesh = bumpy_sphere(2);
-  const Eigen::VectorXd h = random_numbers(mesh.size_of_vertices(), 1);
-  const Eigen::VectorXd g = random_numbers(mesh.size_of_vertices(), 2);
-  double energy = 0;
+  const Mesh_view mesh = scan(8000, 0);
+  for (int v = 0; v < mesh.size_of_vertices(); v += 800)
+    EXPECT_NEAR(recovered_at(mesh, mesh.position(v), .1), 1, .05) << v;
+}
+
+/// rho as the equation sees it: the means on faces, averaged around vertices
+Eigen::VectorXd seen(const Mesh_view& mesh, const Eigen::VectorXd& rho)
+{
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(rho.size());
   for (int f = 0; f < mesh.size_of_faces(); ++f)
-    energy +=
-        mesh.double_area_vector(f).norm() / 2 * gradient(mesh, f, h).dot(gradient(mesh, f, g));
-  const auto rho = CGP::curvature_of_displacement(mesh, h);
-  EXPECT_EQ(rho.on, Curvature_potential::On::vertices);
-  EXPECT_NEAR(CGP::vertex_areas(mesh).cwiseProduct(rho.values).dot(g), energy / 2,
-              1e-12 * h.norm() * g.norm());
+    for (const int v : mesh.corners(f))
+      for (const int u : mesh.corners(f))
+        sums[v] += mesh.double_area_vector(f).norm() / 18 * rho[u];
+  return sums.cwiseQuotient(CGP::vertex_areas(mesh));
+}
+
+// On functions of few edges per wave, the plain Laplacian is seen too low by 2 to 20 %.
+TEST(Curvature_of_displacement,
+     is_seen_as_half_the_laplacian_to_the_square_of_what_is_averaged_away)
+{
+  const Mesh_view mesh = bumpy_sphere(3);
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  for (const double wave : {2., 4., 6.}) {
+    const Eigen::VectorXd h = (wave * mesh.positions().row(0)).array().sin().matrix().transpose();
+    const Eigen::VectorXd half =
+        (CGP::codifferential(mesh, CGP::cotan_weights(mesh), CGP::exterior_derivative_0(mesh) * h))
+            .cwiseQuotient(2 * areas);
+    const Eigen::VectorXd lost = half - seen(mesh, half);
+    const Eigen::VectorXd rho = CGP::curvature_of_displacement(mesh, h).values;
+    EXPECT_LT((seen(mesh, rho) - half + lost - seen(mesh, lost)).norm(), 1e-12 * half.norm());
+    EXPECT_LT((seen(mesh, rho) - half).norm(), .5 * lost.norm()) << wave;
+  }
 }
 
 TEST(Curvature_of_displacement, is_half_the_positive_laplacian)

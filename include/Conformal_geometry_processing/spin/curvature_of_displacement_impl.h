@@ -18,6 +18,23 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
+/// M_V^-1 B^T M_F B rho: the means of rho on faces, averaged around vertices
+CGP_INLINE Eigen::VectorXd averaged_over_faces(const Mesh_view& mesh, const Eigen::VectorXd& rho)
+{
+  const Eigen::VectorXd areas = face_areas(mesh);
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(rho.size());
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    double mean = 0;
+    for (const int v : mesh.corners(f)) mean += rho[v] / 3;
+    for (const int v : mesh.corners(f)) sums[v] += areas[f] * mean / 3;
+  }
+  return sums.cwiseQuotient(vertex_areas(mesh));
+}
+
+}  // namespace internal
+
 CGP_INLINE Curvature_potential curvature_of_displacement(const Mesh_view& mesh,
                                                          const Eigen::VectorXd& height)
 {
@@ -29,6 +46,10 @@ CGP_INLINE Curvature_potential curvature_of_displacement(const Mesh_view& mesh,
   const Eigen::VectorXd slope = exterior_derivative_0(mesh) * height;
   const Eigen::VectorXd Lh = codifferential(mesh, cotan_weights(mesh), slope);
   Eigen::VectorXd rho = Lh.cwiseQuotient(2 * vertex_areas(mesh));
+  internal::fill_unknown(mesh, boundary_vertices(mesh), rho);
+  // The equation sees the means of rho on faces only. They are lower than the peaks that a bump of
+  // a few edges has; a step of Richardson's iteration against the averaging makes up for that.
+  rho += rho - internal::averaged_over_faces(mesh, rho);
   internal::fill_unknown(mesh, boundary_vertices(mesh), rho);
   return Curvature_potential::on_vertices(std::move(rho));
 }
