@@ -25,8 +25,9 @@ namespace Conformal_geometry_processing {
 /// The Laplacian is M_V^-1 L. The equation sees the means of rho on faces, so that a bump would
 /// lose 10 % where s is two edges; rho is raised against that by one step of Richardson's
 /// iteration, which leaves the square of what the averaging takes away. At the boundary, where L h
-/// also contains the slope of h, rho is the mean of the interior neighbours. O(|F|). \param height
-/// |V| numbers, in the units of the mesh \throw Precondition_error if their number is wrong
+/// also contains the slope of h, rho is the mean of the interior neighbours. O(|F|).
+/// \param height |V| numbers, in the units of the mesh
+/// \throw Precondition_error if their number is wrong
 Curvature_potential curvature_of_displacement(const Mesh_view& mesh, const Eigen::VectorXd& height);
 
 }  // namespace Conformal_geometry_processing
