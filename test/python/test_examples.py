@@ -6,6 +6,7 @@ much of Blender as it asks for."""
 import importlib.util
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -25,6 +26,35 @@ def test_the_first_picture(tmp_path):
     subprocess.run([sys.executable, EXAMPLES / "first_picture.py", output], check=True,
                    stdout=subprocess.DEVNULL)
     assert output.read_text().startswith("ply\nformat ascii 1.0\nelement vertex 6480\n")
+
+
+def programs_of_the_page():
+    page = (EXAMPLES.parents[1] / "doc/python.md").read_text(encoding="utf-8")
+    return re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+
+
+def test_the_program_of_the_page(tmp_path, monkeypatch):
+    meshio = pytest.importorskip("meshio")
+    V, F = icosphere(3)
+    monkeypatch.chdir(tmp_path)
+    meshio.write_points_cells("bear.off", V, [("triangle", F)])
+    found = {}
+    exec(programs_of_the_page()[0], found)
+    written = meshio.read("bear_spin.ply")
+    assert np.allclose(written.points, found["result"].positions)
+    assert np.array_equal(written.cells_dict["triangle"], F)
+    assert np.abs(written.points - V).max() > .1
+
+
+def test_the_page_reads_corners_with_texture_coordinates_and_normals(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    pathlib.Path("mesh.obj").write_text(
+        "# two\nv 0 0 0\nv 1 0 0\nv 0 1 .5\nv 1 1 0\nvt 0 0\nvt 1 0\nvn 0 0 1\n"
+        "f 1/1/1 2/2/1 3/1/1\nf 3//1 2//1 4//1\n", encoding="ascii")
+    found = {"np": np}
+    exec(programs_of_the_page()[1], found)
+    assert np.array_equal(found["V"], [[0, 0, 0], [1, 0, 0], [0, 1, .5], [1, 1, 0]])
+    assert np.array_equal(found["F"], [[0, 1, 2], [2, 1, 3]])
 
 
 def test_gradients_fit_a_target():
