@@ -9,7 +9,7 @@ namespace conformal {
 namespace {
 
 // OBJ colours are in 0..1.
-void append_color(std::string& text, const Property& color, std::size_t v)
+void append_unit_color(std::string& text, const Property& color, std::size_t v)
 {
   text += ' ';
   if (is_integer(color.type()))
@@ -24,7 +24,7 @@ void append_vertices(std::string& text, const Surface_file& file)
   for (std::size_t v = 0; v < file.points.size(); ++v) {
     text += 'v';
     for (const double x : file.points[v]) append_word(text, x);
-    for (const Property* color : colors) append_color(text, *color, v);
+    for (const Property* color : colors) append_unit_color(text, *color, v);
     text += '\n';
   }
 }

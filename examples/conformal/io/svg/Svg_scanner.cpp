@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Svg_scanner.h"
 
+#include "conformal/io/file/checked_bytes.h"
 #include "conformal/io/file/io_errors.h"
 #include "conformal/io/file/numbers.h"
 
@@ -11,11 +12,6 @@ namespace conformal {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
-
-bool starts_with(std::string_view text, std::string_view prefix)
-{
-  return text.substr(0, prefix.size()) == prefix;
-}
 
 std::string_view without_namespace(std::string_view name)
 {

@@ -13,7 +13,7 @@
 namespace conformal {
 namespace {
 
-using Point = Eigen::Vector2d;
+using Point_2 = Eigen::Vector2d;
 
 bool is_letter(char c)
 {
@@ -62,7 +62,7 @@ class Words {
     return command() == '1';
   }
 
-  Point point()
+  Point_2 point()
   {
     const double x = number();
     return {x, number()};
@@ -92,8 +92,8 @@ class Path {
 
  private:
   bool is_relative() const { return std::islower(static_cast<unsigned char>(m_command)) != 0; }
-  Point origin() const { return is_relative() ? m_at : Point(0, 0); }
-  Point next_point() { return origin() + m_words.point(); }
+  Point_2 origin() const { return is_relative() ? m_at : Point_2(0, 0); }
+  Point_2 next_point() { return origin() + m_words.point(); }
 
   void draw()
   {
@@ -134,7 +134,7 @@ class Path {
 
   void move()
   {
-    const Point to = next_point();
+    const Point_2 to = next_point();
     finish(false);
     m_has_start = true;
     m_start = m_at = m_control = to;
@@ -143,7 +143,7 @@ class Path {
     m_is_cubic = m_is_quadratic = false;
   }
 
-  void line(const Point& to)
+  void line(const Point_2& to)
   {
     m_points.push_back(to);
     m_at = m_control = to;
@@ -152,8 +152,8 @@ class Path {
 
   void cubic(bool is_smooth)
   {
-    const Point a = !is_smooth ? next_point() : m_is_cubic ? Point(2 * m_at - m_control) : m_at;
-    const Point b = next_point(), to = next_point();
+    const Point_2 a = !is_smooth ? next_point() : m_is_cubic ? Point_2(2 * m_at - m_control) : m_at;
+    const Point_2 b = next_point(), to = next_point();
     sample(a, b, to);
     m_control = b;
     m_is_cubic = true;
@@ -162,8 +162,10 @@ class Path {
 
   void quadratic(bool is_smooth)
   {
-    const Point c = !is_smooth ? next_point() : m_is_quadratic ? Point(2 * m_at - m_control) : m_at;
-    const Point to = next_point();
+    const Point_2 c = !is_smooth       ? next_point()
+                      : m_is_quadratic ? Point_2(2 * m_at - m_control)
+                                       : m_at;
+    const Point_2 to = next_point();
     sample((m_at + 2 * c) / 3, (to + 2 * c) / 3, to);
     m_control = c;
     m_is_cubic = false;
@@ -179,12 +181,12 @@ class Path {
     arc.is_large = m_words.flag();
     arc.sweeps = m_words.flag();
     arc.to = next_point();
-    for (const Point& p : conformal::sample(arc, m_samples)) line(p);
+    for (const Point_2& p : conformal::sample(arc, m_samples)) line(p);
   }
 
-  void sample(const Point& a, const Point& b, const Point& to)
+  void sample(const Point_2& a, const Point_2& b, const Point_2& to)
   {
-    const Point from = m_at;
+    const Point_2 from = m_at;
     for (int i = 1; i < m_samples; ++i) {
       const double t = static_cast<double>(i) / m_samples, s = 1 - t;
       m_points.emplace_back(s * s * s * from + 3 * s * s * t * a + 3 * s * t * t * b +
@@ -208,16 +210,16 @@ class Path {
   const Svg_fault& m_fault;
   char m_command = 0;
   bool m_has_start = false, m_is_cubic = false, m_is_quadratic = false;
-  Point m_start{0, 0}, m_at{0, 0}, m_control{0, 0};
-  std::vector<Point> m_points;
+  Point_2 m_start{0, 0}, m_at{0, 0}, m_control{0, 0};
+  std::vector<Point_2> m_points;
   std::vector<Plane_curve> m_parts;
 };
 
 }  // namespace
 
-std::vector<Point> parse_svg_points(std::string_view text, const Svg_fault& fault)
+std::vector<Point_2> parse_svg_points(std::string_view text, const Svg_fault& fault)
 {
-  std::vector<Point> points;
+  std::vector<Point_2> points;
   for (Words words(text, fault); !words.at_end();) points.push_back(words.point());
   return points;
 }
