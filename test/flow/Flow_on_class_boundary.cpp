@@ -85,6 +85,18 @@ TEST(Flow_on_class_with_boundary, keeps_the_first_tangents_and_binormals)
     }
 }
 
+TEST(Flow_on_class_with_boundary, tells_how_far_directions_are_from_the_first)
+{
+  for (const Boundary_condition& condition :
+       {Boundary_condition::tangents(), Boundary_condition::binormals()})
+    for (const int steps : {1, 4, 20}) {
+      const Flown run(bumpy_annulus(5), condition, true, steps);
+      const CGP::Spin_report& last = run.report.steps.back().spin;
+      EXPECT_NEAR(last.direction_error.mean * 180 / pi, run.drift(condition), .01);
+      EXPECT_GE(last.direction_error.max, last.direction_error.mean);
+    }
+}
+
 TEST(Flow_on_class_with_boundary, comes_nearer_to_minimal_surfaces)
 {
   for (const Mesh_view& mesh : {bumpy_cap(12), bumpy_annulus(8)})

@@ -185,6 +185,10 @@ class Conformal_willmore_flow {
   /// Accepts a step of which only the smoothing succeeded; the flow goes on if that was enough.
   void settle_for_fairing(Flow_step_report& report);
 
+  /// Tells how far the boundary of the present surface, which is in the class, is from the
+  /// directions that are kept or prescribed.
+  void judge_boundary(Spin_report& report) const;
+
   /// Returns to the surface before an incomplete step.
   void restore(const Points& before, double energy);
 
@@ -214,12 +218,12 @@ class Conformal_willmore_flow {
   /// upper bound of the increase of energy by a step: zero, unless the boundary still has to turn
   double forbidden_rise() const;
 
-  /// angle between the boundary and the first or the prescribed directions, in radians
-  double direction_error() const;
+  /// angles between the boundary and the first or the prescribed directions
+  Spin_report::Direction_error direction_error() const;
   /// what is left of it to be turned
   double turning_angle() const
   {
-    return m_options.boundary.targets.cols() > 0 ? direction_error() : 0;
+    return m_options.boundary.targets.cols() > 0 ? direction_error().mean : 0;
   }
   bool is_turning() const { return turning_angle() > 0.01; }
 

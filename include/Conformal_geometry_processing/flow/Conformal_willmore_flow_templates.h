@@ -189,14 +189,15 @@ double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::forb
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::direction_error() const
+Spin_report::Direction_error
+Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::direction_error() const
 {
   const auto* const directions = m_transformation.system().directions();
-  if (!directions) return 0;
+  if (!directions) return {};
   const Points& in_frame = m_transformation.domain().mesh().positions();
-  return m_transformation.domain()
-      .direction_errors(*directions, in_frame, directions->targets())
-      .mean();
+  const Eigen::VectorXd errors =
+      m_transformation.domain().direction_errors(*directions, in_frame, directions->targets());
+  return {errors.mean(), errors.maxCoeff()};
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
@@ -220,7 +221,8 @@ template <class SolverTraits, class EigensolverTraits, class Direction>
 bool Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::is_within_error(
     double rise) const
 {
-  return is_small(rise, 1) || rise < direction_error() * (std::max)(m_energy, 4 * internal::pi);
+  return is_small(rise, 1) ||
+         rise < direction_error().mean * (std::max)(m_energy, 4 * internal::pi);
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
@@ -253,6 +255,7 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::accept
   report.accepted = true;
   report.energy = m_energy;
   report.message.clear();
+  if (m_class) judge_boundary(report.spin);
   m_time_step.grow();
   const double change = report.energy - report.energy_before;
   if (internal::Has_energy<Direction>::value && is_small(change, fairs() ? 1 : report.time_step))

@@ -85,7 +85,19 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::settle
   report.energy = m_energy;
   report.time_step = 0;
   report.spin = {};
+  judge_boundary(report.spin);
   ++m_steps;
+}
+
+// That a step has not realised its rho is no fault of a surface that is in the class and has the
+// directions.
+template <class SolverTraits, class EigensolverTraits, class Direction>
+void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::judge_boundary(
+    Spin_report& report) const
+{
+  report.direction_error = direction_error();
+  const bool is_of_rho = report.boundary_fault == Spin_report::Boundary_fault::not_realizable;
+  if (is_of_rho && !is_turning()) report.boundary_fault = Spin_report::Boundary_fault::none;
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
