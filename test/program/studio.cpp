@@ -14,6 +14,9 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -110,12 +113,37 @@ TEST(Studio_surface, previews_what_it_will_find)
   const CGP::Mesh_view mesh = cgp_test::bumpy_sphere(3);
   Studio_surface surface(mesh);
   const Eigen::VectorXd rho = bump(mesh, 2);
-  surface.preview(rho / 2, false);
-  surface.preview(rho, true);
+  surface.preview(rho / 2, 0, false);
+  surface.preview(rho, 0, true);
   const CGP::Points preview = surface.positions();
   surface.transform(rho, 0);
   const double moved = (surface.positions() - mesh.positions()).norm();
   EXPECT_LT((surface.positions() - preview).norm(), .02 * moved);
+}
+
+/// the logarithm of the largest change of lengths in the last result of a surface
+double log_range(const Studio_surface& surface)
+{
+  const auto scale = nlohmann::json::parse(to_json(surface.outcome())).at("result").at("scale");
+  return (std::max)(std::log(scale.at("max").get<double>()),
+                    -std::log(scale.at("min").get<double>()));
+}
+
+TEST(Studio_surface, previews_within_the_bound_on_sizes)
+{
+  const CGP::Mesh_view mesh = cgp_test::bumpy_sphere(3);
+  Studio_surface surface(mesh);
+  const Eigen::VectorXd rho = bump(mesh, 6);
+  const double bound = 1.5;
+  surface.preview(rho, 0, false);
+  const CGP::Points plain = surface.positions();
+  for (const double share : {.3, .6, 1.}) {
+    surface.preview(share * rho, bound, share > .3);
+    EXPECT_LT(log_range(surface), 1.15 * std::log(bound)) << share;
+  }
+  const CGP::Points preview = surface.positions();
+  surface.transform(rho, bound);
+  EXPECT_LT((surface.positions() - preview).norm(), .4 * (surface.positions() - plain).norm());
 }
 
 TEST(Studio_surface, refuses_in_words_what_is_not_conformal)
@@ -141,6 +169,26 @@ TEST(Studio_surface, flows_step_by_step)
   surface.flow();
   EXPECT_NE(first, surface.positions());
   EXPECT_TRUE(surface.outcome().verdict->is_verified());
+}
+
+TEST(Studio_surface, stays_verified_where_the_flow_has_settled)
+{
+  const CGP::Mesh_view mesh = cgp_test::bumpy_sphere(2);
+  Studio_surface surface(mesh);
+  const auto result = [&] {
+    return nlohmann::json::parse(to_json(surface.outcome())).at("result");
+  };
+  surface.flow();
+  const double initial = result().at("energy").at("initial");
+  EXPECT_FALSE(result().at("converged"));
+  for (int step = 1; step < 30 && !result().at("converged"); ++step) surface.flow();
+  for (int again = 0; again < 2; ++again) {
+    EXPECT_TRUE(result().at("converged"));
+    EXPECT_TRUE(surface.outcome().verdict->is_verified()) << surface.outcome().verdict->fault;
+    EXPECT_EQ(result().at("energy").at("initial"), initial);
+    EXPECT_NEAR(result().at("energy").at("final").get<double>(), 16 * std::atan(1), .3);
+    surface.flow();
+  }
 }
 
 TEST(Built_in_shapes, are_surfaces_of_each_kind)

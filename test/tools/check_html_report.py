@@ -153,6 +153,22 @@ def check_drawing(name, picture, is_wanted):
     require(views[0] != views[1], f"{name}: before and after look the same")
 
 
+def is_marked(r, g, b):
+    """Whether a colour is that of what has collapsed."""
+    return r > 2 * g + 40 and b > 2 * g + 40
+
+
+def check_collapse(browser, conformal, source):
+    """What has collapsed is marked on the surface before, where it can be seen, and told."""
+    page = source.with_name("collapse.html")
+    subprocess.run([conformal, "spin", "--force", "-q", source, "--rho-expression", "60*sin(9*x)", "--max-scale",
+                    "none", "-o", source.with_name("c.ply"), "--html", page], check=False)
+    before, _ = halves(browser.screenshot(page, "#scale"))
+    count = sum(is_marked(*pixel) for row in before for pixel in row)
+    require(count > 150, f"only {count} pixels show what has collapsed")
+    require("</b>below a tenth" in browser.document(page)[0], "nothing is said of what has collapsed")
+
+
 def main():
     conformal, chromium = sys.argv[1:3]
     with tempfile.TemporaryDirectory() as temporary:
@@ -176,6 +192,7 @@ def main():
         check_shapes(found, wanted)
         check_drawing("squares", browser.screenshot(page, "#squares"), lambda r, g, b: b > 1.3 * r)
         check_drawing("quality", browser.screenshot(page, "#quality"), lambda r, g, b: r > 1.3 * b)
+        check_collapse(browser, conformal, source)
 
 
 if __name__ == "__main__":

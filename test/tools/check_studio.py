@@ -14,72 +14,14 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-import time
 
 from check_example import write_off
-from check_html_report import bumpy_sphere, leaves, require
+from check_html_report import bumpy_sphere, is_marked, leaves, require
 from devtools import browser
 from headless_page import read_png
+from studio_page import Studio
 
 CONTROL, MANY_STROKES = 2, 200
-
-
-class Studio:
-    """The page, and what a person does with it."""
-
-    def __init__(self, page, folder):
-        self.page, self.folder = page, folder
-        page.call("Page.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
-
-    def open(self, path, width=1300, height=850, touch=False):
-        self.page.open(path.as_uri(), width, height, touch)
-        self.settle()
-
-    def settle(self):
-        self.page.wait("['exact', 'failed'].includes(document.body?.dataset.state)")
-
-    def click(self, name):
-        """On an element, by its id or selector; waits for what comes of it."""
-        place = self.page.value("(() => { const r = document.querySelector(%s).getBoundingClientRect();"
-                                "return [r.x + r.width / 2, r.y + r.height / 2] })()" % json.dumps(name))
-        self.page.drag([place])
-        self.settle()
-
-    def set(self, name, value, event):
-        self.page.value(f"(() => {{ const input = document.querySelector('{name}'); input.value = '{value}';"
-                        f" input.dispatchEvent(new Event('{event}', {{bubbles: true, cancelable: true}})) }})()")
-        self.settle()
-
-    def place(self, right, down):
-        """A place of the canvas in shares of its width and height."""
-        return self.page.value("(() => { const r = document.querySelector('canvas').getBoundingClientRect();"
-                               f"return [r.x + {right} * r.width, r.y + {down} * r.height] }})()")
-
-    def stroke(self, side):
-        x, y = self.place(.25 + .5 * side, .5)
-        self.page.drag([(x - 40 + 10 * i, y + 3 * i) for i in range(9)])
-        self.settle()
-
-    def words(self, name):
-        return self.page.value(f"document.querySelector('{name}').textContent")
-
-    def report(self):
-        return json.loads(self.words("#json") or "{}")
-
-    def saved(self, button, name):
-        path = self.folder / name
-        path.unlink(missing_ok=True)
-        self.click(button)
-        for _ in range(200):
-            if path.exists() and path.stat().st_size > 0:
-                return path
-            time.sleep(.05)
-        sys.exit(f"{name} is not saved")
-
-    def picture(self, name):
-        path = self.folder / name
-        self.page.save(path)
-        return path
 
 
 def check_same(found, wanted, what, tolerance=1e-9):
@@ -181,8 +123,26 @@ def check_amount_and_flow(studio, conformal):
             f"the energy after a step is {found}")
     studio.click("#flow")
     require("--steps 2" in studio.words("#command"), "the second step is not in the command")
+    second = studio.report()
     studio.click("#undo")
     require(math.isclose(studio.report()["result"]["energy"]["final"], found), "undo of a step")
+    studio.click("#undo")
+    check_time(studio, second)
+
+
+def check_time(studio, second):
+    """The slider of time leads to what as many single steps lead to, and back."""
+    studio.page.value("document.querySelector('#time').value = 2")
+    studio.page.value("document.querySelector('#time').dispatchEvent(new Event('input', {bubbles: true}))")
+    studio.page.wait("document.body.dataset.state === 'preview'")
+    require(studio.words("#time-value") == "2 steps", f"two steps are called {studio.words('#time-value')}")
+    studio.set("#time", 2, "change")
+    check_same(studio.report(), second, "the slider of time")
+    require("--steps 2" in studio.words("#command"), "the time is not in the command")
+    studio.set("#time", 0, "change")
+    require(studio.report() == {}, "at time 0 something is left of the flow")
+    studio.click("#undo")
+    require(studio.page.value("document.querySelector('#time').value") == "2", "undo does not set the slider")
     studio.click("#undo")
 
 
@@ -216,6 +176,11 @@ def check_pulls(studio, conformal):
     studio.click("[data-tool=bulge]")
 
 
+def marked(picture):
+    """How many pixels show what has collapsed."""
+    return sum(is_marked(*pixel) for row in read_png(picture.read_bytes()) for pixel in row)
+
+
 def check_refusal(studio):
     studio.set("#bound", "none", "change")
     studio.page.value("document.querySelector('#formula').value = '60*sin(9*x)'")
@@ -224,6 +189,10 @@ def check_refusal(studio):
     require("poor" in studio.page.value("document.querySelector('#verdict').className"), "not refused")
     require(len(studio.words("#reason")) > 30, "no reason is told")
     require(studio.page.value("document.querySelector('#save-ply').disabled"), "it can be saved")
+    require("below a tenth" in studio.words("#legend"), "nobody is told what has collapsed")
+    studio.click("[data-mode='2']")
+    require(marked(studio.picture("collapsed.png")) > 150, "what has collapsed is not marked")
+    studio.click("[data-mode='0']")
     studio.click("#clear")
     studio.set("#bound", "2", "change")
 

@@ -8,6 +8,8 @@
 
 #include <Conformal_geometry_processing/measure/distortion.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace conformal {
@@ -28,6 +30,16 @@ Outcome judged(const std::string& command, const Evidence& evidence,
   outcome.command = command;
   outcome.verdict = judge(evidence, limits, "a weaker rho");
   return outcome;
+}
+
+/// how much further than to its bound a preview may change lengths, as a power
+constexpr double tolerated_excess = 1.1;
+
+/// the logarithm of the largest change of a length; never zero
+double log_range(const CGP::Spin_report& report)
+{
+  const auto& scale = report.conformality.scale;
+  return (std::max)({std::log(scale.max_scale), -std::log(scale.min_scale), 1e-9});
 }
 
 }  // namespace
@@ -51,11 +63,20 @@ void Studio_surface::keep(CGP::Spin_result result)
   m_positions = std::move(result.positions);
 }
 
-void Studio_surface::preview(const Eigen::VectorXd& rho, bool continues)
+void Studio_surface::preview(const Eigen::VectorXd& rho, double bound, bool continues)
 {
   if (!m_preview) m_preview.emplace(m_plain);
-  if (!continues) m_preview->restart();
-  keep(m_preview->transform(in_mesh(rho)));
+  if (!continues) {
+    m_preview->restart();
+    m_preview_share = 1;
+  }
+  CGP::Spin_result result = m_preview->transform(in_mesh(m_preview_share * rho));
+  if (bound > 1) {
+    const double excess = log_range(result.report) / std::log(bound);
+    m_preview_share = (std::min)(1., m_preview_share / excess);
+    if (excess > tolerated_excess) result = m_preview->transform(in_mesh(m_preview_share * rho));
+  }
+  keep(std::move(result));
 }
 
 void Studio_surface::transform(const Eigen::VectorXd& rho, double bound)
@@ -92,15 +113,20 @@ void Studio_surface::deform(const std::vector<CGP::internal::Control_point>& poi
 
 void Studio_surface::flow()
 {
-  if (!m_flow) m_flow.emplace(m_mesh, single_steps(), CGP::Willmore_direction(), "studio");
+  if (!m_flow) {
+    m_flow.emplace(m_mesh, single_steps(), CGP::Willmore_direction(), "studio");
+    m_flow_energy = m_flow->energy();
+  }
   const CGP::Flow_report flow = m_flow->run();
   Evidence evidence{m_flow->mesh().positions()};
   evidence.map = flow.conformality;
-  if (flow.steps.empty()) evidence.fault = std::string("no step: ") + CGP::to_string(flow.stop);
+  if (flow.steps.empty() && !flow.converged())
+    evidence.fault = std::string("no step: ") + CGP::to_string(flow.stop);
   m_outcome = judged("flow", evidence);
   m_flow_steps += static_cast<int>(flow.steps.size());
   m_outcome.report.set("result/steps", m_flow_steps);
-  m_outcome.report.set("result/energy/initial", flow.initial_energy);
+  m_outcome.report.set("result/converged", flow.converged());
+  m_outcome.report.set("result/energy/initial", m_flow_energy);
   m_outcome.report.set("result/energy/final", flow.energy);
   m_outcome.report.set("result/stop", CGP::to_string(flow.stop));
   tell_conformality(flow.conformality_of_faces, m_mesh.size_of_faces(), m_outcome.report);

@@ -31,9 +31,13 @@ class Studio_surface {
   /// and of positive areas
   explicit Studio_surface(const CGP::Mesh_view& mesh);
 
-  /// Approximates the surface of a rho, quickly: from the last approximation if `continues`.
+  /// \brief Approximates the surface of a rho, quickly: from the last approximation if `continues`.
+  ///
+  /// Where lengths would change by more than the bound, it is the surface of that multiple of rho
+  /// with which they change about as much: nearer to the one that `transform()` finds.
   /// \param rho of each vertex, in the user's frame
-  void preview(const Eigen::VectorXd& rho, bool continues);
+  /// \param bound as for `transform()`
+  void preview(const Eigen::VectorXd& rho, double bound, bool continues);
 
   /// Computes what `conformal spin --rho-file` does, without the second try on thin faces.
   /// \param bound as `--max-scale`; at most 1: none
@@ -65,10 +69,12 @@ class Studio_surface {
   std::optional<CGP::Spin_transformation<>> m_bounded;
   double m_bound = 0;
   std::optional<CGP::internal::Spin_preview<>> m_preview;
+  double m_preview_share = 1;  // of rho
   std::optional<CGP::internal::Conformal_deformation<>> m_deformation;
   double m_deformation_bound = 0;
   std::optional<CGP::Conformal_willmore_flow<>> m_flow;
   int m_flow_steps = 0;
+  double m_flow_energy = 0;  // before the first of them
   CGP::Points m_positions;
   Outcome m_outcome;
 };

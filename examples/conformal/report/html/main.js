@@ -49,7 +49,7 @@ async function view() {
   const choose = mode => {
     buttons.forEach(button => button.setAttribute('aria-pressed', button.dataset.mode === mode));
     viewer.modes.fill(['squares', 'quality', 'scale', 'rho', 'plain'].indexOf(mode));
-    showLegend(legends[mode]);
+    showLegend(legends[mode], wordsOnCollapse(scales, areasBefore));
     viewer.redraw();
   };
   buttons.forEach(button => button.addEventListener('click', () => choose(button.dataset.mode)));

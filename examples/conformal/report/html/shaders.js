@@ -20,8 +20,8 @@ const vertexShader = `
 const fragmentShader = `
   uniform int mode;
   uniform bool edges;
-  uniform float frequency, highest, widest, deepest;
-  uniform vec3 heat[5], cold[5];
+  uniform float frequency, highest, widest, deepest, lost;
+  uniform vec3 heat[5], cold[5], gone;
   uniform vec4 brush; // place on the first shape and radius; 0: none
   in float vQuality, vScale, vRho, vLevel;
   in vec2 vSquare;
@@ -51,6 +51,7 @@ const fragmentShader = `
   vec3 surface() {
     if (mode == 0) return checkerboard();
     if (mode == 1) return between(heat, (vQuality - 1.0) / (highest - 1.0));
+    if (vScale < lost && mode != 4) return gone;
     if (mode == 2) return between(cold, 0.5 + 0.5 * vScale / widest);
     if (mode == 3) return between(cold, 0.5 + 0.5 * vRho / deepest);
     return vec3(0.80, 0.83, 0.87);

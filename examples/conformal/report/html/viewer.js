@@ -52,6 +52,7 @@ function makeUniforms(THREE, {highest, widest, deepest}) {
   const vectorsOf = stops => stops.map(stop =>
       new THREE.Vector3(...[1, 3, 5].map(k => parseInt(stop.slice(k, k + 2), 16) / 255)));
   return {
+    lost: {value: Math.log2(collapsed.below)}, gone: {value: vectorsOf([collapsed.colour])[0]},
     mode: {value: 0}, edges: {value: false}, frequency: {value: 1}, highest: {value: highest},
     widest: {value: Math.log2(widest)}, deepest: {value: deepest},
     brush: {value: new THREE.Vector4(0, 0, 0, 0)},

@@ -5,16 +5,21 @@
 
 function rowsFor(report, faceCount) {
   const r = report.result ?? {}, rows = [];
-  const add = (name, value, place) => rows.push([name, value, place]);
-  add('Mean Q (1 is perfect)', number(r.quasi_conformal.mean, 5), 'quasi_conformal/mean');
-  add('Q of the worst face', number(r.quasi_conformal.max, 4), 'quasi_conformal/max');
+  const add = (name, value, place, meaning) => rows.push([name, value, place, meaning]);
+  add('Mean Q (1 is perfect)', number(r.quasi_conformal.mean, 5), 'quasi_conformal/mean',
+      'Q of a face: its largest stretch by its smallest; 1 where all angles are kept');
+  add('Q of the worst face', number(r.quasi_conformal.max, 4), 'quasi_conformal/max', 'That of the most distorted face');
   const scales = r.scale_control ?? {low: r.scale.min, high: r.scale.max};
-  add('Lengths', `× ${number(scales.low, 2)} – ${number(scales.high, 3)}`, 'scale');
-  if (r.closure_residual !== undefined) add('Closing error', number(r.closure_residual, 2), 'closure_residual');
-  add('Flipped faces', `${r.flipped_faces} of ${faceCount.toLocaleString('en')}`, 'flipped_faces');
+  add('Lengths', `× ${number(scales.low, 2)} – ${number(scales.high, 3)}`, 'scale', 'How lengths on the surface have changed');
+  if (r.closure_residual !== undefined) add('Closing error', number(r.closure_residual, 2), 'closure_residual',
+      'How much the triangles had to give way to fit together');
+  add('Flipped faces', `${r.flipped_faces} of ${faceCount.toLocaleString('en')}`, 'flipped_faces',
+      'Faces that look into the body');
   const control = r.scale_control;
-  if (control?.weight > 0 && report.command !== 'deform') add('Kept of the paint', `${number(100 * control.kept_norm, 3)} %`, 'kept');
-  if (r.realised_share < .995) add('Kept, with handles closed', `${number(100 * r.realised_share, 3)} %`, 'realised');
+  if (control?.weight > 0 && report.command !== 'deform') add('Kept of the paint', `${number(100 * control.kept_norm, 3)} %`, 'kept',
+      'Sizes are bounded: this much of the paint is possible within the bound');
+  if (r.realised_share < .995) add('Kept, with handles closed', `${number(100 * r.realised_share, 3)} %`, 'realised',
+      'A paint that would tear handles or holes open is replaced by the nearest one that does not');
   return rows;
 }
 
@@ -27,8 +32,9 @@ function verdictOf(report) {
 }
 
 function fillTable(table, rows) {
-  table.replaceChildren(...rows.map(([name, value, place]) => {
+  table.replaceChildren(...rows.map(([name, value, place, meaning]) => {
     const row = document.createElement('tr');
+    row.title = meaning;
     row.insertCell().textContent = name;
     const cell = row.insertCell();
     cell.textContent = value;

@@ -14,6 +14,7 @@ const instructions = {
 
 const brush = {tool: 'bulge', size: .5, strength: 4, symmetric: false};
 const sessions = new Map(), kernels = {quick: new Kernels(), exact: new Kernels()};
+let shownBase = null, shownPins = [], collapse = ''; // words on it
 let session = null, viewer = null, strokes = null, pulls = null;
 
 function press(group, isPressed) {
@@ -31,9 +32,16 @@ function chooseTool(tool) {
 function chooseMode(mode) {
   viewer.modes = [3, mode];
   press('modes', button => Number(button.dataset.mode) === mode);
-  const scale = {1: ['1', heat, '1.1 and more'], 2: ['÷ 3', cold, '× 3'], 3: ['dent', cold, 'bulge']}[mode];
-  showLegend(scale);
+  tellColours();
   viewer.redraw();
+}
+
+const legends = ['squares stay squares: no angle changes', ['1', heat, '1.1 and more'], ['÷ 3', cold, '× 3'],
+                 ['dent', cold, 'bulge'], null];
+
+/** What the colours of the surface mean; what has collapsed is marked where it was painted, too. */
+function tellColours() {
+  showLegend(legends[viewer.modes[1]], collapse);
 }
 
 function showPaint(rho) {
@@ -43,10 +51,11 @@ function showPaint(rho) {
 
 function showPoints(state) {
   const {faces} = session.shape, {base, after, quality} = state, isInPlace = kindOf(state) === 'deform';
-  viewer.change({after, quality, isInPlace, scales: Float32Array.from(scalesOf(areasOf(faces, base), areasOf(faces, after)))});
+  const areas = areasOf(faces, base), scales = Float32Array.from(scalesOf(areas, areasOf(faces, after)));
+  viewer.change({after, quality, isInPlace, scales});
+  collapse = wordsOnCollapse(scales, areas);
+  tellColours();
 }
-
-let shownBase = null, shownPins = [];
 
 /** Puts the pins where their targets are seen. */
 function placePins() {
@@ -76,6 +85,7 @@ function show(state, stage) {
   else tellVerdict(stages[stage]);
   element('json').textContent = stage === 'exact' && state.report ? JSON.stringify(state.report, null, 1) : '';
   showInputs(stage === 'exact');
+  if (stage !== 'preview') showSliders(); // which are under the hand until then
   if (stage === 'exact') viewer.fit();
   document.body.dataset.state = stage;
   if (state.memory) document.body.dataset.memory = state.memory;
@@ -92,19 +102,32 @@ function showInputs(isExact) {
   element('undo').disabled = !history.canUndo;
   element('redo').disabled = !history.canRedo;
   element('clear').disabled = !['spin', 'deform'].includes(kindOf(state));
-  element('amount').disabled = kindOf(state) === 'deform';
-  element('amount').value = state.amplitude;
-  element('amount-value').textContent = number(state.amplitude, 3);
   element('bound').value = state.bound > 1 ? String(state.bound) : 'none';
   element('flow').disabled = !isExact || state.report?.verified === false;
-  element('energy').textContent = state.flowed > 0 && state.report?.result.energy
-      ? `Bending energy ${energyOf(state, 'initial')} → ${energyOf(state, 'final')} times that of a sphere` : '';
+  element('energy').textContent = state.flowed > 0 && state.report?.result.energy ? wordsOnEnergy(state) : '';
   for (const id of ['save-ply', 'save-obj', 'save-glb']) element(id).disabled = !isGood;
   element('save-rho').disabled = element('clear').disabled;
   element('command').textContent = steps.length ? commandsOf(shape, steps) : 'Paint something first.';
 }
 
-const energyOf = (state, when) => number(state.report.result.energy[when] / (4 * Math.PI), 3);
+function showSliders() {
+  const {state} = session;
+  element('amount').disabled = kindOf(state) === 'deform';
+  element('amount').value = state.amplitude;
+  element('amount-value').textContent = number(state.amplitude, 3);
+  element('time').disabled = kindOf(state) !== 'flow' && state.report?.verified === false;
+  element('time').max = Math.max(12, state.flowed);
+  element('time').value = state.flowed;
+  tellTime(state.flowed);
+}
+
+const tellTime = steps => element('time-value').textContent = steps === 1 ? '1 step' : `${steps} steps`;
+
+function wordsOnEnergy({report: {result}}) {
+  const [initial, final] = ['initial', 'final'].map(when => number(result.energy[when] / (4 * Math.PI), 3));
+  const end = result.converged ? ` It has settled after ${result.steps} steps.` : '';
+  return `Bending energy ${initial} → ${final} times that of a sphere.${end}`;
+}
 
 function fail(error) {
   tellVerdict({kind: 'poor', words: 'Refused', reason: error.message});

@@ -10,8 +10,8 @@ class Kernels {
   #worker = null;
   #waiting = new Map();
   #last = 0;
-  #surface = null; // the points that the worker has open, and how far they have flowed
-  #steps = 0;
+  #surface = null; // the points that the worker has open
+  #flowed = [];    // what came of each step of their flow
 
   constructor() {
     this.#start();
@@ -54,13 +54,13 @@ class Kernels {
     this.#surface = null;
     await this.#ask('open', {points, faces});
     this.#surface = points;
-    this.#steps = 0;
+    this.#flowed = [];
   }
 
-  async preview(points, faces, rho, continues) {
+  async preview(points, faces, rho, bound, continues) {
     const isNew = this.#surface !== points;
     await this.#open(points, faces);
-    return this.#ask('preview', {rho, continues: continues && !isNew});
+    return this.#ask('preview', {rho, bound, continues: continues && !isNew});
   }
 
   async transform(points, faces, rho, bound) {
@@ -77,15 +77,15 @@ class Kernels {
                                 continues: continues && !isNew});
   }
 
-  /** The surface after so many steps of the flow. */
-  async flow(points, faces, steps) {
-    if (this.#steps >= steps) this.#surface = null;
+  /** The surface after so many steps of the flow, or where it has converged. Each step on the way is
+      told by `goesOn(answer)`, which returns whether to take more. */
+  async flow(points, faces, steps, goesOn = () => true) {
     await this.#open(points, faces);
-    let answer = null;
-    while (this.#steps < steps) {
-      answer = await this.#ask('flow', {});
-      ++this.#steps;
+    const flowed = this.#flowed, isLast = answer => answer?.report.result.converged || answer?.report.error;
+    while (flowed.length < steps && !isLast(flowed.at(-1))) {
+      flowed.push(await this.#ask('flow', {}));
+      if (!goesOn(flowed.at(-1))) break;
     }
-    return answer;
+    return flowed[Math.min(steps, flowed.length) - 1];
   }
 }

@@ -50,10 +50,18 @@ function listenToPaint() {
     const state = kindOf(session.state) === 'deform' ? session.state : session.ground('spin');
     session.commit({...state, bound: Number(element('bound').value) || 0});
   });
-  listen('flow', 'click', () => {
-    const state = session.ground('flow');
-    session.commit({...state, flowed: state.flowed + 1, report: null});
+}
+
+function listenToFlow() {
+  const flowed = steps => ({...session.ground('flow'), flowed: steps, report: null});
+  const chosen = () => flowed(Number(element('time').value));
+  listen('flow', 'click', () => session.commit(flowed(session.ground('flow').flowed + 1)));
+  listen('time', 'input', () => {
+    tellTime(chosen().flowed);
+    session.hold();
+    session.preview(chosen());
   });
+  listen('time', 'change', () => session.commit(chosen()));
 }
 
 function listenToSaving() {
@@ -119,6 +127,7 @@ async function start() {
   offerShapes();
   listenToBrush();
   listenToPaint();
+  listenToFlow();
   listenToSaving();
   listenToKeys();
   listenToView();

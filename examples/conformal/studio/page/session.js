@@ -69,13 +69,15 @@ class Session {
     const state = this.#wanted, version = this.#version;
     this.#wanted = null;
     this.#isPreviewing = true;
+    const goesOn = ({after, quality, report}) => {
+      if (version !== this.#version) return false;
+      this.#seen = {after, quality, report};
+      this.show({...state, ...this.#seen}, 'preview');
+      return !this.#wanted;
+    };
     try {
-      const {after, quality, report} = await this.#approximate(state);
+      goesOn(await this.#approximate(state, goesOn));
       this.#continues = true;
-      if (version === this.#version) {
-        this.#seen = {after, quality, report};
-        this.show({...state, ...this.#seen}, 'preview');
-      }
     } catch {
       this.#continues = false; // the exact result tells what is wrong
     }
@@ -83,10 +85,12 @@ class Session {
     if (this.#wanted) this.#previewNext();
   }
 
-  #approximate(state) {
-    const {base, targets, bound} = state, {faces} = this.shape, {quick} = this.kernels;
-    return kindOf(state) === 'deform' ? quick.deform(base, faces, targets, bound, this.#continues)
-                                      : quick.preview(base, faces, amounts(state), this.#continues);
+  #approximate(state, goesOn) {
+    const {base, flowed, targets, bound} = state, {faces} = this.shape, {quick} = this.kernels;
+    const continues = this.#continues, kind = kindOf(state);
+    return kind === 'flow' ? quick.flow(base, faces, flowed, goesOn)
+        : kind === 'deform' ? quick.deform(base, faces, targets, bound, continues)
+        : quick.preview(base, faces, amounts(state), bound, continues);
   }
 
   /** Takes an edit over, and computes it. */
@@ -128,7 +132,11 @@ class Session {
     this.#started = performance.now();
     let completed = null;
     try {
-      const {after, quality, report, memory} = await this.#exact(state);
+      const tell = answer => {
+        if (version === this.#version) this.show({...state, ...answer}, 'computing');
+        return true;
+      };
+      const {after, quality, report, memory} = await this.#exact(state, tell);
       completed = this.history.complete(state, {after, quality, report, memory, isDone: true});
     } catch (error) {
       if (version === this.#version) this.fail(error);
@@ -142,9 +150,9 @@ class Session {
     }
   }
 
-  #exact(state) {
+  #exact(state, tell) {
     const {base, flowed, bound, targets} = state, {faces} = this.shape, {exact} = this.kernels;
-    return {flow: () => exact.flow(base, faces, flowed), deform: () => exact.deform(base, faces, targets, bound, false),
+    return {flow: () => exact.flow(base, faces, flowed, tell), deform: () => exact.deform(base, faces, targets, bound, false),
             spin: () => exact.transform(base, faces, amounts(state), bound)}[kindOf(state)]();
   }
 }

@@ -20,8 +20,8 @@ function withArrays(module, arrays, call) {
 }
 
 const edits = {
-  preview: (module, {rho, continues}) =>
-      withArrays(module, [rho], place => module._studio_preview(place, continues)),
+  preview: (module, {rho, bound, continues}) =>
+      withArrays(module, [rho], place => module._studio_preview(place, bound, continues)),
   transform: (module, {rho, bound}) =>
       withArrays(module, [rho], place => module._studio_transform(place, bound)),
   deform: (module, {vertices, targets, bound, continues}) =>

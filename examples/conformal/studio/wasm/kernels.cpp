@@ -66,9 +66,9 @@ STUDIO_EXPORT bool studio_open(const double* positions, int vertices, const int*
   });
 }
 
-STUDIO_EXPORT bool studio_preview(const double* rho, bool continues)
+STUDIO_EXPORT bool studio_preview(const double* rho, double bound, bool continues)
 {
-  return edit([&] { the_surface->preview(values(rho), continues); });
+  return edit([&] { the_surface->preview(values(rho), bound, continues); });
 }
 
 STUDIO_EXPORT bool studio_transform(const double* rho, double bound)
