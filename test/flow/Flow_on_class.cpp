@@ -23,13 +23,6 @@ using namespace cgp_test;
 using Flow = CGP::Conformal_willmore_flow<>;
 using Stop = CGP::Flow_step_report::Stop;
 
-Mesh_view stretched(const Mesh_view& mesh, double factor)
-{
-  return mapped(mesh, [&](const Eigen::Vector3d& p) {
-    return Eigen::Vector3d(factor * p.x(), p.y(), p.z());
-  });
-}
-
 CGP::Flow_options steps(int count)
 {
   CGP::Flow_options options;

@@ -24,6 +24,14 @@ inline CGP::Flow_options plain_steps(double time_step, int steps)
   return options;
 }
 
+/// along the x-axis
+inline Mesh_view stretched(const Mesh_view& mesh, double factor)
+{
+  return mapped(mesh, [&](const Eigen::Vector3d& p) {
+    return Eigen::Vector3d(factor * p.x(), p.y(), p.z());
+  });
+}
+
 inline Eigen::Vector3d centroid(const Mesh_view& mesh)
 {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -61,6 +62,10 @@ class Conformal_class {
   /// convergence, the nearest surface found
   /// \throw Solver_error if a factorization fails, or an edge of f has length zero
   Snap_report snap(Points& f, const Snap_options& options = {});
+
+  /// what the next snap depends on beside its surface
+  const Snap_equations::State& state() const { return m_equations.state(); }
+  void set_state(Snap_equations::State state) { m_equations.set_state(std::move(state)); }
 
  private:
   /// a surface, its log scales, and the residuals of both

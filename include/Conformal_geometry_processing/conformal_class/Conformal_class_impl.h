@@ -65,7 +65,7 @@ CGP_INLINE internal::Snap_report internal::Conformal_class::snap(Points& f,
   state.residuals = residuals(f, state.u);
   Snap_report report;
   report.initial_residual = report.residual = state.residuals.lpNorm<Eigen::Infinity>();
-  bool has_factor = options.keep_factor && m_equations.is_factorized();
+  bool has_factor = options.keep_factor && m_equations.resume();
   while (report.residual > options.tolerance && report.iterations < options.max_iterations) {
     const bool is_new = !has_factor;
     if (is_new) m_equations.factorize(state.f), ++report.factorizations;

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -31,6 +32,20 @@ namespace internal {
 /// edges differ in length by many orders of magnitude, a small one drowns in rounding.
 class Snap_equations {
  public:
+  /// where a factorization has linearized
+  struct Linearization {
+    Points f;
+    Rim_directions rim;
+    double eps;
+  };
+
+  /// \brief What solutions depend on beside residuals and surface: the last factor, and the damping
+  /// of the next one. A copy costs nothing, for a factor is computed again where it is needed.
+  struct State {
+    std::shared_ptr<const Linearization> last;
+    double eps = 1e-6;
+  };
+
   /// \param graph the `vertex_graph()` of the mesh
   Snap_equations(const Mesh_view& mesh, const Sparse_pattern& graph);
 
@@ -41,7 +56,13 @@ class Snap_equations {
   /// \throw Solver_error if that fails, or an edge has no length
   void factorize(const Points& f);
 
-  bool is_factorized() const { return m_is_factorized; }
+  /// \brief Takes up the last factor: computes it again if a state with another one was set.
+  /// \returns whether there is one
+  /// \throw Solver_error if that fails
+  bool resume();
+
+  const State& state() const { return m_state; }
+  void set_state(State state) { m_state = std::move(state); }
 
   /// \brief Multiplies eps by ten for later factorizations.
   /// \returns false if it is as large as makes sense
@@ -51,8 +72,8 @@ class Snap_equations {
   /// digits converge slowly otherwise.
   void undamp();
 
-  double damping() const { return m_eps; }
-  void set_damping(double eps) { m_eps = eps; }
+  double damping() const { return m_state.eps; }
+  void set_damping(double eps) { m_state.eps = eps; }
 
   /// \brief Solves with the last factor and the J of that surface.
   /// \param c the residuals: |E|, and those of the rim
@@ -63,7 +84,8 @@ class Snap_equations {
  private:
   using Row = Eigen::Vector4d;  // what an end of an edge has in a row of J: three for f, one for u
 
-  void assemble(const Points& f);
+  Solver_status factorize(const Linearization& at);
+  void assemble(const Linearization& at);
   void add_rim_row(const Rim_directions::Row& row);
   void add_edge(int i, int j, int k, double weight);
   double& entry(int block_column, int block, int row, int column);
@@ -77,8 +99,8 @@ class Snap_equations {
   Points m_directions;  // (f_j - f_i) / |f_j - f_i|^2, 3 x |E|
   Rim_directions m_rim;
   std::vector<Rim_directions::Row> m_rim_rows;
-  double m_eps = 1e-6;
-  bool m_is_factorized = false;
+  State m_state;
+  std::shared_ptr<const Linearization> m_factorized;  // that of the factor
 };
 
 }  // namespace internal

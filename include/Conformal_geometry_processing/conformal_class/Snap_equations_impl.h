@@ -83,49 +83,68 @@ CGP_INLINE void internal::Snap_equations::add_rim_row(const Rim_directions::Row&
 
 CGP_INLINE void internal::Snap_equations::keep(Rim_directions rim)
 {
-  if (rim.size_of_rows() != m_rim.size_of_rows()) m_is_factorized = false;
+  if (m_state.last && rim.size_of_rows() != m_state.last->rim.size_of_rows())
+    m_state.last = nullptr;
   m_rim = std::move(rim);
 }
 
 CGP_INLINE bool internal::Snap_equations::damp()
 {
-  if (m_eps >= largest_snap_eps) return false;
-  m_eps *= 10;
+  if (m_state.eps >= largest_snap_eps) return false;
+  m_state.eps *= 10;
   return true;
 }
 
 CGP_INLINE void internal::Snap_equations::undamp()
 {
-  m_eps = (std::max)(m_eps / 10, smallest_snap_eps);
+  m_state.eps = (std::max)(m_state.eps / 10, smallest_snap_eps);
 }
 
 CGP_INLINE void internal::Snap_equations::factorize(const Points& f)
 {
-  m_is_factorized = false;
-  Solver_status status;
-  do {
-    assemble(f);
-    status = m_solver.factorize(m_matrix, {});
-  } while (status == Solver_status::not_positive_definite && damp());
+  m_state.last = nullptr;
+  Linearization at{f, m_rim, m_state.eps};
+  Solver_status status = factorize(at);
+  while (status == Solver_status::not_positive_definite && damp()) {
+    at.eps = m_state.eps;
+    status = factorize(at);
+  }
   require_snap(status);
-  m_is_factorized = true;
+  m_state.last = m_factorized = std::make_shared<const Linearization>(std::move(at));
 }
 
-CGP_INLINE void internal::Snap_equations::assemble(const Points& f)
+CGP_INLINE bool internal::Snap_equations::resume()
 {
+  if (m_state.last && m_state.last != m_factorized) {
+    require_snap(factorize(*m_state.last));
+    m_factorized = m_state.last;
+  }
+  return m_state.last != nullptr;
+}
+
+CGP_INLINE Solver_status internal::Snap_equations::factorize(const Linearization& at)
+{
+  m_factorized = nullptr;
+  assemble(at);
+  return m_solver.factorize(m_matrix, {});
+}
+
+CGP_INLINE void internal::Snap_equations::assemble(const Linearization& at)
+{
+  const Points& f = at.f;
   m_matrix.set_zero();
   m_directions.resize(3, static_cast<Eigen::Index>(m_ends.size()));
   for (int k = 0; k < m_directions.cols(); ++k) {
     const auto [i, j] = m_ends[static_cast<std::size_t>(k)];
     const Eigen::Vector3d e = f.col(j) - f.col(i);
     m_directions.col(k) = e / e.squaredNorm();
-    add_edge(i, j, k, m_eps / e.squaredNorm());
+    add_edge(i, j, k, at.eps / e.squaredNorm());
   }
-  m_rim_rows = m_rim.derivative(f);
+  m_rim_rows = at.rim.derivative(f);
   for (const Rim_directions::Row& row : m_rim_rows) add_rim_row(row);
   int components = 0;
   for (int v = 0; v < f.cols(); ++v) {
-    entry(v, 0, 3, 3) += m_eps * snap_scale_weight;
+    entry(v, 0, 3, 3) += at.eps * snap_scale_weight;
     if (m_components[static_cast<std::size_t>(v)] < components) continue;
     ++components;
     const double held = entry(v, 0, 0, 0) + entry(v, 0, 1, 1) + entry(v, 0, 2, 2);

@@ -29,6 +29,12 @@ namespace internal {
 /// lead them back to the first, or to the prescribed ones.
 class Class_keeper {
  public:
+  /// what a step depends on beside its surface
+  struct State {
+    double strength = 2;  // of the next smoothing
+    Snap_equations::State snap;
+  };
+
   /// \param initial a copy is kept
   /// \param boundary a condition without positions
   /// \throw Solver_error if an analysis fails
@@ -51,6 +57,9 @@ class Class_keeper {
   std::optional<Points> smoothed(const Mesh_view& mesh,
                                  const std::function<bool(const Points&)>& is_better);
 
+  State state() const { return {m_strength, m_class.state()}; }
+  void set_state(const State& state);
+
  private:
   /// sets the directions to be kept at the boundary: those of positions in the frame
   void keep_directions(const Points& f);
@@ -65,7 +74,7 @@ class Class_keeper {
   Boundary_condition m_boundary;
   Conformal_class m_class;
   Fairing m_fairing;
-  double m_strength = 2;
+  double m_strength = State().strength;
 };
 
 }  // namespace internal

@@ -95,6 +95,12 @@ CGP_INLINE std::optional<Points> internal::Class_keeper::smoothed(
   return std::nullopt;
 }
 
+CGP_INLINE void internal::Class_keeper::set_state(const State& state)
+{
+  m_strength = state.strength;
+  m_class.set_state(state.snap);
+}
+
 CGP_INLINE bool internal::Class_keeper::try_smoothing(
     const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better, Points& f)
 {

@@ -59,8 +59,8 @@ namespace Conformal_geometry_processing {
 ///
 /// A step is accepted if its equation is solved, its distortion is small enough, its edges close
 /// up, and the energy decreases (not required of steps that turn a boundary to prescribed
-/// directions). Otherwise it is repeated with half of tau. The surface of this object is always
-/// that of the last complete step.
+/// directions). Otherwise it is repeated with half of tau. The state of this object is always that
+/// after the last complete step.
 ///
 /// Ordering and symbolic factorization are computed once, in the constructor. A trial costs one
 /// numeric factorization of the Dirac matrix and about ten solves with it; one more of each if its
@@ -98,7 +98,7 @@ class Conformal_willmore_flow {
 
   /// \brief makes one step, as large as the energy allows, or reports why there is none.
   ///
-  /// The surface is unchanged if the step is not accepted, or an exception is thrown.
+  /// The flow is as before the step if this is not accepted, or an exception is thrown.
   /// \throw Precondition_error if the direction is not one finite number per vertex, or the visitor
   /// calls `step()` or `run()`
   /// \throw Solver_error if a solver runs out of memory; other failures of solvers are reported
@@ -110,7 +110,7 @@ class Conformal_willmore_flow {
     Flow_step_report report;
     report.step = m_steps + 1;
     report.energy_before = report.energy = m_energy;
-    const Points before = m_mesh.positions();
+    const State before = state();
     try {
       take_step(report, [&](const Eigensolver_progress& progress) {
         return m_visits.during([&] {
@@ -118,14 +118,14 @@ class Conformal_willmore_flow {
           return visitor.go_further();
         });
       });
-      if (!report.accepted) restore(before, report.energy_before);
+      if (!report.accepted) restore(before);
     } catch (const Solver_error& error) {
-      restore(before, report.energy_before);
+      restore(before);
       if (is_out_of_memory(error)) throw;  // a smaller step needs as much memory
       report.message = error.what();
       report.stop = Flow_step_report::Stop::step_failed;
     } catch (...) {
-      restore(before, report.energy_before);
+      restore(before);
       throw;
     }
     report.seconds = watch.lap();
@@ -158,6 +158,14 @@ class Conformal_willmore_flow {
   /// the result of a trial
   enum class Verdict { good, rises_slightly, rises_within_error, bad, out_of_limits, cancelled };
 
+  /// what a step changes beside its number
+  struct State {
+    Points positions;
+    double energy;
+    internal::Time_step time_step;
+    internal::Class_keeper::State keeper;
+  };
+
   double energy_of(const Mesh_view& mesh) const;
   static Mesh_view in_frame(const Mesh_view& mesh);  ///< of unit size
   static Spin_transformation_options transformation_options(const Mesh_view& initial,
@@ -189,8 +197,9 @@ class Conformal_willmore_flow {
   /// directions that are kept or prescribed.
   void judge_boundary(Spin_report& report) const;
 
-  /// Returns to the surface before an incomplete step.
-  void restore(const Points& before, double energy);
+  State state() const;
+  /// Returns to the state before an incomplete step.
+  void restore(const State& before);
 
   /// Moves the last surface of a run to its class to rounding, and measures the map.
   void finish(Flow_report& report);

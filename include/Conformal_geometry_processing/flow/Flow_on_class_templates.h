@@ -101,13 +101,22 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::judge_
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::restore(
-    const Points& before, double energy)
+auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::state() const -> State
 {
-  if (m_mesh.positions() == before) return;
-  m_mesh.set_positions(before);
-  m_transformation.set_positions(before);
-  m_energy = energy;
+  return {m_mesh.positions(), m_energy, m_time_step,
+          m_class ? m_class->state() : internal::Class_keeper::State()};
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::restore(
+    const State& before)
+{
+  m_time_step = before.time_step;
+  if (m_class) m_class->set_state(before.keeper);
+  if (m_mesh.positions() == before.positions) return;
+  m_mesh.set_positions(before.positions);
+  m_transformation.set_positions(before.positions);
+  m_energy = before.energy;
 }
 
 namespace internal {
