@@ -5,16 +5,13 @@
 #include "corner_rows.h"
 #include "triangulation.h"
 
+#include "conformal/process/at.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace conformal {
 namespace {
-
-std::size_t at(int i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 int row(const Corner_values& values, std::size_t corner)
 {

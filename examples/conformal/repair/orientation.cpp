@@ -3,6 +3,7 @@
 #include "orientation.h"
 
 #include "conformal/io/data/texture_coordinates.h"
+#include "conformal/process/at.h"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +13,6 @@ namespace conformal {
 namespace {
 
 using Conformal_geometry_processing::Mesh_view;
-
-std::size_t at(int i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 // The halfedges of a triangle in an order that is the same when it is turned around.
 std::array<int, 3> sides(const Mesh_view& mesh, int f)

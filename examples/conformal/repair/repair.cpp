@@ -12,6 +12,7 @@
 
 #include "conformal/io/data/texture_coordinates.h"
 #include "conformal/process/Failure.h"
+#include "conformal/process/at.h"
 
 #include <algorithm>
 #include <numeric>
@@ -20,11 +21,6 @@
 
 namespace conformal {
 namespace {
-
-std::size_t at(int i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// The corners of one face as places in the file; those that repeat the one before are left out.
 std::vector<std::size_t> distinct_corners(const Polygons& polygons, std::size_t f)

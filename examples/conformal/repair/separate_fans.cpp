@@ -4,18 +4,13 @@
 
 #include "select_faces.h"
 
+#include "conformal/process/at.h"
+
 #include <cstddef>
 #include <utility>
 
 namespace conformal {
-namespace {
-
-std::size_t at(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Separated_vertices separate_fans(Surface_file& file, const Corner_fans& fans)
 {

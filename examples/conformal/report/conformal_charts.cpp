@@ -6,6 +6,8 @@
 #include "mesh_piece.h"
 #include "solve_flat.h"
 
+#include "conformal/process/at.h"
+
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/place_in_plane.h>
@@ -18,11 +20,6 @@
 
 namespace conformal {
 namespace {
-
-std::size_t at(int i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 CGP::Points seen_along_normal(const CGP::Mesh_view& mesh)
 {

@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "mesh_piece.h"
 
+#include "conformal/process/at.h"
+
 #include <numeric>
 #include <utility>
 
 namespace conformal {
 namespace {
-
-std::size_t at(int i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /// Which corners of faces are at the same vertex: those joined across an edge.
 class Joined_corners {

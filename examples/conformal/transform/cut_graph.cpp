@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "cut_graph.h"
 
+#include "conformal/process/at.h"
+
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
@@ -12,11 +14,6 @@
 
 namespace conformal {
 namespace {
-
-std::size_t at(int i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 double length(const CGP::Mesh_view& mesh, int k)
 {

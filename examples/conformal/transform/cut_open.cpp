@@ -17,16 +17,16 @@
 namespace conformal {
 namespace {
 
-using Component = CGP::internal::Mesh_component;
+using CGP::internal::Mesh_component;
 
-int vertex_in_file(const Surface_input& input, const Component& component, int v)
+int vertex_in_file(const Surface_input& input, const Mesh_component& component, int v)
 {
   const auto in_mesh = static_cast<std::size_t>(component.vertices[static_cast<std::size_t>(v)]);
   return input.vertex_in_file[in_mesh];
 }
 
 /// All edges but the diagonals of polygons
-Edge_set edges_of_file(const Surface_input& input, const Component& component)
+Edge_set edges_of_file(const Surface_input& input, const Mesh_component& component)
 {
   const auto polygon = [&](int h) {
     const int f = component.faces[static_cast<std::size_t>(CGP::Mesh_view::face(h))];
@@ -41,7 +41,7 @@ Edge_set edges_of_file(const Surface_input& input, const Component& component)
 }
 
 /// the given cones that lie on the component, or else its tips
-std::vector<int> ends_of_cut(const Surface_input& input, const Component& component,
+std::vector<int> ends_of_cut(const Surface_input& input, const Mesh_component& component,
                              const Cut_options& options, const Edge_set& ways)
 {
   if (options.cones.empty()) return find_tips(component.mesh, std::max(options.tips, 2), ways);
@@ -59,8 +59,8 @@ std::vector<int> ends_of_cut(const Surface_input& input, const Component& compon
   return found;
 }
 
-void add_cut(const Surface_input& input, const Component& component, const Cut_options& options,
-             std::vector<Corner_fans::Edge>& cuts)
+void add_cut(const Surface_input& input, const Mesh_component& component,
+             const Cut_options& options, std::vector<Corner_fans::Edge>& cuts)
 {
   const Edge_set ways = edges_of_file(input, component);
   const Edge_set cut =
@@ -79,7 +79,7 @@ void add_cut(const Surface_input& input, const Component& component, const Cut_o
 Cut_surface cut_open(const Surface_input& input, const Cut_options& options)
 {
   std::vector<Corner_fans::Edge> cuts;
-  for (const Component& component : CGP::mesh_components(input.mesh))
+  for (const Mesh_component& component : CGP::mesh_components(input.mesh))
     if (CGP::topology(component.mesh).is_closed()) add_cut(input, component, options, cuts);
   std::sort(cuts.begin(), cuts.end());
   Surface_file file = input.file;

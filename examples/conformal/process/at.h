@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_PROCESS_AT_H
+#define CONFORMAL_PROCESS_AT_H
+
+#include <cstddef>
+
+namespace conformal {
+
+/// the place of an element in a container: the kernels number elements by `int`
+inline std::size_t at(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace conformal
+
+#endif
