@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "linear_algebra/graphs.h"
 #include "support/spheres.h"
 
@@ -67,26 +69,22 @@ TEST(Choose_ordering, keeps_minimum_degree_where_positions_mislead)
             operations(pattern, CGP::amd_ordering(pattern)));
 }
 
-TEST(Choose_ordering, dissects_large_meshes_at_once)
+TEST(Choose_ordering, does_not_dissect_limbs)
 {
   const Mesh_view mesh = geodesic_sphere(20);
   const CGP::Sparse_pattern pattern = pattern_of(mesh);
-  CGP::internal::Ordering_costs costs;
-  costs.large = 0;
-  costs.seconds_per_vertex = 1;  // else it would not be tried
-  EXPECT_EQ(operations(pattern, CGP::choose_ordering(pattern, &mesh.positions(), 1, costs)),
-            operations(pattern, CGP::sweep_nested_dissection(pattern, mesh.positions())));
-}
-
-TEST(Choose_ordering, tries_minimum_degree_on_large_meshes_where_positions_mislead)
-{
-  const Mesh_view mesh = geodesic_sphere(16);
-  CGP::internal::Ordering_costs costs;
-  costs.large = 0;
-  const Eigen::Matrix3Xd nonsense = random_positions(mesh.size_of_vertices(), 3);
-  const CGP::Sparse_pattern pattern = pattern_of(mesh);
-  EXPECT_EQ(operations(pattern, CGP::choose_ordering(pattern, &nonsense, 1000000, costs)),
-            operations(pattern, CGP::amd_ordering(pattern)));
+  const double by_dissection =
+      operations(pattern, CGP::sweep_nested_dissection(pattern, mesh.positions()));
+  const double by_degree = operations(pattern, CGP::amd_ordering(pattern));
+  ASSERT_LT(by_dissection, by_degree);
+  const auto chosen = [&](double limbs) {
+    CGP::internal::Ordering_costs costs;
+    costs.limbs = limbs;
+    return operations(pattern, CGP::choose_ordering(pattern, &mesh.positions(), 1000000, costs));
+  };
+  const double size = by_degree / std::pow(pattern.size(), 1.5);
+  EXPECT_EQ(chosen(1.01 * size), by_degree);
+  EXPECT_EQ(chosen(0.99 * size), by_dissection);
 }
 
 TEST(Choose_ordering, permutes_any_graph)

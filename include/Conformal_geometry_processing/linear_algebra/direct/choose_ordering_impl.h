@@ -16,40 +16,14 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-CGP_INLINE Structure_choice::Structure_choice(const Sparse_pattern& pattern, int factorizations,
-                                              const Ordering_costs& costs)
-    : m_pattern(pattern), m_costs(costs), m_factorizations(factorizations)
-{}
-
-CGP_INLINE Structure_choice::Structure Structure_choice::by_degree() const
+// Returns whether dissection may save more than it takes.
+CGP_INLINE bool dissection_may_pay(const Supernodal_structure& by_degree, double n,
+                                   int factorizations, const Ordering_costs& costs)
 {
-  return std::make_shared<const Supernodal_structure>(m_pattern, amd_ordering(m_pattern));
-}
-
-CGP_INLINE Structure_choice::Structure Structure_choice::by_dissection(
-    const Eigen::Matrix3Xd& positions) const
-{
-  return std::make_shared<const Supernodal_structure>(
-      m_pattern, sweep_nested_dissection(m_pattern, positions));
-}
-
-// Returns whether a trial of this duration may save more than it costs.
-CGP_INLINE bool Structure_choice::may_save(const Structure& other, double seconds_per_vertex) const
-{
-  return m_costs.expected_saving * m_factorizations * other->operations() *
-             m_costs.seconds_per_operation >
-         seconds_per_vertex * m_pattern.size();
-}
-
-CGP_INLINE bool Structure_choice::is_compact_surface(const Structure& by_dissection) const
-{
-  const double constant = by_dissection->operations() / std::pow(m_pattern.size(), 1.5);
-  return m_costs.compact < constant && constant < m_costs.not_a_surface;
-}
-
-CGP_INLINE Structure_choice::Structure Structure_choice::better(Structure a, Structure b)
-{
-  return b->operations() < a->operations() ? b : a;
+  const double operations = by_degree.operations();
+  return operations > costs.limbs * std::pow(n, 1.5) &&
+         costs.expected_saving * factorizations * operations * costs.seconds_per_operation >
+             costs.seconds_per_vertex * n;
 }
 
 }  // namespace internal
@@ -58,19 +32,14 @@ CGP_INLINE std::shared_ptr<const internal::Supernodal_structure> choose_structur
     const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions, int factorizations,
     const internal::Ordering_costs& costs)
 {
-  const internal::Structure_choice choice(pattern, factorizations, costs);
-  if (positions == nullptr) return choice.by_degree();
-  if (pattern.size() < costs.large) {
-    const auto first = choice.by_degree();
-    return choice.may_save(first, costs.seconds_per_vertex)
-               ? choice.better(first, choice.by_dissection(*positions))
-               : first;
-  }
-  const auto first = choice.by_dissection(*positions);
-  return !choice.is_compact_surface(first) &&
-                 choice.may_save(first, costs.seconds_per_vertex_by_degree)
-             ? choice.better(first, choice.by_degree())
-             : first;
+  using Structure = internal::Supernodal_structure;
+  auto by_degree = std::make_shared<const Structure>(pattern, amd_ordering(pattern));
+  if (positions == nullptr ||
+      !internal::dissection_may_pay(*by_degree, pattern.size(), factorizations, costs))
+    return by_degree;
+  auto by_dissection =
+      std::make_shared<const Structure>(pattern, sweep_nested_dissection(pattern, *positions));
+  return by_dissection->operations() < by_degree->operations() ? by_dissection : by_degree;
 }
 
 CGP_INLINE internal::Ordering choose_ordering(const Sparse_pattern& pattern,
