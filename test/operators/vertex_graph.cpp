@@ -26,8 +26,12 @@ TEST(Vertex_graph, knows_the_position_of_every_edge_and_vertex)
     EXPECT_EQ(pattern->size_of_entries(), mesh.size_of_vertices() + mesh.size_of_edges());
     for (int v = 0; v < mesh.size_of_vertices(); ++v)
       EXPECT_EQ(CGP::diagonal_position(*pattern, v), pattern->find(v, v));
-    for (int k = 0; k < mesh.size_of_edges(); ++k)
-      EXPECT_GE(pattern->find(mesh.ends(k)[1], mesh.ends(k)[0]), 0);
+    for (int k = 0; k < mesh.size_of_edges(); ++k) {
+      const int low = mesh.ends(k)[0], high = mesh.ends(k)[1], place = k + low + 1;
+      EXPECT_EQ(pattern->find(high, low), place);
+      for (const int edge : {k, k - 1, k + 1, -1, pattern->size_of_entries()})  // others mislead
+        EXPECT_EQ(CGP::internal::entry_position(*pattern, high, low, edge), place);
+    }
   }
 }
 

@@ -14,7 +14,9 @@ namespace Conformal_geometry_processing {
 
 CGP_INLINE double stable_norm(const Eigen::Vector3d& v)
 {
-  return std::hypot(v.x(), v.y(), v.z());
+  const double squared = v.squaredNorm(), small = 1e-280, large = 1e280;
+  if (small < squared && squared < large) return std::sqrt(squared);
+  return std::hypot(v.x(), v.y(), v.z());  // five times as slow
 }
 
 CGP_INLINE Eigen::Vector3d stable_normalized(const Eigen::Vector3d& v)

@@ -123,8 +123,20 @@ CGP_INLINE Quaternion_vector<double> apply_dirac_form(const Surface_ref& surface
 CGP_INLINE double dirac_quotient(const Surface_ref& surface, const Curvature_potential& rho,
                                  const Quaternion_vector<double>& lambda)
 {
-  const internal::Dirac_forms forms = dirac_forms(surface, rho, lambda);
-  return forms.dirac(0, 0).w / forms.mass(0, 0).w;
+  double form = 0, mass = 0;
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const Eigen::Vector3d r = rho.at_corners(sheet);
+    Quaternion<double> average, image;  // 3 B lambda and M (D - R) lambda there
+    for (int c = 0; c < 3; ++c) {
+      const Quaternion<double>& l = lambda[sheet.corners[static_cast<std::size_t>(c)]];
+      average += l;
+      image += internal::dirac_row(sheet, r, c) * l;
+    }
+    form += sheet.share * dot(average, image);
+    mass += sheet.share * sheet.area * squared_norm(average);
+  }
+  return 3 * form / mass;
 }
 
 CGP_INLINE double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,

@@ -21,6 +21,18 @@ int diagonal_position(const Sparse_pattern& pattern, int i);
 
 namespace internal {
 
+/// \brief the position of entry (row, column) in a `vertex_graph()`, row > column.
+///
+/// A `Mesh_view` numbers its edges in the order of the pattern, so the position is that of the
+/// edge, behind one diagonal for each column so far. The edges of other surfaces are searched for.
+inline int entry_position(const Sparse_pattern& pattern, int row, int column, int edge)
+{
+  const int* const offsets = pattern.offsets.data() + column;
+  const int k = edge + column + 1;
+  const bool is_there = offsets[0] < k && k < offsets[1] && pattern.indices.data()[k] == row;
+  return is_there ? k : pattern.find(row, column);
+}
+
 /// \brief adds the contribution of a sheet to a matrix.
 /// \param A on `vertex_graph()` of the surface
 /// \param entry the value for corners (i, j), Hermitian: entry(j, i) is the conjugate
@@ -34,7 +46,8 @@ void add_sheet(const Sheet& sheet, Entry entry, Hermitian_sparse_matrix<Scalar>&
       if (row == column)
         A.value(diagonal_position(A.pattern(), row)) += entry(i, j);
       else if (row > column)
-        A.value(A.pattern().find(row, column)) += entry(i, j);
+        A.value(entry_position(A.pattern(), row, column,
+                               sheet.edges[static_cast<std::size_t>(3 - i - j)])) += entry(i, j);
     }
 }
 
