@@ -14,8 +14,8 @@ namespace Conformal_geometry_processing {
 
 CGP_INLINE double stable_norm(const Eigen::Vector3d& v)
 {
-  const double squared = v.squaredNorm(), small = 1e-280, large = 1e280;
-  if (small < squared && squared < large) return std::sqrt(squared);
+  const double squared = v.squaredNorm(), least = 1e-280, most = 1e280;
+  if (least < squared && squared < most) return std::sqrt(squared);
   return std::hypot(v.x(), v.y(), v.z());  // five times as slow
 }
 
