@@ -147,10 +147,12 @@ def check_time(studio, second):
 
 
 def check_pulls(studio, conformal):
-    """A pulled point arrives, where the program takes it for the saved targets, and can be undone."""
+    """A pulled point arrives, where the program takes it for the saved targets, and can be undone; what is
+    still computed while somebody turns the shapes is shown."""
     studio.click("[data-tool=pull]")
     x, y = studio.place(.75, .5)
-    studio.page.drag([(x + 4 * i, y - 3 * i) for i in range(9)])
+    studio.page.drag([(x, y), (x + 32, y - 24)])  # at once: previews move the camera, and what is pulled with it
+    studio.page.drag([studio.place(.95, .95)])
     studio.settle()
     pulled, command = studio.report(), studio.words("#command").split()
     require(pulled.get("verified") is True, f"a pulled point is refused: {studio.words('#reason')}")
@@ -174,6 +176,35 @@ def check_pulls(studio, conformal):
     require(studio.report() == {}, "undo leaves a pulled point")
     require(studio.page.value("document.querySelectorAll('#pins i').length") == 0, "undo leaves pins")
     studio.click("[data-tool=bulge]")
+
+
+def check_shapes(studio, conformal):
+    """The demo: what is still computed for one shape is not shown on another, and each has the numbers of
+    the program."""
+    studio.stroke(0, settles=False)
+    studio.choose_shape(2)
+    require(studio.report() == {}, "the paint of one shape is on another")
+    studio.choose_shape(0)
+    require(studio.report().get("verified") is True, "a shape has lost its paint")
+    for shape, name, down in ((2, "torus", .62), (3, "disk", .5)):
+        studio.choose_shape(shape)
+        studio.stroke(0, down)
+        studio.saved("#save-before", f"{name}.obj")
+        studio.saved("#save-rho", f"{name}_rho.txt")
+        command = studio.words("#command").split()
+        check_same(studio.report(), program(conformal, command[1:], studio.folder), f"a painted {name}")
+        studio.picture(f"{name}.png")
+
+
+def check_slider(studio):
+    """A slider that comes back to where it was changes nothing."""
+    painted = studio.report()
+    x, y, width = studio.page.value("(() => { const r = document.querySelector('#amount').getBoundingClientRect();"
+                                    "return [r.x, r.y + r.height / 2, r.width] })()")
+    x += 8 + .75 * (width - 16)
+    studio.page.drag([(x + right, y) for right in (0, -20, -40, -20, 0)])
+    studio.settle()
+    require(studio.report() == painted, "a slider that came back has changed the surface")
 
 
 def marked(picture):
@@ -237,10 +268,12 @@ def main():
         folder = pathlib.Path(sys.argv[3] if len(sys.argv) > 3 else temporary).resolve()
         write_off(folder / "bumpy.off", *bumpy_sphere())
         subprocess.run([conformal, "studio", "bumpy.off", "-o", "page.html", "-q"], cwd=folder, check=True)
+        subprocess.run([conformal, "studio", "-o", "demo.html", "-q"], cwd=folder, check=True)
         with browser(chromium) as page:
             studio = Studio(page, folder)
             studio.open(folder / "page.html")
             check_painting(studio, conformal)
+            check_slider(studio)
             check_history(studio)
             check_brush(studio)
             check_formula(studio, conformal)
@@ -249,6 +282,8 @@ def main():
             check_refusal(studio)
             check_memory(studio)
             check_touch(studio, folder / "page.html")
+            studio.open(folder / "demo.html")
+            check_shapes(studio, conformal)
             require(not page.complaints, f"the browser complains: {page.complaints}"[:2000])
             elsewhere = [url for url in page.requests if not url.startswith(("file:", "blob:", "data:"))]
             require(not elsewhere, f"the page loads {elsewhere}")

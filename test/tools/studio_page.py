@@ -38,10 +38,14 @@ class Studio:
         return self.page.value("(() => { const r = document.querySelector('canvas').getBoundingClientRect();"
                                f"return [r.x + {right} * r.width, r.y + {down} * r.height] }})()")
 
-    def stroke(self, side):
-        x, y = self.place(.25 + .5 * side, .5)
+    def stroke(self, side, down=.5, settles=True):
+        x, y = self.place(.25 + .5 * side, down)
         self.page.drag([(x - 40 + 10 * i, y + 3 * i) for i in range(9)])
-        self.settle()
+        if settles:
+            self.settle()
+
+    def choose_shape(self, number):
+        self.set("#shape", number, "change")
 
     def words(self, name):
         return self.page.value(f"document.querySelector('{name}').textContent")

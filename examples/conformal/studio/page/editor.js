@@ -170,6 +170,7 @@ const pull = {
 
 function chooseShape(k) {
   if (!sessions.has(k)) sessions.set(k, new Session(shapeOf(k), kernels, {show, fail}));
+  session?.leave();
   session = sessions.get(k);
   shownBase = null;
   session.refresh();

@@ -20,11 +20,12 @@ class History {
     this.state = state;
   }
 
-  /** Completes the present state by what was computed for it. */
+  /** Completes a state by what was computed for it. */
   complete(state, result) {
-    const completed = {...state, ...result};
-    if (this.state === state) this.state = completed;
-    else this.#past = this.#past.map(other => other === state ? completed : other);
+    const completed = {...state, ...result}, of = other => other === state ? completed : other;
+    this.state = of(this.state);
+    this.#past = this.#past.map(of);
+    this.#future = this.#future.map(of);
     return completed;
   }
 

@@ -64,6 +64,13 @@ function listenToFlow() {
   listen('time', 'change', () => session.commit(chosen()));
 }
 
+/** A slider that comes back to where it was held has no `change`. */
+function listenToSliders() {
+  for (const id of ['amount', 'time'])
+    for (const event of ['pointerup', 'pointercancel'])
+      listen(id, event, () => setTimeout(() => session.release()));
+}
+
 function listenToSaving() {
   const name = () => `${stem(session.shape.file)}_edited`;
   listen('save-ply', 'click', () => save(`${name()}.ply`, toPly(session.state.after, session.shape.faces, amounts(session.state))));
@@ -128,6 +135,7 @@ async function start() {
   listenToBrush();
   listenToPaint();
   listenToFlow();
+  listenToSliders();
   listenToSaving();
   listenToKeys();
   listenToView();

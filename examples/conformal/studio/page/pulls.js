@@ -38,7 +38,10 @@ class Pulls {
     const ray = this.viewer.ray(event.offsetX, event.offsetY);
     if (ray?.side !== 1) return false;
     const state = this.pull.ground(), vertex = this.#pinAt(event, state) ?? this.#vertexAt(ray);
-    if (vertex === null) return false;
+    if (vertex === null) {
+      this.pull.cancel();
+      return false;
+    }
     this.canvas.setPointerCapture(event.pointerId);
     this.#pull = {pointer: event.pointerId, vertex, targets: this.#targetsWith(state, vertex)};
     return true;

@@ -29,9 +29,10 @@ const amounts = ({rho, amplitude}) => rho.map(value => value * amplitude);
 /** `show(state, stage)` is called whenever there is something else to see, with the stage `preview`,
     `computing` or `exact`; `fail(error)` when nothing came of it. */
 class Session {
-  #version = 0;
+  #version = 0;     // of what may be shown
+  #isHeld = false;
+  #computed = null; // the state of which the exact result is being computed
   #started = 0;
-  #isComputing = false;
   #isPreviewing = false;
   #wanted = null;   // the state of the next preview
   #continues = false;
@@ -53,10 +54,22 @@ class Session {
     return ![null, kind].includes(kindOf(state)) ? freshState(state.after, length / 3, stepsOf(state), state.bound) : state;
   }
 
-  /** An edit begins: what is still computed is not shown any more. */
+  /** An edit begins: what is still computed is not shown until it ends. */
   hold() {
     ++this.#version;
+    this.#isHeld = true;
     this.#seen = {};
+  }
+
+  /** Ends an edit that came to nothing. */
+  release() {
+    if (this.#isHeld) this.refresh();
+  }
+
+  /** Another session is shown from here on, until the next refresh(). */
+  leave() {
+    this.hold();
+    if (this.#computed) this.kernels.exact.restart();
   }
 
   /** Approximates an edit that is under way. */
@@ -115,39 +128,42 @@ class Session {
   /** Shows the present state, computed if it is not. */
   refresh() {
     ++this.#version;
+    this.#isHeld = false;
     this.#wanted = null;
     this.#continues &&= !this.state.isDone;
     if (!this.state.isDone && !kindOf(this.state))
       this.history.complete(this.state, {...freshState(this.state.base, this.shape.faces.length / 3,
                                                        this.state.steps, this.state.bound)});
     this.show(this.state, this.state.isDone ? 'exact' : 'computing');
-    if (this.state.isDone) return;
-    if (!this.#isComputing) this.#compute();
+    this.#computeNext();
+  }
+
+  /** Computes the present state; what has taken long for another one is given up. */
+  #computeNext() {
+    if (this.#isHeld || this.state.isDone || this.#computed === this.state) return;
+    if (!this.#computed) this.#compute();
     else if (performance.now() - this.#started > 1500) this.kernels.exact.restart();
   }
 
   async #compute() {
-    const state = this.state, version = this.#version;
-    this.#isComputing = true;
+    const state = this.#computed = this.state, isShown = () => this.state === state && !this.#isHeld;
     this.#started = performance.now();
-    let completed = null;
     try {
       const tell = answer => {
-        if (version === this.#version) this.show({...state, ...answer}, 'computing');
+        if (isShown()) this.show({...state, ...answer}, 'computing');
         return true;
       };
-      const {after, quality, report, memory} = await this.#exact(state, tell);
-      completed = this.history.complete(state, {after, quality, report, memory, isDone: true});
+      const {after, quality, report, memory} = await this.#exact(state, tell), wasShown = isShown();
+      const completed = this.history.complete(state, {after, quality, report, memory, isDone: true});
+      if (wasShown) {
+        ++this.#version; // previews come too late now
+        this.show(completed, 'exact');
+      }
     } catch (error) {
-      if (version === this.#version) this.fail(error);
+      if (isShown()) this.fail(error);
     }
-    this.#isComputing = false;
-    if (version !== this.#version) {
-      if (!this.state.isDone) this.#compute();
-    } else if (completed) {
-      ++this.#version; // previews come too late now
-      this.show(completed, 'exact');
-    }
+    this.#computed = null;
+    if (this.state !== state) this.#computeNext();
   }
 
   #exact(state, tell) {
