@@ -41,8 +41,10 @@ struct Ordering_costs {
 /// Minimum degree is tried first: it takes a third of the time of dissection, and its analysis
 /// yields the exact number of operations of a factorization. Dissection, which saves half of them
 /// on large compact meshes, is tried only where it may save more than it takes, and the structure
-/// with fewer operations is returned. \param positions 3 x n, or null: without positions minimum
-/// degree is used \param factorizations expected number of factorizations
+/// with fewer operations is returned.
+///
+/// \param positions 3 x n, or null: without positions minimum degree is used
+/// \param factorizations expected number of factorizations
 std::shared_ptr<const internal::Supernodal_structure> choose_structure(
     const Sparse_pattern& pattern, const Eigen::Matrix3Xd* positions, int factorizations = 1,
     const internal::Ordering_costs& costs = {});
