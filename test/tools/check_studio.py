@@ -158,6 +158,7 @@ def check_pulls(studio, conformal):
     require(pulled.get("verified") is True, f"a pulled point is refused: {studio.words('#reason')}")
     require(command[:2] == ["conformal", "deform"], f"the command is {command}")
     require(studio.page.value("document.querySelectorAll('#pins i').length") == 8, "not all pins are shown")
+    require(studio.words("#save-rho") == "Pins", "the button that saves pins is called otherwise")
     path = studio.saved("#save-rho", "bumpy_targets.json")
     # A search that ends where targets are met to 1e-9, after as many steps as rounding decides.
     check_same(pulled, program(conformal, command[1:], studio.folder), "a pulled point", 1e-5)

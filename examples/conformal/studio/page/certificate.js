@@ -6,7 +6,7 @@
 function rowsFor(report, faceCount) {
   const r = report.result ?? {}, rows = [];
   const add = (name, value, place, meaning) => rows.push([name, value, place, meaning]);
-  add('Mean Q (1 is perfect)', number(r.quasi_conformal.mean, 5), 'quasi_conformal/mean',
+  add('Mean Q (best: 1)', number(r.quasi_conformal.mean, 5), 'quasi_conformal/mean',
       'Q of a face: its largest stretch by its smallest; 1 where all angles are kept');
   add('Q of the worst face', number(r.quasi_conformal.max, 4), 'quasi_conformal/max', 'That of the most distorted face');
   const scales = r.scale_control ?? {low: r.scale.min, high: r.scale.max};
@@ -28,7 +28,8 @@ function verdictOf(report) {
   if (report.verified) return {kind: 'good', words: 'Verified: angles are kept', reason: ''};
   const [reason, advice] = (report.error ?? 'the result is not finite').split('; try: ');
   const help = advice ? 'Undo, paint less or more softly, or let sizes change less.' : '';
-  return {kind: 'poor', words: 'Refused: this is not a conformal surface', reason: `${reason}. ${help}`};
+  return {kind: 'poor', words: 'Refused: this is not a conformal surface',
+          reason: `${reason[0].toUpperCase()}${reason.slice(1)}. ${help}`};
 }
 
 function fillTable(table, rows) {

@@ -107,6 +107,7 @@ function showInputs(isExact) {
   element('energy').textContent = state.flowed > 0 && state.report?.result.energy ? wordsOnEnergy(state) : '';
   for (const id of ['save-ply', 'save-obj', 'save-glb']) element(id).disabled = !isGood;
   element('save-rho').disabled = element('clear').disabled;
+  element('save-rho').textContent = kindOf(state) === 'deform' ? 'Pins' : 'Paint';
   element('command').textContent = steps.length ? commandsOf(shape, steps) : 'Paint something first.';
 }
 
