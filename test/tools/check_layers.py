@@ -67,18 +67,9 @@ def of_file(root, file, prefix, place_of):
 
 
 def program_cycles():
-    """The cycles of includes; a module is what is declared and defined in files of one name."""
-    includes = {}
-    for file in sources.program():
-        module = includes.setdefault(file.with_suffix(""), set())
-        for _, name in sources.includes(sources.PROGRAM / file):
-            first, _, rest = name.partition("/")
-            other = sources.pathlib.PurePath(rest) if first == PROGRAM else file.parent / name
-            if (sources.PROGRAM / other).exists():
-                module.add(other.with_suffix(""))
+    """A cycle of includes, if there is one."""
     try:
-        graphlib.TopologicalSorter(
-            {module: others - {module} for module, others in includes.items()}).prepare()
+        graphlib.TopologicalSorter(sources.program_modules()).prepare()
     except graphlib.CycleError as error:
         yield "a cycle of includes: " + ", ".join(map(str, error.args[1]))
 

@@ -43,10 +43,23 @@ def files(*suffixes):
                   if path.is_file() and path.suffix in suffixes)
 
 
-def program():
-    """The sources of the command-line program, as paths below examples/conformal."""
-    return sorted(path.relative_to(PROGRAM) for path in PROGRAM.rglob("*")
-                  if path.suffix in (".h", ".cpp"))
+def program(root=PROGRAM):
+    """The sources of the command-line program, as paths below its folder."""
+    return sorted(path.relative_to(root) for path in root.rglob("*") if path.suffix in (".h", ".cpp"))
+
+
+def program_modules(root=PROGRAM):
+    """Which modules of the program each includes; a module is what is declared and defined in files of
+    one name."""
+    modules = {}
+    for file in program(root):
+        module = modules.setdefault(file.with_suffix(""), set())
+        for _, name in includes(root / file):
+            first, _, rest = name.partition("/")
+            other = pathlib.PurePath(rest) if first == root.name else file.parent / name
+            if (root / other).exists() and other.stem != file.stem:
+                module.add(other.with_suffix(""))
+    return modules
 
 
 def includes(path):
