@@ -78,3 +78,12 @@ TEST(Simple_delaunay, leaves_out_flips_that_would_join_two_vertices_twice)
   EXPECT_GT(edges_that_are_not_delaunay(mesh), 0);
   EXPECT_EQ(simple_delaunay(mesh).corners(), mesh.corners());
 }
+
+TEST(Simple_delaunay, does_not_depend_on_the_size)
+{
+  const Mesh_view mesh = stretched(irregular_torus(2, 1, 24, 12), 5);
+  const Mesh_view::Corners wanted = simple_delaunay(mesh).corners();
+  ASSERT_NE(wanted, mesh.corners());
+  for (const double size : {1e-150, 1e-80, 3., 1e80, 1e150})
+    EXPECT_EQ(simple_delaunay(scaled(mesh, size)).corners(), wanted) << size;
+}

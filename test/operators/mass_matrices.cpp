@@ -84,3 +84,14 @@ TEST(Areas, grow_with_the_square_of_the_unit)
   EXPECT_LT((CGP::vertex_areas(larger) - 9 * CGP::vertex_areas(mesh)).norm(), 1e-13);
   EXPECT_LT((CGP::voronoi_areas(larger) - 9 * CGP::voronoi_areas(mesh)).norm(), 1e-13);
 }
+
+TEST(Areas, grow_with_the_square_of_the_unit_also_beyond_the_roots_of_the_numbers)
+{
+  const Mesh_view mesh = perturbed(icosphere(1), .2);
+  for (const double unit : {1e-150, 1e-80, 1e80, 1e150}) {
+    const Mesh_view other = scaled(mesh, unit);
+    EXPECT_LT((CGP::face_areas(other) / unit / unit - CGP::face_areas(mesh)).norm(), 1e-13);
+    EXPECT_LT((CGP::vertex_areas(other) / unit / unit - CGP::vertex_areas(mesh)).norm(), 1e-13);
+    EXPECT_LT((CGP::voronoi_areas(other) / unit / unit - CGP::voronoi_areas(mesh)).norm(), 1e-13);
+  }
+}

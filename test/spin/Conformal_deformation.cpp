@@ -187,9 +187,8 @@ TEST(Conformal_deformation, follows_a_drag_without_jumps)
     steps.push_back((r.positions - last).norm());
     last = r.positions;
   }
-  std::vector<double> sorted = steps;
-  std::sort(sorted.begin(), sorted.end());
-  EXPECT_LT(sorted.back(), 3 * sorted[sorted.size() / 2]);
+  std::sort(steps.begin(), steps.end());
+  EXPECT_LT(steps.back(), 3 * steps[steps.size() / 2]);
 }
 
 TEST(Conformal_deformation, drags_to_where_one_move_leads_at_less_cost)
@@ -222,17 +221,29 @@ TEST(Conformal_deformation, of_other_points_starts_anew)
 TEST(Conformal_deformation, with_a_weight_comes_the_nearer_the_larger_it_is)
 {
   const Mesh_view mesh = sphere();
-  const auto points = one_moved(mesh, 8, .3);
   double last = std::numeric_limits<double>::infinity();
   for (const double weight : {3., 30., 300.}) {
     Options options;
     options.position_weight = weight;
-    const CGP::Spin_report report = Deformation(mesh, options).deform(points).report;
+    const auto report = Deformation(mesh, options).deform(one_moved(mesh, 8, .3)).report;
     EXPECT_TRUE(report) << weight;
     EXPECT_LT(report.position_error.max, last / 2);
     last = report.position_error.max;
   }
   EXPECT_LT(last, .001 * diagonal(mesh));
+}
+
+TEST(Conformal_deformation, does_not_depend_on_the_size)
+{
+  const auto found = [](double size, double weight) -> Points {
+    const Mesh_view mesh = scaled(dumbbell(2), size);
+    Options options;
+    options.position_weight = weight;
+    return Deformation(mesh, options).deform(one_moved(mesh, 6, .2)).positions / size;
+  };
+  for (const double w : {3., std::numeric_limits<double>::infinity()})
+    for (const double size : {1.1, 1.4, 1.8})
+      EXPECT_LT((found(size, w) - found(1, w)).norm(), 1e-7 * found(1, w).norm()) << w << size;
 }
 
 TEST(Conformal_deformation, keeps_to_a_bound_on_scales)

@@ -36,6 +36,12 @@ Spins nearly_one(int count, double size)
   return lambda;
 }
 
+/// of the sphere of the same area, in the frame
+double radius_of_area(const CGP::Spin_transformation<>& t)
+{
+  return std::sqrt(area(t.domain().mesh()) / (4 * pi));
+}
+
 /// a surface with five control points, and targets near to them
 struct Controlled {
   explicit Controlled(const Mesh_view& surface)
@@ -113,7 +119,8 @@ TEST(Shape_motions, are_what_similarities_are_not)
   EXPECT_EQ(size(line), 12 - 6);
 }
 
-// The norm of the values is the distance from the targets after the best similarity.
+// The norm of the values is the distance from the targets after the best similarity, by the radius
+// of the sphere of the same area.
 TEST(Position_residual, measures_distances_from_targets)
 {
   Controlled s(perturbed(icosphere(2), .02));
@@ -126,7 +133,7 @@ TEST(Position_residual, measures_distances_from_targets)
       s.transformation.domain().frame().to_frame(CGP::internal::targets_of(s.points));
   const Points distances = CGP::align(h, targets).apply(h) - targets;
   EXPECT_GT(values.norm(), .01);
-  EXPECT_NEAR(values.norm(), distances.norm(), 1e-9);
+  EXPECT_NEAR(values.norm(), distances.norm() / radius_of_area(s.transformation), 1e-9);
   s.residual.set_weight(9);
   EXPECT_NEAR(s.residual.values().norm(), 3 * values.norm(), 1e-12);
 }
@@ -146,7 +153,8 @@ TEST(Position_residual, weighs_points_by_their_masses)
   const Points h = CGP::internal::positions_of(
       points, t.reconstruction().positions(CGP::transformed_edges(t.system().surface(), lambda)));
   const Points distances = CGP::align(h, targets, masses).apply(h) - targets;
-  EXPECT_NEAR(residual.values().squaredNorm(), distances.colwise().squaredNorm().dot(masses), 1e-9);
+  EXPECT_NEAR(residual.values().squaredNorm() * std::pow(radius_of_area(t), 2),
+              distances.colwise().squaredNorm().dot(masses), 1e-9);
   EXPECT_LT((distances * masses).norm(), 1e-12);
 }
 

@@ -66,6 +66,18 @@ TEST(Target_mismatch, of_the_target_is_zero_wherever_and_however_large_it_is)
   }
 }
 
+TEST(Target_mismatch, of_a_surface_does_not_depend_on_the_size_of_the_target)
+{
+  const Mesh_view mesh = perturbed(bumpy_sphere(2), .05);
+  const Points target = stretched(mesh.positions());
+  const Target_mismatch::Value wanted = mismatch_of(mesh, target).source();
+  for (const double size : {1e-150, 1e-80, 1e80, 1e150}) {
+    const Target_mismatch::Value value = mismatch_of(mesh, size * target).source();
+    EXPECT_NEAR(value.alignment.rms, wanted.alignment.rms, 1e-12) << size;
+    EXPECT_NEAR(value.normals, wanted.normals, 1e-12) << size;
+  }
+}
+
 TEST(Target_mismatch, of_the_mesh_is_one_and_the_weight)
 {
   const Mesh_view mesh = bumpy_sphere(2);

@@ -53,6 +53,18 @@ TEST(Fix_gauge, makes_the_mean_real_and_positive_and_the_mean_square_one)
   EXPECT_NEAR(mean_square(lambda, areas), 1, 1e-14);
 }
 
+TEST(Fix_gauge, does_not_depend_on_the_unit_of_areas)
+{
+  const Quaternion_vector<double> before = random_quaternions(20, 1);
+  Quaternion_vector<double> wanted = before;
+  CGP::fix_gauge(wanted, some_areas(20));
+  for (const double unit : {1e-300, 1e-160, 1e160, 1e300}) {
+    Quaternion_vector<double> lambda = before;
+    CGP::fix_gauge(lambda, unit * some_areas(20));
+    for (int i = 0; i < 20; ++i) EXPECT_LT(norm(lambda[i] - wanted[i]), 1e-14) << unit;
+  }
+}
+
 TEST(Fix_gauge, multiplies_by_one_factor_from_the_right)
 {
   const Quaternion_vector<double> before = random_quaternions(20, 1);

@@ -100,10 +100,14 @@ TEST(Surface_of_spin, of_any_eigenfunction_has_the_energy_of_its_eigenvalue)
 TEST(Directions_on_sphere, do_not_depend_on_center_and_radius)
 {
   const Mesh_view sphere = icosphere(2);
-  const Mesh_view moved = mapped(sphere, [](const Eigen::Vector3d& p) {
-    return Eigen::Vector3d(7 * p + Eigen::Vector3d(1, -20, 3));
-  });
-  EXPECT_LT((CGP::directions_on_sphere(moved, "test") - sphere.positions()).norm(), 1e-11);
+  for (const double size : {1e-150, 1e-80, 7., 1e80, 1e150}) {
+    const Mesh_view moved = mapped(sphere, [&](const Eigen::Vector3d& p) {
+      return Eigen::Vector3d(size * (p + Eigen::Vector3d(.1, -3, .4)));
+    });
+    EXPECT_LT((CGP::directions_on_sphere(moved, "test") - sphere.positions()).norm(), 1e-11);
+    EXPECT_THROW((void)CGP::directions_on_sphere(with_reversed_faces(moved), "test"),
+                 CGP::Precondition_error);
+  }
 }
 
 TEST(Dirac_sphere, refuses_surfaces_that_are_no_spheres)

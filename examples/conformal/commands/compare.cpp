@@ -18,6 +18,7 @@
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/in_own_frame.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
@@ -55,14 +56,6 @@ void require_measurable(const Surface_input& input)
     if (!kind->empty()) throw unsuitable(input.file.path, kind->front());
 }
 
-// Each in its own unit frame, in which nothing overflows.
-CGP::Mesh_view in_frame(const CGP::Mesh_view& mesh, const CGP::Points& positions)
-{
-  CGP::Mesh_view result = mesh;
-  result.set_positions(CGP::internal::Normalized_frame(positions).to_frame(positions));
-  return result;
-}
-
 void tell_histogram(const CGP::Mesh_view& a, const CGP::Points& b, Report& report)
 {
   const int bins = 10;
@@ -93,7 +86,8 @@ void tell_energies(const CGP::Mesh_view& a, const CGP::Mesh_view& b, Report& rep
 
 void tell(const CGP::Mesh_view& mesh, const CGP::Points& after, Report& report)
 {
-  const CGP::Mesh_view a = in_frame(mesh, mesh.positions()), b = in_frame(mesh, after);
+  const CGP::Mesh_view a = CGP::internal::in_own_frame(mesh);
+  const CGP::Mesh_view b = CGP::internal::in_own_frame({after, mesh.corners()});
   CGP::Conformality map =
       CGP::conformality(a, b.positions(), CGP::neighbourhood_normals(a, b.positions()));
   const double unit = CGP::internal::Normalized_frame(after).unit() /

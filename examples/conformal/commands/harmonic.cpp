@@ -14,6 +14,7 @@
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
 #include <Conformal_geometry_processing/forms/conformal_modulus.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/in_own_frame.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/exterior_derivative.h>
@@ -63,12 +64,6 @@ void require_handles(const Surface_input& input, const Harmonic_options& options
     throw Failure(Exit_code::usage, options.input + ": there is no form " +
                                         std::to_string(*options.form) + "; try: --form 0 to " +
                                         std::to_string(2 * genus - 1));
-}
-
-CGP::Mesh_view in_frame(const CGP::Mesh_view& mesh)
-{
-  return {CGP::internal::Normalized_frame(mesh.positions()).to_frame(mesh.positions()),
-          mesh.corners()};
 }
 
 // The certificate: forms are harmonic if they are closed, coclosed and orthonormal, independently
@@ -158,7 +153,7 @@ void add_fields(const Surface_input& whole, const Component& component,
 Surface_file file_with_fields(const Surface_input& input, const Fields& fields)
 {
   Surface_file file = input.file;
-  const CGP::Mesh_view mesh = in_frame(input.mesh);
+  const CGP::Mesh_view mesh = CGP::internal::in_own_frame(input.mesh);
   for (const auto& [number, field] : fields)
     set_field(input, mesh, field, "harmonic_" + std::to_string(number), file);
   return file;
@@ -168,7 +163,7 @@ CGP::Harmonic_basis find(const Surface_input& input, const Harmonic_options& opt
                          Session& session)
 {
   require_handles(input, options);
-  const CGP::Mesh_view mesh = in_frame(input.mesh);
+  const CGP::Mesh_view mesh = CGP::internal::in_own_frame(input.mesh);
   const CGP::Hodge_decomposition<> hodge(mesh, "harmonic");
   throw_if_interrupted();
   session.end_stage("solve");

@@ -8,7 +8,7 @@
 #include "conformal/repair/triangulation.h"
 
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/in_own_frame.h>
 
 #include <numeric>
 
@@ -73,17 +73,11 @@ bool is_closed_manifold(const CGP::Mesh_view& mesh)
   return mesh.size_of_faces() > 0;
 }
 
-// with the right sign however large or small the surface is
-double volume_in_frame(CGP::Mesh_view mesh)
-{
-  mesh.set_positions(CGP::internal::Normalized_frame(mesh.positions()).to_frame(mesh.positions()));
-  return CGP::signed_volume(mesh);
-}
-
 void turn_outward(Surface_input& input)
 {
   if (!input.is_orientable || !is_closed_manifold(input.mesh)) return;
-  if (!(volume_in_frame(input.mesh) < 0)) return;
+  // The sign of the volume is right however large or small the surface is.
+  if (!(CGP::signed_volume(CGP::internal::in_own_frame(input.mesh)) < 0)) return;
   input.is_turned_outward = true;
   auto corners = input.mesh.corners();
   for (auto& triangle : corners) std::swap(triangle[1], triangle[2]);

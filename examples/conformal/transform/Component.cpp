@@ -5,7 +5,7 @@
 #include "conformal/process/text.h"
 
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/in_own_frame.h>
 
 #include <numeric>
 #include <utility>
@@ -36,12 +36,11 @@ std::vector<int> first_numbers(int count)
 }
 
 /// whether it is closed and has a negative volume; it may be no manifold
-bool is_inside_out(CGP::Mesh_view mesh)
+bool is_inside_out(const CGP::Mesh_view& mesh)
 {
   for (int k = 0; k < mesh.size_of_edges(); ++k)
     if (mesh.halfedges_end(k) - mesh.halfedges_begin(k) != 2) return false;
-  mesh.set_positions(CGP::internal::Normalized_frame(mesh.positions()).to_frame(mesh.positions()));
-  return CGP::signed_volume(mesh) < 0;
+  return CGP::signed_volume(CGP::internal::in_own_frame(mesh)) < 0;
 }
 
 }  // namespace

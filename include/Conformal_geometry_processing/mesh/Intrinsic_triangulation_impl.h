@@ -33,8 +33,9 @@ CGP_INLINE double internal::Intrinsic_triangulation::area(int f) const
   std::array<double, 3> l = {length(3 * f), length(3 * f + 1), length(3 * f + 2)};
   std::sort(l.begin(), l.end());
   const auto [c, b, a] = l;
-  const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
-  return std::sqrt((std::max)(product, 0.)) / 4;
+  // Of two products, for one of four lengths would overflow or underflow.
+  return std::sqrt((a + (b + c)) * (a + (b - c))) *
+         std::sqrt((std::max)((c - (a - b)) * (c + (a - b)), 0.)) / 4;
 }
 
 CGP_INLINE Eigen::Vector2d internal::Intrinsic_triangulation::apex_in_plane(int h) const

@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_OPERATORS_MASS_MATRICES_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
@@ -37,18 +38,13 @@ CGP_INLINE Eigen::VectorXd voronoi_areas(const Surface_ref& surface)
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(surface.size_of_vertices());
   for (int s = 0; s < surface.size_of_sheets(); ++s) {
     const Sheet sheet = surface.sheet(s);
-    const auto& e = sheet.vectors;
-    Eigen::Vector3d inner;  // <edge, edge> at corner c, negative if obtuse
-    for (int c = 0; c < 3; ++c) inner[c] = -e.col((c + 1) % 3).dot(e.col((c + 2) % 3));
-    const bool is_obtuse = inner.minCoeff() < 0;
-    for (int c = 0; c < 3; ++c) {
-      const int a = (c + 1) % 3, b = (c + 2) % 3;
+    const Eigen::Vector3d cot(cotangent(sheet, 0), cotangent(sheet, 1), cotangent(sheet, 2));
+    const bool is_obtuse = cot.minCoeff() < 0;
+    const Eigen::RowVector3d part =  // next to each edge; a fourth power of lengths would overflow
+        sheet.vectors.colwise().squaredNorm().cwiseProduct(cot.transpose()) / 8;
+    for (int c = 0; c < 3; ++c)
       areas[sheet.corners[static_cast<std::size_t>(c)]] +=
-          sheet.share *
-          (is_obtuse ? sheet.area / (inner[c] < 0 ? 2 : 4)
-                     : (e.col(a).squaredNorm() * inner[a] + e.col(b).squaredNorm() * inner[b]) /
-                           (16 * sheet.area));
-    }
+          sheet.share * (is_obtuse ? sheet.area / (cot[c] < 0 ? 2 : 4) : part.sum() - part[c]);
   }
   return areas;
 }

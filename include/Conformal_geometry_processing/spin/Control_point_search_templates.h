@@ -36,7 +36,7 @@ Control_point_search<SolverTraits, EigensolverTraits>::Control_point_search(
 {
   std::vector<Spin_residual*> residuals, constraints;
   const double w = options.position_weight;
-  if (std::isfinite(w)) m_positions.set_weight(w * w / (m_unit * m_unit));
+  if (std::isfinite(w)) m_positions.set_weight(w * w);
   (std::isfinite(w) ? residuals : constraints).push_back(&m_positions);
   if (m_exactness) m_periods.emplace(transformation.system().surface(), *m_exactness);
   if (m_exactness) constraints.push_back(&*m_periods);
@@ -113,7 +113,7 @@ bool Control_point_search<SolverTraits, EigensolverTraits>::go_to(double share,
                                                                   const Dirac_options& options,
                                                                   const Go_further& go_further)
 {
-  const double tolerance = 1e-9;  // of distances in the frame
+  const double tolerance = 1e-9;  // of distances by R
   const typename Search::Candidate before = m_search->present();
   m_positions.set_targets(m_from + share * (m_to - m_from));
   const auto is_there = [&] {

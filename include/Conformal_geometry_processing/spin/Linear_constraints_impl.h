@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/spin/Linear_constraints.h>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
 #include <utility>
 
@@ -21,7 +22,11 @@ CGP_INLINE Linear_constraints::Linear_constraints(Eigen::MatrixXd gradients,
   if (m_gradients.cols() == 0) return;
   const double rounding = 1e-12;
   Eigen::MatrixXd gram = m_gradients.transpose() * m_directions;
-  const double largest = gram.diagonal().maxCoeff();
+  // Of constraints in another orthonormal basis it is the same.
+  const double largest =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram, Eigen::EigenvaluesOnly)
+          .eigenvalues()
+          .maxCoeff();
   gram.diagonal().array() += rounding * largest;
   m_gram.compute(gram);
   gram.diagonal() += largest * dampings.cwiseAbs2();

@@ -54,13 +54,13 @@ class Shape_motions {
 
 /// \ingroup PkgSpin
 /// \brief the distances of control points of a transformed surface from their targets, after the
-/// best similarity T, in the frame of the surface.
+/// best similarity T, in units of the radius R of the sphere of the same area.
 ///
-/// The values are Z^T m^(1/2) (T h - t) with h the control points, m their masses, and Z the
+/// The values are Z^T m^(1/2) (T h - t) / R with h the control points, m their masses, and Z the
 /// `Shape_motions` of T h. The change of T is orthogonal to Z, so the change of the values is Z^T
-/// m^(1/2) dT(dh), up to the change of Z, which is multiplied by distances that become small. The
-/// similarity may be anything: the total scale, the position, and the turn of the surface have no
-/// effect.
+/// m^(1/2) dT(dh) / R, up to the change of Z, which is multiplied by distances that become small.
+/// The similarity may be anything: the total scale, the position, and the turn of the surface have
+/// no effect.
 template <class SolverTraits>
 class Position_residual : public Spin_residual {
  public:
@@ -79,8 +79,8 @@ class Position_residual : public Spin_residual {
   void set_spins(const Spins& lambda) override;
   Eigen::VectorXd values() const override { return coordinates(m_distances); }
 
-  /// \brief proportional to the distances that are left: a step by what hardly moves points would
-  /// be long and lead nowhere, and a short one makes it move them more.
+  /// \brief proportional to the values, the distances that are left: a step by what hardly moves
+  /// points would be long and lead nowhere, and a short one makes it move them more.
   ///
   /// The first change of a round sphere moves it along its normals alone, and along itself it moves
   /// once it is bumpy; near the targets nothing is left alone.
@@ -89,13 +89,14 @@ class Position_residual : public Spin_residual {
   Spins gradient(const Eigen::VectorXd& y) const override;
 
  private:
-  /// Z^T of the roots of masses and weight times v
+  /// Z^T of the roots of masses and weight times v / R
   Eigen::VectorXd coordinates(const Points& v) const;
 
   Surface_ref m_surface;
   const Poisson_reconstruction<SolverTraits>& m_reconstruction;
   std::vector<Control_point> m_points;
   Eigen::VectorXd m_masses;
+  double m_radius;  // R
   Points m_targets;
   Eigen::Index m_size = 0;
   double m_weight = 1;

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POSITION_RESIDUAL_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POSITION_RESIDUAL_TEMPLATES_H
 
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
 #include <Conformal_geometry_processing/spin/Position_residual.h>
 #include <Conformal_geometry_processing/spin/edge_derivative.h>
@@ -24,7 +25,8 @@ Position_residual<SolverTraits>::Position_residual(
     : m_surface(surface),
       m_reconstruction(reconstruction),
       m_points(std::move(points)),
-      m_masses(std::move(masses))
+      m_masses(std::move(masses)),
+      m_radius(std::sqrt(vertex_areas(surface).sum() / (4 * std::acos(-1.))))
 {
   if (m_masses.size() == 0) m_masses.setOnes(static_cast<Eigen::Index>(m_points.size()));
 }
@@ -33,7 +35,7 @@ template <class SolverTraits>
 void Position_residual<SolverTraits>::set_targets(Points targets)
 {
   m_targets = std::move(targets);
-  m_size = Shape_motions(m_targets, m_masses).size();
+  m_size = Shape_motions(m_targets / m_radius, m_masses).size();
 }
 
 template <class SolverTraits>
@@ -45,14 +47,14 @@ void Position_residual<SolverTraits>::set_spins(const Spins& lambda)
   m_placement = placement(h, m_targets, m_masses);
   const Points placed = m_placement.apply(h);
   m_distances = placed - m_targets;
-  m_motions = Shape_motions(placed, m_masses);
+  m_motions = Shape_motions(placed / m_radius, m_masses);
 }
 
 template <class SolverTraits>
 double Position_residual<SolverTraits>::damping() const
 {
-  const double share = 0.3;  // of the distances in the frame
-  return share * m_distances.norm();
+  const double share = 0.25;
+  return share * values().norm();
 }
 
 template <class SolverTraits>
@@ -68,7 +70,7 @@ auto Position_residual<SolverTraits>::gradient(const Eigen::VectorXd& y) const -
 {
   const Points z = m_motions.motion(y).reshaped(3, m_targets.cols()) *
                    (m_weight * m_masses).cwiseSqrt().asDiagonal();
-  const Points forces = m_placement.scale * (m_placement.rotation.transpose() * z);
+  const Points forces = m_placement.scale / m_radius * (m_placement.rotation.transpose() * z);
   Points all = Points::Zero(3, m_lambda.size());
   for (std::size_t k = 0; k < m_points.size(); ++k)
     for (std::size_t i = 0; i < m_points[k].vertices.size(); ++i)
@@ -80,7 +82,7 @@ auto Position_residual<SolverTraits>::gradient(const Eigen::VectorXd& y) const -
 template <class SolverTraits>
 Eigen::VectorXd Position_residual<SolverTraits>::coordinates(const Points& v) const
 {
-  const Points scaled = v * (m_weight * m_masses).cwiseSqrt().asDiagonal();
+  const Points scaled = v / m_radius * (m_weight * m_masses).cwiseSqrt().asDiagonal();
   return m_motions.coordinates(scaled.reshaped(), m_size);
 }
 

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
 #include <Eigen/Core>
 
@@ -56,8 +57,9 @@ class Target_mismatch {
 
  private:
   Mesh_view m_target;
+  Normalized_frame m_frame;  // of the target, where squares of areas neither overflow nor underflow
   Eigen::VectorXd m_areas;
-  Points m_normals;  // of the target, times twice the areas of faces
+  Points m_normals;  // of the target, times twice the areas of faces, in the frame
   double m_normal_weight, m_tolerance;
   Value m_source;
 };

@@ -33,8 +33,9 @@ CGP_INLINE Target_mismatch::Target_mismatch(const Mesh_view& mesh, Points target
                                             Eigen::VectorXd areas, double normal_weight,
                                             double tolerance)
     : m_target(std::move(target), mesh.corners()),
+      m_frame(m_target.positions()),
       m_areas(std::move(areas)),
-      m_normals(double_vector_areas(m_target, m_target.positions())),
+      m_normals(double_vector_areas(m_target, m_frame.to_frame(m_target.positions()))),
       m_normal_weight(normal_weight),
       m_tolerance(tolerance),
       m_source((*this)(mesh.positions()))
@@ -51,7 +52,8 @@ CGP_INLINE Target_mismatch::Target_mismatch(const Mesh_view& mesh, Points target
 CGP_INLINE Target_mismatch::Value Target_mismatch::operator()(const Points& positions) const
 {
   Value value{align(positions, m_target.positions(), m_areas)};
-  const Points normals = double_vector_areas(m_target, value.alignment.apply(positions));
+  const Points normals =
+      double_vector_areas(m_target, m_frame.to_frame(value.alignment.apply(positions)));
   double squares = 0, area = 0;
   for (Eigen::Index f = 0; f < normals.cols(); ++f) {
     const double weight = m_normals.col(f).norm();

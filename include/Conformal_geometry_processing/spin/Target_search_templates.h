@@ -120,7 +120,7 @@ bool Target_search<SolverTraits, EigensolverTraits>::try_weight(double w,
                                                                 const Go_further& go_further)
 {
   const double period_tolerance = 1e-5, factor = 4, largest_weight = 1e4;
-  m_positions.set_weight(w / m_unit);
+  m_positions.set_weight(w);
   Spin_result next;
   for (;;) {
     m_search.minimize(options, go_further, period_tolerance);

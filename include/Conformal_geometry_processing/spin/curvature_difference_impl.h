@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
+#include <Conformal_geometry_processing/mesh/in_own_frame.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/mean_curvature.h>
 #include <Conformal_geometry_processing/spin/curvature_difference.h>
@@ -15,17 +16,6 @@
 #include <string>
 
 namespace Conformal_geometry_processing {
-
-namespace internal {
-
-/// of moderate size, where squares of areas neither overflow nor underflow
-CGP_INLINE Mesh_view in_own_frame(Mesh_view mesh)
-{
-  mesh.set_positions(Normalized_frame(mesh.positions()).to_frame(mesh.positions()));
-  return mesh;
-}
-
-}  // namespace internal
 
 CGP_INLINE Curvature_potential curvature_difference(const Mesh_view& mesh, const Points& positions)
 {

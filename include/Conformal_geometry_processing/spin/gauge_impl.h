@@ -15,14 +15,15 @@ namespace Conformal_geometry_processing {
 CGP_INLINE void fix_gauge(Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas)
 {
   const double vanishing = 1e-6;  // relative to the root mean square
+  const Eigen::VectorXd shares = areas / areas.sum();
   Quaternion<double> direction;
   double square = 0;
   for (Eigen::Index i = 0; i < lambda.size(); ++i) {
-    direction += areas[i] * lambda[i];
-    square += areas[i] * squared_norm(lambda[i]);
+    direction += shares[i] * lambda[i];
+    square += shares[i] * squared_norm(lambda[i]);
   }
-  const double length = std::sqrt(square / areas.sum());
-  if (norm(direction) < vanishing * length * areas.sum()) {
+  const double length = std::sqrt(square);
+  if (norm(direction) < vanishing * length) {
     Eigen::Index largest;
     components(lambda).colwise().squaredNorm().maxCoeff(&largest);
     direction = lambda[largest];

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/measure/energies.h>
+#include <Conformal_geometry_processing/mesh/in_own_frame.h>
 #include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
 
 #include <Eigen/Cholesky>
@@ -17,6 +18,7 @@ namespace Conformal_geometry_processing {
 namespace internal {
 
 /// Returns the centre of the best-fitting sphere, by least squares of |p - c|^2 - r^2.
+/// \pre positions are of moderate size
 CGP_INLINE Eigen::Vector3d center_of_sphere(const Points& positions)
 {
   const Eigen::Vector3d mean = positions.rowwise().mean();
@@ -34,15 +36,16 @@ CGP_INLINE Points directions_on_sphere(const Mesh_view& mesh, const std::string&
 {
   require_not_empty(mesh, function);
   require_finite_positions(mesh, function);
-  const Eigen::Vector3d center = internal::center_of_sphere(mesh.positions());
-  Points directions = mesh.positions().colwise() - center;
+  const Mesh_view framed = internal::in_own_frame(mesh);
+  const Eigen::Vector3d center = internal::center_of_sphere(framed.positions());
+  Points directions = framed.positions().colwise() - center;
   const double radius = directions.colwise().norm().mean();
   internal::refuse_if_any(
       mesh.size_of_vertices(),
       [&](int v) { return !(std::abs(directions.col(v).norm() - radius) <= 1e-3 * radius); },
       internal::name_of_vertex, function, "#vertex away from the sphere",
       "a round sphere is needed");
-  if (signed_volume(mesh) < 0)
+  if (signed_volume(framed) < 0)
     throw Precondition_error(function, "the normals point inward; turn the faces around");
   return directions / radius;
 }
