@@ -112,6 +112,26 @@ TEST(Dirac_gram, has_the_energies_and_quotients_of_the_dense_matrices)
   }
 }
 
+TEST(Dirac_gram, adds_vectors_and_forgets_early_ones)
+{
+  const Mesh_view mesh = radially_perturbed(icosphere(2), 0.2);
+  const Quaternion_matrix V = random_columns(mesh.size_of_vertices(), 6);
+  Quaternion_matrix kept(V.rows(), 3);
+  kept << V.col(0), V.rightCols(2);
+  for (const auto on : both) {
+    const Curvature_potential rho = random_potential(mesh, on);
+    Dirac_gram gram;
+    EXPECT_EQ(gram.size_of_vectors(), 0);
+    for (const int columns : {1, 4, 4, 6}) gram.extend(mesh, rho, V.leftCols(columns));
+    const Dirac_gram all(mesh, rho, V), last(mesh, rho, kept);
+    EXPECT_LT(relative_difference(gram.energy(.3, -.7), all.energy(.3, -.7)), 1e-14);
+    gram.forget_all_but(5);
+    EXPECT_EQ(gram.size_of_vectors(), 6);
+    gram.forget_all_but(2);
+    EXPECT_LT(relative_difference(gram.energy(.3, -.7), last.energy(.3, -.7)), 1e-14);
+  }
+}
+
 TEST(Dirac_gram, is_that_of_the_sheets_on_every_surface)
 {
   const Mesh_view clean = bumpy_sphere(1), mesh = spoilt(clean), bounded = disk(4);

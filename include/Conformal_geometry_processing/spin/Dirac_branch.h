@@ -114,7 +114,8 @@ class Dirac_branch {
   Dirac_solution& m_s;
   const Go_further& m_go_further;
   const Quaternion_vector<double> m_one;
-  Vectors m_span;  // orthonormal with respect to the vertex areas
+  Vectors m_span;     // orthonormal with respect to the vertex areas
+  Dirac_gram m_gram;  // of the span, without the vectors added since the last prediction
   Branch_point m_pole;
 };
 

@@ -162,10 +162,10 @@ template <class SolverTraits, class EigensolverTraits>
 void Dirac_branch<SolverTraits, EigensolverTraits>::forget_early_vectors()
 {
   const Eigen::Index kept = 5;
-  const Vectors last = m_span.rightCols((std::min)(kept, m_span.cols()));
-  m_span.resize(0, 0);
-  add(m_one);
-  for (Eigen::Index j = 0; j < last.cols(); ++j) add(last.col(j));
+  if (m_span.cols() <= kept + 1) return;
+  m_span.middleCols(1, kept) = m_span.rightCols(kept).eval();
+  m_span.conservativeResize(Eigen::NoChange, kept + 1);
+  m_gram.forget_all_but(kept);
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -176,10 +176,10 @@ Branch_point Dirac_branch<SolverTraits, EigensolverTraits>::predict(Branch_point
   for (const double least_overlap : {0.98, 0.9, 0.85}) {
     if (least_overlap < 0.98) extend(2);
     Stopwatch watch;
-    const Dirac_gram gram(m_system.surface(), m_rho, m_span);
+    m_gram.extend(m_system.surface(), m_rho, m_span);
     first.c = gram_matrix(m_span, block_operator(m_system.areas())(Vectors(m_s.lambda))).col(0);
     components(first.c) /= components(first.c).norm();
-    p = follow_branch(gram, first, end, least_overlap);
+    p = follow_branch(m_gram, first, end, least_overlap);
     m_s.seconds.eigenvectors += watch.lap();
     if (p.t == end) return p;
   }

@@ -23,11 +23,25 @@ namespace internal {
 /// the size of the mesh.
 class Dirac_gram {
  public:
-  /// O(k^2 sheets), without assembling a matrix
-  Dirac_gram(const Surface_ref& surface, const Curvature_potential& rho,
-             const Block<Quaternion<double>>& vectors);
+  /// of no vectors
+  Dirac_gram() = default;
 
-  Eigen::Index size_of_vectors() const { return m_products.cols() / 3; }
+  Dirac_gram(const Surface_ref& surface, const Curvature_potential& rho,
+             const Block<Quaternion<double>>& vectors)
+  {
+    extend(surface, rho, vectors);
+  }
+
+  /// \brief adds the last columns of V; the first ones are the present vectors.
+  ///
+  /// O(k sheets) for each new vector, without assembling a matrix
+  void extend(const Surface_ref& surface, const Curvature_potential& rho,
+              const Block<Quaternion<double>>& vectors);
+
+  /// keeps the first vector and the last `count` others
+  void forget_all_but(Eigen::Index count);
+
+  Eigen::Index size_of_vectors() const { return m_products.cols() / images; }
 
   /// V^H X V for the energy X of t rho + sigma, k x k: Hermitian, positive semidefinite
   Block<Quaternion<double>> energy(double t, double sigma) const;
@@ -37,12 +51,12 @@ class Dirac_gram {
   double quotient(double t, const Quaternion_vector<double>& c) const;
 
  private:
-  enum Image : Eigen::Index { dirac, potential, average };
+  enum Image : Eigen::Index { dirac, potential, average, images };
 
   /// c^H <image a, image b> c
   Quaternion<double> form(Image a, Image b, const Quaternion_vector<double>& c) const;
 
-  Block<Quaternion<double>> m_products;  // [D V, R V, B V]^H M_F [D V, R V, B V]
+  Block<Quaternion<double>> m_products;  // of D v_1, R v_1, B v_1, D v_2, ... in M_F
 };
 
 /// \ingroup PkgSpin

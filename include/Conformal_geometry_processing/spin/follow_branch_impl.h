@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -36,7 +37,7 @@ CGP_INLINE void add_images(const Sheet& sheet, const Eigen::Vector3d& rho,
     }
     for (Eigen::Index i = 0; i < 3; ++i) {
       const Quaternion<double>& q = image[static_cast<std::size_t>(i)];
-      images.row(r).segment<4>(4 * (i * k + a)) << q.w, q.x, q.y, q.z;
+      images.row(r).segment<4>(4 * (3 * a + i)) << q.w, q.x, q.y, q.z;
     }
   }
 }
@@ -49,25 +50,36 @@ CGP_INLINE Quaternion<double> inner_product_of(const Eigen::Matrix4d& s)
 }
 
 // Real products, because Eigen's are several times as fast as sums of products of quaternions.
-CGP_INLINE Dirac_gram::Dirac_gram(const Surface_ref& surface, const Curvature_potential& rho,
-                                  const Block<Quaternion<double>>& vectors)
-    : m_products(3 * vectors.cols(), 3 * vectors.cols())
+CGP_INLINE void Dirac_gram::extend(const Surface_ref& surface, const Curvature_potential& rho,
+                                   const Block<Quaternion<double>>& vectors)
 {
-  const Eigen::Index columns = 4 * m_products.cols();
-  const int all = surface.size_of_sheets(), most = 256;  // images of so many sheets fit the cache
-  Eigen::MatrixXd images(most, columns), sums = Eigen::MatrixXd::Zero(columns, columns);
-  for (int first = 0; first < all; first += most) {
-    const int count = (std::min)(most, all - first);
+  const Eigen::Index old = m_products.cols(), all = images * vectors.cols(), added = all - old;
+  const int sheets = surface.size_of_sheets(), most = 256;  // images of so many fit the cache
+  Eigen::MatrixXd part(most, 4 * all), sums = Eigen::MatrixXd::Zero(4 * all, 4 * added);
+  for (int first = 0; first < sheets && added > 0; first += most) {
+    const int count = (std::min)(most, sheets - first);
     for (int i = 0; i < count; ++i) {
       const Sheet sheet = surface.sheet(first + i);
-      add_images(sheet, rho.at_corners(sheet), vectors, i, images);
+      add_images(sheet, rho.at_corners(sheet), vectors, i, part);
     }
-    sums.selfadjointView<Eigen::Lower>().rankUpdate(images.topRows(count).transpose());
+    sums.noalias() += part.topRows(count).transpose() * part.topRows(count).rightCols(4 * added);
   }
-  sums.triangularView<Eigen::StrictlyUpper>() = sums.transpose();
-  for (Eigen::Index j = 0; j < m_products.cols(); ++j)
-    for (Eigen::Index i = 0; i < m_products.rows(); ++i)
-      m_products(i, j) = inner_product_of(sums.block<4, 4>(4 * i, 4 * j));
+  m_products.conservativeResize(all, all);
+  for (Eigen::Index j = old; j < all; ++j)
+    for (Eigen::Index i = 0; i <= j; ++i) {
+      m_products(i, j) = inner_product_of(sums.block<4, 4>(4 * i, 4 * (j - old)));
+      m_products(j, i) = conjugate(m_products(i, j));
+    }
+}
+
+CGP_INLINE void Dirac_gram::forget_all_but(Eigen::Index count)
+{
+  const Eigen::Index kept = images * count, late = m_products.cols() - kept;
+  if (late <= images) return;
+  Block<Quaternion<double>> products(images + kept, images + kept);
+  products << m_products.topLeftCorner(images, images), m_products.topRightCorner(images, kept),
+      m_products.bottomLeftCorner(kept, images), m_products.bottomRightCorner(kept, kept);
+  m_products = std::move(products);
 }
 
 CGP_INLINE Block<Quaternion<double>> Dirac_gram::energy(double t, double sigma) const
@@ -75,11 +87,12 @@ CGP_INLINE Block<Quaternion<double>> Dirac_gram::energy(double t, double sigma) 
   const Eigen::Index k = size_of_vectors();
   const std::array<double, 3> factor{1, -t, -sigma};
   Block<Quaternion<double>> E = Block<Quaternion<double>>::Constant(k, k, {});
-  for (Eigen::Index a = 0; a < 3; ++a)
-    for (Eigen::Index b = 0; b < 3; ++b) {
+  for (Eigen::Index a = 0; a < images; ++a)
+    for (Eigen::Index b = 0; b < images; ++b) {
       const double f = factor[static_cast<std::size_t>(a)] * factor[static_cast<std::size_t>(b)];
       for (Eigen::Index j = 0; j < k; ++j)
-        for (Eigen::Index i = 0; i < k; ++i) E(i, j) += f * m_products(a * k + i, b * k + j);
+        for (Eigen::Index i = 0; i < k; ++i)
+          E(i, j) += f * m_products(images * i + a, images * j + b);
     }
   return E;
 }
@@ -91,7 +104,7 @@ CGP_INLINE Quaternion<double> Dirac_gram::form(Image a, Image b,
   Quaternion<double> sum;
   for (Eigen::Index j = 0; j < k; ++j)
     for (Eigen::Index i = 0; i < k; ++i)
-      sum += conjugate(c[i]) * m_products(a * k + i, b * k + j) * c[j];
+      sum += conjugate(c[i]) * m_products(images * i + a, images * j + b) * c[j];
   return sum;
 }
 
