@@ -6,11 +6,15 @@
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
+#include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/follow_branch.h>
 
 #include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
 
 namespace Conformal_geometry_processing {
 
@@ -95,16 +99,39 @@ class Dirac_branch {
   /// \brief makes s.lambda the eigenvector near its present value at p.t, and p.gamma its
   /// eigenvalue.
   ///
-  /// The secant method finds the shift that is the quotient of its own eigenvector: iterating
-  /// sigma <- gamma alone gains three digits a step on fine meshes and one bit on the coarsest.
+  /// The shift has to be the quotient of its own eigenvector. It follows the quotient of the
+  /// iterates (`follow_quotient()`), which gains three digits a move on fine meshes; where that is
+  /// slow, the secant method finds it.
   void refine(Branch_point& p, double tolerance);
 
-  /// the eigenvector at (t, sigma), where X is assembled; factors X there if the factor at hand is
-  /// too far away
-  void iterate(double t, double sigma, double tolerance);
+  /// the eigenvalue of lambda less the shift of X, at.gamma
+  double quotient_change(const Branch_point& at, const Quaternion_vector<double>& lambda) const
+  {
+    return dirac_quotient(m_system.surface(), potential(at.t, at.gamma), lambda);
+  }
 
-  /// the smallest eigenvector of X as assembled, from s.lambda
-  void smallest(double tolerance);
+  /// the change up to which a shift counts as the quotient of its eigenvector, in 1/length
+  double stationary(double tolerance) const { return tolerance * std::sqrt(m_system.unit()); }
+
+  /// adds the change to the shift, but at most a quarter of the gap
+  void move(Branch_point& at, double change) const
+  {
+    at.gamma += std::clamp(change, -at.least_gap / 4, at.least_gap / 4);
+  }
+
+  /// the eigenvector of X, which is assembled; factors X there if the factor at hand is too far
+  /// away. at.gamma is the shift, before and after.
+  void iterate(Branch_point& at, double tolerance);
+
+  /// the smallest eigenvector of X, which is assembled, from s.lambda
+  void smallest(Branch_point& at, double tolerance);
+
+  /// \brief moves the shift to the quotient of an iterate and assembles X there; returns whether it
+  /// has.
+  ///
+  /// Ends when a change is more than half of the one before: on coarse meshes the quotient runs
+  /// ahead of the shift, and a matrix that keeps moving would only delay the eigenvector.
+  bool follow_quotient(Branch_point& at, double tolerance, const Eigensolver_progress& iterate);
 
   void conclude(const Branch_point& p);
 
@@ -117,6 +144,7 @@ class Dirac_branch {
   Vectors m_span;     // orthonormal with respect to the vertex areas
   Dirac_gram m_gram;  // of the span, without the vectors added since the last prediction
   Branch_point m_pole;
+  double m_last_change = 0;  // of the quotient, when the shift followed it; 0: it does not any more
 };
 
 }  // namespace internal

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -191,45 +192,62 @@ template <class SolverTraits, class EigensolverTraits>
 void Dirac_branch<SolverTraits, EigensolverTraits>::refine(Branch_point& p, double tolerance)
 {
   const int max_passes = 12;
-  const double rough = 1e-3, slowest = -0.05, stationary = tolerance * std::sqrt(m_system.unit());
-  double sigma = p.gamma, last_sigma = 0, last_change = 0;
+  const double slowest = -0.05;
+  Branch_point at = p;  // gamma is the shift of X
+  double last_sigma = 0, last_change = 0;
+  m_last_change = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < max_passes; ++pass) {
-    const double now = pass == 0 ? (std::max)(tolerance, rough) : tolerance;
-    m_system.assemble(potential(p.t, sigma), m_s.seconds);
-    iterate(p.t, sigma, now);
-    const double change = dirac_quotient(m_system.surface(), potential(p.t, sigma), m_s.lambda);
+    m_system.assemble(potential(at.t, at.gamma), m_s.seconds);
+    iterate(at, tolerance);
+    const double sigma = at.gamma, change = quotient_change(at, m_s.lambda);
     p.gamma = sigma + change;
-    m_s.converged = m_s.residual <= tolerance && std::abs(change) <= stationary;
+    m_s.converged = m_s.residual <= tolerance && std::abs(change) <= stationary(tolerance);
     if (m_s.converged || m_s.cancelled || m_s.iterations >= m_options.max_iterations) return;
     const bool has_moved = pass > 0 && sigma != last_sigma;
     if (pass > 1 && !has_moved) return;  // rounding errors keep the residual above the tolerance
     const double slope = has_moved ? (change - last_change) / (sigma - last_sigma) : -1;
     last_sigma = sigma;
     last_change = change;
-    const double step = change / (std::min)(slope, slowest), longest = p.least_gap / 4;
-    sigma -= std::clamp(step, -longest, longest);
+    move(at, -change / (std::min)(slope, slowest));
   }
 }
 
 template <class SolverTraits, class EigensolverTraits>
-void Dirac_branch<SolverTraits, EigensolverTraits>::iterate(double t, double sigma,
-                                                            double tolerance)
+void Dirac_branch<SolverTraits, EigensolverTraits>::iterate(Branch_point& at, double tolerance)
 {
-  smallest(tolerance);
-  const bool is_pole = m_pole.t == t && m_pole.gamma == sigma;
+  smallest(at, tolerance);
+  const bool is_pole = m_pole.t == at.t && m_pole.gamma == at.gamma;
   if (m_s.residual <= tolerance || m_s.cancelled || is_pole) return;
-  place_pole(t, sigma);
-  smallest(tolerance);
+  place_pole(at.t, at.gamma);
+  smallest(at, tolerance);
 }
 
 template <class SolverTraits, class EigensolverTraits>
-void Dirac_branch<SolverTraits, EigensolverTraits>::smallest(double tolerance)
+bool Dirac_branch<SolverTraits, EigensolverTraits>::follow_quotient(
+    Branch_point& at, double tolerance, const Eigensolver_progress& iterate)
+{
+  const double settled = 1e-2;  // before, the iterate may not be on the branch yet
+  if (iterate.estimate > settled || m_last_change == 0) return false;
+  const double change = quotient_change(at, iterate.vectors->col(0)), size = std::abs(change);
+  if (size <= stationary(tolerance)) return false;
+  const bool is_halved = size <= m_last_change / 2;
+  m_last_change = is_halved ? size : 0;
+  if (!is_halved) return false;
+  move(at, change);
+  m_system.assemble(potential(at.t, at.gamma), m_s.seconds);
+  return true;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Dirac_branch<SolverTraits, EigensolverTraits>::smallest(Branch_point& at, double tolerance)
 {
   Stopwatch watch;
+  const double assembly = m_s.seconds.assembly;
   Eigensolver_options options;
   options.tolerance = tolerance;
   options.max_iterations = (std::max)(m_options.max_iterations - m_s.iterations, 0);
   options.scale = std::sqrt(m_system.unit());
+  options.adapt = [&](const auto& iterate) { return follow_quotient(at, tolerance, iterate); };
   const auto go_further = [this, done = m_s.iterations](Eigensolver_progress p) {
     p.iteration += done;
     return m_go_further(p);
@@ -243,7 +261,7 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::smallest(double tolerance)
   m_s.iterations += r.iterations;
   m_s.solves += r.solves;
   m_s.cancelled = r.cancelled;
-  m_s.seconds.eigenvectors += watch.lap();
+  m_s.seconds.eigenvectors += watch.lap() - (m_s.seconds.assembly - assembly);
 }
 
 template <class SolverTraits, class EigensolverTraits>

@@ -25,9 +25,7 @@ class Iteration {
 
   bool is_last(double theta, double size)
   {
-    CGP::internal::Ritz_panel x{Block(2, 1), Block(2, 1), Block(2, 1)};
-    x.v(0, 0).w = x.nv(0, 0).w = 1;
-    x.kv(0, 0).w = theta;
+    const CGP::internal::Ritz_panel x = panel(theta);
     Block r(2, 1);
     r(1, 0).w = size;
     m_convergence.count_solve();
@@ -36,9 +34,19 @@ class Iteration {
     return last;
   }
 
+  bool has_adapted(double theta) { return m_convergence.has_adapted(panel(theta)); }
+
   CGP::Eigensolver_result result() { return m_convergence.result(); }
 
  private:
+  static CGP::internal::Ritz_panel panel(double theta)
+  {
+    CGP::internal::Ritz_panel x{Block(2, 1), Block(2, 1), Block(2, 1)};
+    x.v(0, 0).w = x.nv(0, 0).w = 1;
+    x.kv(0, 0).w = theta;
+    return x;
+  }
+
   CGP::internal::Eigensolver_convergence m_convergence;
   CGP::internal::Always_go_further m_go_further;
 };
@@ -97,6 +105,29 @@ TEST(Eigensolver_convergence, waits_while_the_eigenvalue_still_falls)
 {
   Iteration run;
   for (int i = 0; i < 50; ++i) EXPECT_FALSE(run.is_last(2 - 0.01 * i, 1e-3 + 1e-5 * i));
+}
+
+TEST(Eigensolver_convergence, does_not_compare_iterates_of_different_matrices)
+{
+  CGP::Eigensolver_options options;
+  double estimate = 0;
+  bool changes = false;
+  options.adapt = [&](const CGP::Eigensolver_progress& progress) {
+    estimate = progress.estimate;
+    return changes;
+  };
+  Iteration run(options);
+  EXPECT_FALSE(run.is_last(1, 1e-5));
+  EXPECT_FALSE(run.has_adapted(1));
+  EXPECT_NEAR(estimate, 1e-5, 1e-18);
+  for (int i = 0; i < 2; ++i) EXPECT_FALSE(run.is_last(1, 2e-5));
+  changes = true;
+  EXPECT_TRUE(run.has_adapted(1));
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(run.is_last(5, 3e-5));  // no stagnation yet
+  EXPECT_TRUE(run.is_last(5, 3e-5));
+  const auto r = run.result();
+  EXPECT_EQ(r.values[0], 5);
+  EXPECT_NEAR(r.estimates[0], 3e-5, 1e-18);
 }
 
 TEST(Eigensolver_convergence, does_not_count_errors_along_the_vector)

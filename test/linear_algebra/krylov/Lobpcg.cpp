@@ -140,6 +140,27 @@ TEST(Lobpcg, takes_a_mass_matrix_as_well)
   EXPECT_NEAR(r.values[0], symmetric_eigenvalues(dense(p.A), dense(N))[0], 1e-12);
 }
 
+TEST(Lobpcg, finds_eigenvalues_of_the_matrix_that_the_iterates_have_led_to)
+{
+  for (int block = 1; block <= 2; ++block) {
+    Matrix_problem p(1);
+    const double start = p.A.value(0).w;  // A_00, which becomes start + 300 |x_0|^2
+    CGP::Eigensolver_options options = until(1e-10, block);
+    options.adapt = [&](const CGP::Eigensolver_progress& progress) {
+      p.A.value(0).w = start + 300 * CGP::squared_norm((*progress.vectors)(0, 0));
+      return true;
+    };
+    const auto r = CGP::Lobpcg_eigensolver_traits{}(p.A, p.masses, p.solver,
+                                                    random_block<Q>(40, block, 4), options);
+    ASSERT_TRUE(r.converged);
+    const Eigen::MatrixXd N = four_times(p.masses).asDiagonal();
+    const Eigen::VectorXd expected = symmetric_eigenvalues(dense(p.A), N);
+    for (int j = 0; j < block; ++j) EXPECT_NEAR(r.values[j], expected[4 * j], 1e-12);
+    EXPECT_GT(r.values[0], p.expected[0] + 1e-3);
+    EXPECT_NEAR(p.A.value(0).w, start + 300 * CGP::squared_norm(r.vectors(0, 0)), 1e-8);
+  }
+}
+
 TEST(Lobpcg, estimates_the_error_in_the_energy_norm)
 {
   // x = u_1 + e u_2 has r = e (theta_2 - theta_1) N u_2 and T r = r / theta_2, to first order.

@@ -127,6 +127,7 @@ struct Slepc_eigensolver_traits {
     check(grids.analyze(K.pattern()));
     check(grids.factorize(K, 1e-3 * ones));  // K may be singular
     options.scale = 1;
+    options.adapt = {};  // it would change A and not K
     int iterations = 0;
     bool is_cancelled = false;
     if (internal::Slepc_lobpcg<GoFurther>::is_possible(x) && options.max_iterations > 0) {

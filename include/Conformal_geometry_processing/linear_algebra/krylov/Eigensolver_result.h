@@ -17,6 +17,15 @@
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgLinearAlgebra
+/// \brief Progress reported before every iteration.
+struct Eigensolver_progress {
+  int iteration;    ///< iterations done
+  double value;     ///< current approximation of the smallest eigenvalue
+  double estimate;  ///< the largest error estimate of the wanted vectors
+  const Block<Quaternion<double>>* vectors = nullptr;  ///< the iterates, if provided
+};
+
+/// \ingroup PkgLinearAlgebra
 /// \brief Stopping criteria of an eigensolver.
 struct Eigensolver_options {
   int wanted = 1;            ///< how many of the smallest eigenpairs have to converge
@@ -27,15 +36,11 @@ struct Eigensolver_options {
   double scale = 1;
   /// Coefficients of linear combinations; `reals` if the vectors form a space over the reals only
   internal::Coefficients coefficients = internal::Coefficients::quaternions;
-};
-
-/// \ingroup PkgLinearAlgebra
-/// \brief Progress reported before every iteration.
-struct Eigensolver_progress {
-  int iteration;    ///< iterations done
-  double value;     ///< current approximation of the smallest eigenvalue
-  double estimate;  ///< the largest error estimate of the wanted vectors
-  const Block<Quaternion<double>>* vectors = nullptr;  ///< the iterates, if provided
+  /// Called after every iteration, if set, with the new iterates and the estimate of those before
+  /// them. It may change the matrix K to which they lead, and returns whether it has; the
+  /// eigenpairs are then those of the new matrix. Only `lobpcg()` calls it; other eigensolvers
+  /// solve the problem as it was given.
+  std::function<bool(const Eigensolver_progress&)> adapt;
 };
 
 namespace internal {
@@ -95,7 +100,7 @@ class Eigensolver_convergence {
                const Block<Quaternion<double>>& Tr, GoFurther&& go_further)
   {
     const Vector<double> estimates = error_estimates(x, r, Tr);
-    const double estimate = estimates.head(m_options.wanted).maxCoeff();
+    const double estimate = m_estimate = estimates.head(m_options.wanted).maxCoeff();
     if (!std::isfinite(estimate))
       throw Solver_error(m_function, "iteration " + std::to_string(m_result.iterations) +
                                          " gives values that are not finite");
@@ -110,6 +115,11 @@ class Eigensolver_convergence {
   }
 
   void count_iteration() { ++m_iterations; }
+
+  /// \brief Asks whether the matrix of x changes; if it does, the iterates so far do not count, as
+  /// those of different matrices cannot be compared.
+  bool has_adapted(const Ritz_panel& x);
+
   void count_solve() { ++m_result.solves; }
 
   /// No search directions are left
@@ -129,6 +139,7 @@ class Eigensolver_convergence {
   std::string m_function;
   Eigensolver_options m_options;
   Eigensolver_result m_result;
+  double m_estimate = 0;  // of the last iterate
   double m_best = std::numeric_limits<double>::infinity();
   double m_lowest = std::numeric_limits<double>::infinity();
   double m_next = std::numeric_limits<double>::infinity();

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -43,6 +44,16 @@ CGP_INLINE Eigensolver_result internal::Eigensolver_convergence::result()
     m_result.gap = (std::max)(m_next - m_result.values[0], 0.);
   if (m_result.values.size() > 1) m_result.gap = m_result.values[1] - m_result.values[0];
   return std::move(m_result);
+}
+
+CGP_INLINE bool internal::Eigensolver_convergence::has_adapted(const internal::Ritz_panel& x)
+{
+  if (!m_options.adapt ||
+      !m_options.adapt(Eigensolver_progress{m_iterations, x.value(0), m_estimate, &x.v}))
+    return false;
+  m_best = m_lowest = m_next = std::numeric_limits<double>::infinity();
+  m_idle = 0;
+  return true;
 }
 
 // Uses only the component of T r orthogonal to x; the component along x consists of rounding
