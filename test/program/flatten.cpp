@@ -1,4 +1,5 @@
 // Tests examples/conformal/commands/flatten.cpp examples/conformal/transform/flat_image.cpp
+// Tests examples/conformal/transform/flat_distortion.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/bounded_support.h"
@@ -82,6 +83,36 @@ TEST_F(Flatten, by_curvature_makes_a_hemisphere_a_round_disk)
   EXPECT_LT(deviation_from_disk(points("b.ply"), 12), 0.01);
   EXPECT_LT(json("b.json")["result"]["height"], 1e-2);
   EXPECT_EQ(json("b.json")["result"]["method"], "planar");
+}
+
+// On a coarse mesh the minimal surface is not quite plane.
+TEST_F(Flatten, by_curvature_judges_the_plane_mesh_that_it_writes)
+{
+  write("a.off", off(cap_from_disk(cgp_test::jittered_disk(5, .6), 1.2)));
+  ASSERT_EQ(run("flatten a.off --planar --planar-mesh --force -o b.ply --json b.json").code, 0);
+  EXPECT_GT(json("b.json")["result"]["height"], 1e-4);
+  EXPECT_EQ(points("b.ply").row(2).cwiseAbs().maxCoeff(), 0);
+  ASSERT_EQ(run("compare a.off b.ply --json c.json").code, 0);
+  const auto told = json("b.json")["result"], written = json("c.json")["result"];
+  for (const char* what : {"quasi_conformal", "length_cross_ratio"})
+    EXPECT_NEAR(told[what]["max"], written[what]["max"], 1e-9) << what;
+}
+
+// The map shrinks a tube exponentially.
+TEST_F(Flatten, counts_faces_that_shrink_to_nothing)
+{
+  write("a.off", off(cgp_test::cylinder(1, 80, 12, 100)));
+  for (const std::string method : {"spectral", "dirac"}) {
+    const std::string flatten =
+        "flatten a.off -o " + method + ".ply --json b.json --method " + method;
+    EXPECT_TRUE(fails(run(flatten), 1, "shrink to nothing"));
+    EXPECT_FALSE(has(method + ".ply"));
+    const Program_run r = run(flatten + " --force");
+    EXPECT_EQ(r.out.find("inf"), std::string::npos) << r.out;
+    EXPECT_GT(json("b.json")["result"]["collapsed_faces"], 10);
+    EXPECT_TRUE(std::isfinite(json("b.json")["result"]["quasi_conformal"]["mean"].get<double>()));
+    EXPECT_EQ(json("b.json")["verified"], false);
+  }
 }
 
 TEST_F(Flatten, takes_holes)

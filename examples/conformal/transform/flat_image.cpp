@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "flat_image.h"
 
+#include "flat_distortion.h"
+
 #include "conformal/process/Failure.h"
 #include "conformal/process/interruption.h"
 #include "conformal/process/text.h"
@@ -13,13 +15,14 @@
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
 
 #include <string>
+#include <utility>
 
 namespace conformal {
 namespace {
 
 const char* const other_ways = "to cut the surface open, or remove slivers";
 
-void tell(const CGP::Parameterization_report& map, int faces, Report& report)
+void tell(const CGP::Parameterization_report& map, Report& report)
 {
   report.tell("result/eigenvalue", "eigenvalue", map.eigenvalue);
   report.tell("result/next_eigenvalue", "next eigenvalue", map.next_eigenvalue);
@@ -27,10 +30,19 @@ void tell(const CGP::Parameterization_report& map, int faces, Report& report)
   report.tell("result/iterations", "iterations", map.iterations);
   report.set("result/boundary_loops", map.boundary_loops);
   report.set("result/normalized_vertices", map.normalized_vertices);
-  tell_conformality(map.conformality, faces, report);
+}
+
+void tell(const Flat_distortion& distortion, int faces, Report& report)
+{
+  report.set("result/collapsed_faces", distortion.collapsed);
+  if (distortion.collapsed > 0)
+    report.show("faces without area in the plane, not measured",
+                std::to_string(distortion.collapsed) + " of " + std::to_string(faces));
+  tell_conformality(distortion.map, faces - distortion.collapsed, report);
+  const auto& Q = distortion.uniform_quasi_conformal;
   report.tell("result/uniform_quasi_conformal/mean", "quasi-conformal error, mean of faces",
-              map.uniform_quasi_conformal.mean);
-  report.set("result/uniform_quasi_conformal/p99", map.uniform_quasi_conformal.p99);
+              Q.mean);
+  report.set("result/uniform_quasi_conformal/p99", Q.p99);
 }
 
 void add_seconds(const CGP::Parameterization_report& map, Stage_seconds& seconds)
@@ -40,6 +52,14 @@ void add_seconds(const CGP::Parameterization_report& map, Stage_seconds& seconds
   seconds.add("factorization", map.seconds.factorization);
   seconds.add("eigenvector", map.seconds.eigenvector);
   seconds.add("certificate", map.seconds.certificate);
+}
+
+std::string fault_of(const Flat_distortion& distortion, int faces)
+{
+  if (distortion.collapsed == 0) return {};
+  return count_of(static_cast<std::size_t>(distortion.collapsed), "face") + " of " +
+         std::to_string(faces) +
+         " shrink to nothing in the plane, below the resolution of the numbers; try: " + other_ways;
 }
 
 std::string fault_of(const CGP::Parameterization_report& map)
@@ -55,6 +75,20 @@ struct Flat_image {
   Verdict verdict;
 };
 
+/// \param fault found by the method, empty if none
+Flat_image judged(const Surface_input& input, CGP::Points positions, const std::string& fault,
+                  const Flatten_options& options, Session& session)
+{
+  const int faces = input.mesh.size_of_faces();
+  const Flat_distortion distortion = flat_distortion(input.mesh, positions);
+  tell(distortion, faces, session.report());
+  Evidence evidence{positions};
+  evidence.map = distortion.map;
+  evidence.fault = fault.empty() ? fault_of(distortion, faces) : fault;
+  const Verdict verdict = judge(evidence, options.limits, other_ways);
+  return {std::move(positions), verdict};
+}
+
 Flat_image spectral_image(const Surface_input& input, const Flatten_options& options,
                           Session& session)
 {
@@ -64,20 +98,31 @@ Flat_image spectral_image(const Surface_input& input, const Flatten_options& opt
   if (options.all_loops) how.boundary = CGP::Parameterization_options::Boundary::all_loops;
   how.tolerance = options.tolerance;
   const auto [z, report] = solve_flat(input.mesh, how, "flatten");
-  const int faces = input.mesh.size_of_faces();
-  tell(report, faces, session.report());
+  tell(report, session.report());
   add_seconds(report, session.outcome().seconds);
-  const CGP::Points positions = CGP::in_space(z);
-  Evidence evidence{positions};
-  evidence.map = report.conformality;
-  evidence.fault = fault_of(report);
-  return {positions, judge(evidence, options.limits, other_ways)};
+  return judged(input, CGP::in_space(z), fault_of(report), options, session);
 }
 
 void tell_height(const CGP::Points& positions, Report& report)
 {
   const Eigen::Vector3d extent = positions.rowwise().maxCoeff() - positions.rowwise().minCoeff();
   report.tell("result/height", "height by diameter", extent.z() / extent.head<2>().norm(), 3);
+}
+
+/// The projection to the plane is written, so it is what is judged.
+Flat_image projected(const Surface_input& input, CGP::Spin_result&& nearly_flat,
+                     const Flatten_options& options, Session& session)
+{
+  nearly_flat.positions.row(2).setZero();
+  const int faces = input.mesh.size_of_faces();
+  const Flat_distortion distortion = flat_distortion(input.mesh, nearly_flat.positions);
+  nearly_flat.report.conformality = distortion.map;
+  session.report().set("result/collapsed_faces", distortion.collapsed);
+  tell_certificate(nearly_flat.report, faces - distortion.collapsed, session.outcome());
+  Evidence evidence{nearly_flat.positions, nearly_flat.report};
+  evidence.fault = fault_of(distortion, faces);
+  const Verdict verdict = judge(evidence, options.limits, "conformal flatten without --planar");
+  return {std::move(nearly_flat.positions), verdict};
 }
 
 Flat_image minimal_image(const Surface_input& input, const Flatten_options& options,
@@ -90,14 +135,11 @@ Flat_image minimal_image(const Surface_input& input, const Flatten_options& opti
   CGP::Dirac_options how;
   how.tolerance = session.options().tolerance;
   how.random_seed = session.options().seed;
-  const CGP::Spin_result result = CGP::spin_to_minimal_surface(
+  CGP::Spin_result result = CGP::spin_to_minimal_surface(
       input.mesh, {CGP::Boundary_condition::tangents(CGP::planar_directions(input.mesh))}, how,
       "flatten");
-  const int faces = input.mesh.size_of_faces();
-  tell_certificate(result.report, faces, session.outcome());
   tell_height(result.positions, session.report());
-  return {result.positions, judge({result.positions, result.report}, options.limits,
-                                  "conformal flatten without --planar")};
+  return projected(input, std::move(result), options, session);
 }
 
 }  // namespace

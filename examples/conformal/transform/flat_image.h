@@ -12,7 +12,7 @@ namespace conformal {
 
 /// \brief Maps a surface with boundary, in one component, to the plane, tells the quality, and
 /// concludes on it.
-/// \returns positions, 3 x |V|, in units of the mesh; z is 0, or nearly
+/// \returns positions, 3 x |V|, in units of the mesh; z is 0
 /// \throws Failure if the options do not fit it or the result does not verify, and exceptions of
 /// the library
 CGP::Points flat_image(const Surface_input& input, const Flatten_options& options,

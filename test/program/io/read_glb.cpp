@@ -75,6 +75,21 @@ TEST(Read_glb, puts_meshes_in_their_places_and_keeps_names)
   EXPECT_EQ(file.group_lines[1].text, "usemtl steel");
 }
 
+TEST(Read_glb, notes_that_materials_lose_their_colours)
+{
+  std::string painted = triangle;
+  const std::string steel = R"({"name":"steel"})";
+  painted.replace(painted.find(steel), steel.size(),
+                  R"({"name":"steel","pbrMetallicRoughness":{"metallicFactor":1}})");
+  EXPECT_TRUE(parse_glb(glb(triangle, three_points()), "a.glb").notes.empty());
+  EXPECT_EQ(parse_glb(glb(painted, three_points()), "a.glb").notes,
+            (std::vector<std::string>{
+                "of materials the names are kept, colours and pictures are left out"}));
+  std::vector<std::string> notes;
+  const Surface_file ours = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj");
+  EXPECT_TRUE(parse_glb(encode_glb(ours, "b.glb", notes), "b.glb").notes.empty());
+}
+
 std::string message(const std::string& bytes)
 {
   return message_of([&] { parse_glb(bytes, "a.glb"); });

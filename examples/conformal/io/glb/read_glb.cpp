@@ -92,6 +92,19 @@ class Glb_reader {
     if (!name.empty()) m_file.group_lines.push_back({m_file.polygons.size(), keyword + ' ' + name});
   }
 
+  void begin_material(const Json& material)
+  {
+    begin_group("usemtl", material);
+    m_has_looks = m_has_looks || material.size() > material.count("name");
+  }
+
+  // The checkerboard of our own files is no loss.
+  bool loses_looks() const
+  {
+    const Json& asset = m_content.json().value("asset", Json::object());
+    return m_has_looks && asset.value("generator", std::string()) != "conformal";
+  }
+
   std::optional<Rows> rows(const Json& attributes, const char* name) const
   {
     if (!attributes.contains(name)) return {};
@@ -101,8 +114,7 @@ class Glb_reader {
   void read_triangles(const Json& primitive, const Eigen::Affine3d& place)
   {
     if (primitive.contains("material"))
-      begin_group("usemtl",
-                  m_content.json().at("materials").at(primitive["material"].get<std::size_t>()));
+      begin_material(m_content.json().at("materials").at(primitive["material"].get<std::size_t>()));
     const Json& attributes = primitive.at("attributes");
     const Rows points = rows(attributes, "POSITION").value_or(Rows());
     const std::optional<Rows> texture = rows(attributes, "TEXCOORD_0");
@@ -183,6 +195,9 @@ class Glb_reader {
     m_file.faces.size = m_file.polygons.size();
     if (m_file.texture.values.empty()) m_file.texture.index.clear();
     if (m_has_others) m_file.notes.emplace_back("what is not made of triangles is left out");
+    if (loses_looks())
+      m_file.notes.emplace_back(
+          "of materials the names are kept, colours and pictures are left out");
     if (!m_has_colors) return;
     std::vector<double> bytes;
     for (const auto& color : m_colors)
@@ -198,7 +213,7 @@ class Glb_reader {
   std::set<std::size_t> m_read_nodes;
   std::vector<std::int64_t> m_corners;  // of the face that is read
   std::vector<std::optional<std::array<double, 4>>> m_colors;
-  bool m_has_colors = false, m_has_others = false;
+  bool m_has_colors = false, m_has_others = false, m_has_looks = false;
 };
 
 }  // namespace
