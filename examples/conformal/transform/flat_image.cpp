@@ -20,7 +20,12 @@
 namespace conformal {
 namespace {
 
-const char* const other_ways = "to cut the surface open, or remove slivers";
+/// what to try where a method fails
+const char* other_ways(const Flatten_options& options)
+{
+  return options.method == Flatten_method::dirac ? "--method spectral"
+                                                 : "to cut the surface open, or remove slivers";
+}
 
 void tell(const CGP::Parameterization_report& map, Report& report)
 {
@@ -54,19 +59,19 @@ void add_seconds(const CGP::Parameterization_report& map, Stage_seconds& seconds
   seconds.add("certificate", map.seconds.certificate);
 }
 
-std::string fault_of(const Flat_distortion& distortion, int faces)
+std::string fault_of(const Flat_distortion& distortion, int faces, const std::string& easier)
 {
   if (distortion.collapsed == 0) return {};
   return count_of(static_cast<std::size_t>(distortion.collapsed), "face") + " of " +
          std::to_string(faces) +
-         " shrink to nothing in the plane, below the resolution of the numbers; try: " + other_ways;
+         " shrink to nothing in the plane, below the resolution of the numbers; try: " + easier;
 }
 
-std::string fault_of(const CGP::Parameterization_report& map)
+std::string fault_of(const CGP::Parameterization_report& map, const std::string& easier)
 {
   if (map) return {};
   return "the eigenvector did not converge: residual " + text_of(map.residual, 3) + " after " +
-         count_of(static_cast<std::size_t>(map.iterations), "iteration") + "; try: " + other_ways;
+         count_of(static_cast<std::size_t>(map.iterations), "iteration") + "; try: " + easier;
 }
 
 /// a map to the plane, and what it is judged by
@@ -84,8 +89,8 @@ Flat_image judged(const Surface_input& input, CGP::Points positions, const std::
   tell(distortion, faces, session.report());
   Evidence evidence{positions};
   evidence.map = distortion.map;
-  evidence.fault = fault.empty() ? fault_of(distortion, faces) : fault;
-  const Verdict verdict = judge(evidence, options.limits, other_ways);
+  evidence.fault = fault.empty() ? fault_of(distortion, faces, other_ways(options)) : fault;
+  const Verdict verdict = judge(evidence, options.limits, other_ways(options));
   return {std::move(positions), verdict};
 }
 
@@ -100,7 +105,7 @@ Flat_image spectral_image(const Surface_input& input, const Flatten_options& opt
   const auto [z, report] = solve_flat(input.mesh, how, "flatten");
   tell(report, session.report());
   add_seconds(report, session.outcome().seconds);
-  return judged(input, CGP::in_space(z), fault_of(report), options, session);
+  return judged(input, CGP::in_space(z), fault_of(report, other_ways(options)), options, session);
 }
 
 void tell_height(const CGP::Points& positions, Report& report)
@@ -120,8 +125,9 @@ Flat_image projected(const Surface_input& input, CGP::Spin_result&& nearly_flat,
   session.report().set("result/collapsed_faces", distortion.collapsed);
   tell_certificate(nearly_flat.report, faces - distortion.collapsed, session.outcome());
   Evidence evidence{nearly_flat.positions, nearly_flat.report};
-  evidence.fault = fault_of(distortion, faces);
-  const Verdict verdict = judge(evidence, options.limits, "conformal flatten without --planar");
+  const char* const easier = "conformal flatten without --planar";
+  evidence.fault = fault_of(distortion, faces, easier);
+  const Verdict verdict = judge(evidence, options.limits, easier);
   return {std::move(nearly_flat.positions), verdict};
 }
 
