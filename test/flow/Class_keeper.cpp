@@ -29,7 +29,7 @@ TEST(Class_keeper, moves_positions_to_the_class_with_area_and_centroid)
     Points f = 3 * perturbed(mesh, .03).positions();
     Class_keeper keeper(mesh);
     EXPECT_TRUE(keeper.snap(f));
-    EXPECT_LT(change(mesh, f), 1e-3);
+    EXPECT_LT(change(mesh, f), 1e-5);
     const Mesh_view snapped(f, mesh.corners());
     EXPECT_NEAR(area(snapped), area(mesh), 1e-10 * area(mesh));
     EXPECT_LT((centroid(snapped) - centroid(mesh)).norm(), 1e-10);
@@ -49,7 +49,7 @@ TEST(Class_keeper, smooths_within_the_class)
       Class_keeper(mesh).smoothed(mesh, [&](const Points& g) { return energy(g) < before; });
   ASSERT_TRUE(f);
   EXPECT_LT(energy(*f), before);
-  EXPECT_LT(change(mesh, *f), 1e-3);
+  EXPECT_LT(change(mesh, *f), 1e-5);
 }
 
 TEST(Class_keeper, gives_up_where_nothing_is_better)

@@ -40,8 +40,8 @@ class Class_keeper {
   /// \throw Solver_error if an analysis fails
   explicit Class_keeper(const Mesh_view& initial, const Boundary_condition& boundary = {});
 
-  /// \brief moves positions into the class, up to changes of log length cross-ratios of 1e-3; keeps
-  /// their directions at the boundary.
+  /// \brief moves positions into the class, up to changes of log length cross-ratios of 1e-3, and
+  /// of 1e-5 where a few more steps suffice; keeps their directions at the boundary.
   /// \returns whether it is reached
   /// \throw Solver_error if a factorization fails
   bool snap(Points& f);

@@ -48,18 +48,23 @@ CGP_INLINE void internal::Class_keeper::keep_directions(const Points& f)
     m_class.keep({Mesh_view(f, m_initial.corners()), m_boundary.direction});
 }
 
-// A quarter of the limit on length cross-ratios, which sum four residuals. The factor of the last
-// snap is kept: late in a flow its steps converge without another one.
 CGP_INLINE bool internal::Class_keeper::snap(Points& f)
 {
   keep_directions(f / m_unit);
   return snap_to_kept(f);
 }
 
+// Length cross-ratios sum four residuals. Energies are compared by
+// `Flow_options::energy_tolerance`, 1e-4: what a surface gains within a wide band around the class
+// would be taken for a descent, and the flow would not settle. Where limbs are thin, a few steps
+// more do not lead into the narrow band. The factor of the last snap is kept: late in a flow its
+// steps converge without another one.
 CGP_INLINE bool internal::Class_keeper::snap_to_kept(Points& f)
 {
+  const double wide_band = 1e-3, narrow_band = 1e-5;
   Points moved = f / m_unit;
-  if (!m_class.snap(moved, {2.5e-4, 12, true}).converged) return false;
+  if (!m_class.snap(moved, {wide_band / 4, 12, true}).converged) return false;
+  (void)m_class.snap(moved, {narrow_band / 4, 3, true});
   take(std::move(moved), f);
   return true;
 }
