@@ -37,10 +37,18 @@ CGP::Spin_report transformed(const CGP::Mesh_view& mesh, const Rho& rho,
   return result.report;
 }
 
+/// the reason of the verdict; of a map, which of its limits is exceeded
+const char* fault_of(const CGP::Spin_report& report)
+{
+  const CGP::Spin_report::Fault fault = report.fault();
+  if (fault != CGP::Spin_report::Fault::map) return to_string(fault);
+  return to_string(report.conformality.fault(report.limits.map));
+}
+
 void add(const CGP::Spin_report& report, const std::string& prefix, Record& record)
 {
   record.add(prefix + "verified", report ? 1 : 0)
-      .add(prefix + "fault", to_string(report.fault()))
+      .add(prefix + "fault", fault_of(report))
       .add(prefix + "low", report.scales.low)
       .add(prefix + "high", report.scales.high)
       .add(prefix + "Q", report.conformality.quasi_conformal.mean)

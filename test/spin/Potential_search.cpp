@@ -59,6 +59,23 @@ TEST(Potential_search, without_residuals_finds_rho_itself)
   EXPECT_LE(search.present().solution.residual, 1e-8);
 }
 
+// The spins of a rho' do not depend on the way to it.
+TEST(Potential_search, moves_to_another_rho)
+{
+  const Mesh_view mesh = perturbed(icosphere(3), .02);
+  CGP::internal::Dirac_system<> system(mesh);
+  const Curvature_potential there = waves(mesh, 1);
+  Search search(system, waves(mesh, .9), {});
+  ASSERT_TRUE(search.minimize({}, always, 0));
+  ASSERT_TRUE(search.move_to(there, {}, always));
+  EXPECT_EQ(search.present().rho.values, there.values);
+  const Quaternion_vector<double> found = search.present().solution.lambda;
+  EXPECT_NEAR(system.overlap(CGP::solve_dirac_equation(system, there).lambda, found), 1, 1e-8);
+  // Too far: the spins have nothing in common with the predicted ones.
+  ASSERT_FALSE(search.move_to(waves(mesh, -12), {}, always));
+  EXPECT_EQ(search.present().rho.values, there.values);
+}
+
 // The scales of a transformation are wanted, and no rho is given: the search finds the rho, up to
 // a constant, and up to what the residual does not see at its weight.
 TEST(Potential_search, recovers_rho_from_scales)

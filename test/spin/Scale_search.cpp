@@ -74,6 +74,27 @@ TEST(Scale_search, leaves_alone_what_is_within_the_bound)
   EXPECT_EQ(plain.report.scales.bound, 0);
 }
 
+// More of rho than that would be beyond the bound; and what is kept depends continuously on rho.
+TEST(Scale_search, comes_up_to_the_bound_without_jumps)
+{
+  const Mesh_view mesh = dumbbell(3);
+  const double step = 1.15;
+  double kept = 0;
+  for (double amplitude = .5; amplitude < 1.1; amplitude *= step) {
+    const CGP::Spin_result r = transformed(mesh, rings(mesh, amplitude, 3), bounded_by(1.5));
+    EXPECT_TRUE(r.report) << to_string(r.report.fault());
+    const auto& scales = r.report.scales;
+    ASSERT_GT(scales.weight, 0);
+    EXPECT_LE(scales.excess(), 1);
+    EXPECT_GE(scales.excess(), .85) << amplitude;
+    const double now = amplitude * scales.kept_norm;  // grows, by no more than the amplitude
+    if (kept > 0) {
+      EXPECT_NEAR(std::log(now / kept), std::log(step) / 2, .12) << amplitude;
+    }
+    kept = now;
+  }
+}
+
 TEST(Scale_search, with_a_smaller_bound_keeps_less)
 {
   const Mesh_view mesh = dumbbell(3);
@@ -159,6 +180,19 @@ TEST(Scale_search, keeps_handles_closed)
   EXPECT_TRUE(r.report) << to_string(r.report.fault());
   EXPECT_LE(r.report.scales.excess(), 1 + 1e-9);
   EXPECT_LT(r.report.period_defect, 1e-3);
+}
+
+// All of rho leaves the handle open, whatever the weights: the search stays at a crossing of
+// branches before it has closed it.
+TEST(Scale_search, takes_a_part_of_rho_where_handles_stay_open)
+{
+  const double pi = std::acos(-1.);
+  const Mesh_view mesh = scaled_to_area(irregular_torus(3, 1, 16, 10), 4 * pi);
+  const CGP::Spin_result r = transformed(mesh, rings(mesh, 3, 3), bounded_by(2));
+  EXPECT_TRUE(r.report) << to_string(r.report.fault());
+  EXPECT_LE(r.report.scales.excess(), 1);
+  EXPECT_LE(r.report.period_defect, r.report.period_limit);
+  EXPECT_GT(r.report.scales.kept_correlation, .8);
 }
 
 TEST(Scale_search, bounds_disks)

@@ -76,6 +76,12 @@ class Potential_search {
   bool follow_constraints(const Dirac_options& options, const Go_further& go_further,
                           double tolerance);
 
+  /// \brief goes to another rho', near to the present one, with spins that follow from its own.
+  /// \returns whether they were found; otherwise all is as it was
+  /// \throw Solver_error if a factorization fails
+  bool move_to(const Curvature_potential& rho, const Dirac_options& options,
+               const Go_further& go_further);
+
   /// the present rho'
   const Candidate& present() const { return m_now; }
 

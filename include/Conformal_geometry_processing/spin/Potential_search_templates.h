@@ -3,11 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_TEMPLATES_H
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
-#include <Conformal_geometry_processing/spin/Potential_metric_templates.h>
 #include <Conformal_geometry_processing/spin/Potential_search.h>
-#include <Conformal_geometry_processing/spin/Spin_derivative_templates.h>
+#include <Conformal_geometry_processing/spin/Potential_search_steps_templates.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
 
 #include <Eigen/Core>
@@ -19,6 +16,14 @@
 
 namespace Conformal_geometry_processing {
 namespace internal {
+
+/// Spins that take more iterations are too far from the predicted ones, or near a crossing of
+/// branches.
+inline Dirac_options limited(Dirac_options options)
+{
+  options.max_iterations = (std::min)(options.max_iterations, 40);
+  return options;
+}
 
 template <class SolverTraits, class EigensolverTraits>
 Potential_search<SolverTraits, EigensolverTraits>::Potential_search(
@@ -51,22 +56,20 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
                                                                  double tolerance)
 {
   const int max_steps = 40;
-  // Spins that take more are too far from the predicted ones, or near a crossing of branches.
-  Dirac_options limited = options;
-  limited.max_iterations = (std::min)(options.max_iterations, 40);
+  const Dirac_options few = limited(options);
   m_last_length = 1;
   m_penalty = 0;
-  refresh(limited, go_further);
+  refresh(few, go_further);
   double last_norm = 0;
   for (int i = 0; i < max_steps && !m_costs.cancelled; ++i) {
     const std::optional<Step> step = best_step();
     if (!step) return false;
     const double norm = m_now.constraints.norm();
     // Where a step only corrects, and the last one left a tenth, its gradients do until the end.
-    const auto follows = [&] { return follow_constraints(limited, go_further, tolerance); };
+    const auto follows = [&] { return follow_constraints(few, go_further, tolerance); };
     const bool is_near = norm <= last_norm / 10;
     if (!step->is_improvement && (norm <= tolerance || (is_near && follows()))) return true;
-    if (!take(*step, limited, go_further)) return false;
+    if (!take(*step, few, go_further)) return false;
     last_norm = norm;
   }
   return false;
@@ -98,17 +101,19 @@ bool Potential_search<SolverTraits, EigensolverTraits>::follow_constraints(
 }
 
 template <class SolverTraits, class EigensolverTraits>
-bool Potential_search<SolverTraits, EigensolverTraits>::predict(Step& step)
+bool Potential_search<SolverTraits, EigensolverTraits>::move_to(const Curvature_potential& rho,
+                                                                const Dirac_options& options,
+                                                                const Go_further& go_further)
 {
-  try {
-    const Derivative S = derivative();
-    step.lambda = S.apply(step.change).col(0);
-    step.gamma = S.gamma_change(step.change)[0];
-    m_costs.solves += S.number_of_solves();
-    return true;
-  } catch (const No_derivative&) {
-    return false;
-  }
+  refresh(options, go_further);
+  Step step;
+  step.change = rho.values - m_now.rho.values;
+  if (!predict(step)) return false;
+  const Candidate before = m_now;
+  m_now = moved(step, 1, limited(options), go_further);
+  if (m_now.solution.converged) return true;
+  restore(before);
+  return false;
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -162,16 +167,6 @@ auto Potential_search<SolverTraits, EigensolverTraits>::moved(const Step& step, 
 }
 
 template <class SolverTraits, class EigensolverTraits>
-Dirac_solution Potential_search<SolverTraits, EigensolverTraits>::predicted(const Step& step,
-                                                                            double t) const
-{
-  Dirac_solution guess = m_now.solution;
-  components(guess.lambda) += t * components(step.lambda);
-  guess.eigenvalue += t * step.gamma;
-  return guess;
-}
-
-template <class SolverTraits, class EigensolverTraits>
 auto Potential_search<SolverTraits, EigensolverTraits>::evaluate(Eigen::VectorXd rho,
                                                                  const Dirac_solution& guess,
                                                                  const Dirac_options& options,
@@ -196,94 +191,6 @@ void Potential_search<SolverTraits, EigensolverTraits>::measure(Candidate& c) co
   c.residuals = values_at(c.solution.lambda, m_residuals);
   c.constraints = values_at(c.solution.lambda, m_constraints);
   c.sum = m_metric.squared_norm(c.rho.values - m_rho.values) + c.residuals.squaredNorm();
-}
-
-template <class SolverTraits, class EigensolverTraits>
-auto Potential_search<SolverTraits, EigensolverTraits>::best_step() -> std::optional<Step>
-{
-  try {
-    return best_step(derivative());
-  } catch (const No_derivative&) {
-    return std::nullopt;
-  }
-}
-
-template <class SolverTraits, class EigensolverTraits>
-auto Potential_search<SolverTraits, EigensolverTraits>::derivative() const -> Derivative
-{
-  const double tolerance = 1e-3;
-  const double gamma = m_system.is_closed() ? m_now.solution.eigenvalue : 0;
-  return Derivative(m_system, {m_rho.on, m_now.rho.values.array() + gamma}, m_now.solution.lambda,
-                    tolerance);
-}
-
-template <class SolverTraits, class EigensolverTraits>
-auto Potential_search<SolverTraits, EigensolverTraits>::best_step(const Derivative& S) -> Step
-{
-  Stopwatch watch;
-  const Eigen::MatrixXd gradients =
-      S.apply_transpose(gradients_of(m_constraints, S.lambda().size()));
-  const Linear_constraints& constraints =
-      m_last_constraints.emplace(gradients, m_metric.solve(gradients), dampings_of(m_constraints));
-  const Eigen::VectorXd g = gradient(S);
-  Step step;
-  step.change = constraints.least_solution(-m_now.constraints);
-  const Eigen::VectorXd rest = improvement(S, constraints, g, step.change);
-  step.is_improvement = rest.size() > 0;
-  if (step.is_improvement) step.change += rest;
-  step.lambda = S.apply(step.change).col(0);
-  step.gamma = S.gamma_change(step.change)[0];
-  double rise = 2 * g.dot(step.change) + m_metric.squared_norm(step.change);
-  for (const Spin_residual* r : m_residuals) rise += r->change(step.lambda).squaredNorm();
-  // The sum may rise to satisfy constraints, but not by more than the price of what is satisfied.
-  const Eigen::VectorXd left = m_now.constraints + gradients.transpose() * step.change;
-  const double reduction = m_now.constraints.norm() - left.norm();
-  if (reduction > 0) m_penalty = (std::max)(m_penalty, 2 * rise / reduction);
-  m_costs.solves += S.number_of_solves();
-  m_costs.seconds.eigenvectors += watch.lap();
-  return step;
-}
-
-template <class SolverTraits, class EigensolverTraits>
-Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::improvement(
-    const Derivative& S, const Linear_constraints& constraints, const Eigen::VectorXd& g,
-    const Eigen::VectorXd& first) const
-{
-  const double least_gain = 1e-2, tolerance = 5e-2;
-  const auto hessian = [&](const Block<double>& d, Block<double>& y) { y = curvature(S, d); };
-  const auto precondition = [&](const Block<double>& r, Block<double>& z) {
-    z = constraints.project_out(m_metric.solve(r));
-  };
-  Eigen::VectorXd slope = -g;
-  if (first.squaredNorm() > 0) slope -= curvature(S, first);
-  // Near the minimum nearly all of it is in the span of the constraints, and would be rounding.
-  const Block<double> b = constraints.project_gradient(slope);
-  Block<double> d;
-  Conjugate_gradients_options options;
-  options.tolerance = tolerance;
-  conjugate_gradients(hessian, precondition, b, d, options);
-  if (b.col(0).dot(d.col(0)) <= least_gain * m_now.sum) return {};
-  return d.col(0);
-}
-
-template <class SolverTraits, class EigensolverTraits>
-Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::gradient(
-    const Derivative& S) const
-{
-  Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(S.lambda().size(), 1, {});
-  for (const Spin_residual* r : m_residuals) q.col(0) += r->gradient(r->values());
-  return m_metric.apply(m_now.rho.values - m_rho.values) + S.apply_transpose(q);
-}
-
-template <class SolverTraits, class EigensolverTraits>
-Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::curvature(
-    const Derivative& S, const Eigen::VectorXd& d) const
-{
-  if (m_residuals.empty()) return m_metric.apply(d);
-  const Spins dlambda = S.apply(d).col(0);
-  Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(dlambda.size(), 1, {});
-  for (const Spin_residual* r : m_residuals) q.col(0) += r->gradient(r->change(dlambda));
-  return m_metric.apply(d) + S.apply_transpose(q);
 }
 
 }  // namespace internal

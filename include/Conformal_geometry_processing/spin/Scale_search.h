@@ -12,8 +12,10 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
-#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -42,16 +44,30 @@ class Scale_search {
                const Poisson_reconstruction<SolverTraits>& reconstruction,
                const Exactness_constraints* exactness);
 
-  /// \brief searches w, and a weight for the inexact part of the edges where these do not close up;
-  /// where none will do, for a half, a quarter, an eighth of rho.
-  /// \returns the solution for rho', with the costs of the whole search; that nearest to the bound
-  /// if none is within it
-  Dirac_solution run(const Dirac_options& options, const Go_further& go_further);
+  /// \brief searches w, and a weight for the inexact part of the edges where these do not close up.
+  /// \param share of rho that is wanted, in (0, 1]
+  /// \returns the solution for rho', with the costs of all runs; that nearest to the bound if none
+  /// is within it
+  Dirac_solution run(double share, const Dirac_options& options, const Go_further& go_further);
 
-  /// the factors of lengths of that solution, and what it has kept of rho
+  /// the factors of lengths of the last solution, and what it has kept of rho
   Spin_report::Scales scales() const;
 
  private:
+  /// a rho' that was tried
+  struct Trial {
+    typename Search::Candidate candidate = {};
+    double weight = 0;  // w times m_unit
+    double excess = std::numeric_limits<double>::infinity();
+    double inexact = std::numeric_limits<double>::infinity();
+
+    /// square of the norm of rho' - rho
+    double distance() const { return candidate.sum - candidate.residuals.squaredNorm(); }
+
+    /// at most 1 if it is within the bound, and its edges close up
+    double reach() const { return (std::max)(excess, inexact / inexact_limit()); }
+  };
+
   /// tries weights, from 10 in both directions, until the lengths are within the bound
   void search_weight(const Dirac_options& options, const Go_further& go_further);
 
@@ -61,16 +77,37 @@ class Scale_search {
   /// It takes that part out of rho which the mesh cannot represent.
   void search_exactness(const Dirac_options& options, const Go_further& go_further);
 
+  /// \brief moves the best rho' towards one beyond the bound, until it has reached the bound.
+  ///
+  /// Between the minima for two weights, all are minimal to second order, and cost one
+  /// factorization each. Where the spins do not follow, minimises for a weight between instead.
+  void come_up_to_bound(const Dirac_options& options, const Go_further& go_further);
+
   /// minimises for w and takes the result if it is better
   /// \returns whether the minimum was reached
   bool try_weight(double w, const Dirac_options& options, const Go_further& go_further);
 
-  /// whether the last result is better than the best one so far
-  /// \param w its weight
-  bool is_better(double w) const;
+  /// \brief tries the rho' at t between the best one and that beyond the bound.
+  ///
+  /// Handles that have opened on the way are closed by minimising from there.
+  /// \returns whether it was found there, on the same branch
+  bool move_between(double t, const Dirac_options& options, const Go_further& go_further);
+
+  /// likewise by the minimum for the weight between, from the best rho'
+  void minimize_between(double t, const Dirac_options& options, const Go_further& go_further);
+
+  double weight_between(double t) const
+  {
+    return m_best.weight * std::pow(m_beyond.weight / m_best.weight, t);
+  }
+
+  /// takes the present rho' if it is better than the best one, or nearer beyond the bound
+  void judge(double w);
+  bool is_better(const Trial& trial) const;
 
   /// whether the best result is within the bound, and its edges close up
-  bool is_found() const { return m_best_excess <= 1 && m_best_inexact <= inexact_limit(); }
+  bool is_found() const { return m_best.reach() <= 1; }
+  static constexpr double period_tolerance = 1e-5;
   static double inexact_limit() { return 0.95 * Spin_report::Limits().closure; }
 
   const Surface_ref m_surface;
@@ -81,11 +118,9 @@ class Scale_search {
   Search m_search;
   const Scale_control& m_control;
   Eigen::VectorXd m_areas;
-  double m_unit;        // the square of the radius of the sphere of the same area
-  double m_weight = 0;  // best w, times m_unit
-  double m_excess = 0;  // of the present rho'
-  typename Search::Candidate m_best;
-  double m_best_excess, m_best_inexact;
+  double m_unit;  // the square of the radius of the sphere of the same area
+  Trial m_last, m_best;
+  Trial m_beyond;  // the nearest one beyond the bound
 };
 
 }  // namespace internal

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include <limits>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -46,23 +46,21 @@ Scale_search<SolverTraits, EigensolverTraits>::Scale_search(
           exactness ? std::vector<Spin_residual*>{&*m_periods} : std::vector<Spin_residual*>{}),
       m_control(control),
       m_areas(system.areas()),
-      m_unit(1 / system.unit()),
-      m_best_excess(std::numeric_limits<double>::infinity()),
-      m_best_inexact(m_best_excess)
+      m_unit(1 / system.unit())
 {}
 
 template <class SolverTraits, class EigensolverTraits>
-Dirac_solution Scale_search<SolverTraits, EigensolverTraits>::run(const Dirac_options& options,
+Dirac_solution Scale_search<SolverTraits, EigensolverTraits>::run(double share,
+                                                                  const Dirac_options& options,
                                                                   const Go_further& go_further)
 {
-  const double least_share = 1. / 8;
-  for (double share = 1; share >= least_share && !is_found(); share /= 2) {
-    if (m_search.costs().cancelled) break;
-    m_search.restart({m_rho.on, share * m_rho.values});
-    search_weight(options, go_further);
-    search_exactness(options, go_further);
-  }
-  Dirac_solution s = m_best.solution;
+  m_search.restart({m_rho.on, share * m_rho.values});
+  m_best = m_beyond = Trial();
+  search_weight(options, go_further);
+  search_exactness(options, go_further);
+  come_up_to_bound(options, go_further);
+  m_inexact.set_weight(0);
+  Dirac_solution s = m_best.candidate.solution;
   s.cancelled = m_search.costs().cancelled;
   s.iterations = s.factorizations = s.solves = 0;
   s.seconds = m_search.costs().seconds;
@@ -75,13 +73,14 @@ template <class SolverTraits, class EigensolverTraits>
 void Scale_search<SolverTraits, EigensolverTraits>::search_weight(const Dirac_options& options,
                                                                   const Go_further& go_further)
 {
-  const double first_weight = 10, factor = 4, near_bound = 0.8;
+  const double first_weight = 10, factor = 4, near_bound = 0.95;
   bool is_minimal = try_weight(first_weight, options, go_further);
-  const bool is_within = m_excess <= 1;
-  const int max_changes = is_within ? 2 : 5;
+  const bool is_within = m_last.excess <= 1;
+  const int max_changes = is_within ? 4 : 5;
   double w = first_weight;
   for (int i = 0; i < max_changes && !m_search.costs().cancelled; ++i) {
-    const bool is_enough = is_within ? m_excess > near_bound || !is_minimal : m_excess <= 1;
+    const bool is_enough =
+        is_within ? m_last.excess > near_bound || !is_minimal : m_last.excess <= 1;
     if (is_enough) break;
     w = is_within ? w / factor : w * factor;
     is_minimal = try_weight(w, options, go_further);
@@ -95,21 +94,36 @@ void Scale_search<SolverTraits, EigensolverTraits>::search_exactness(const Dirac
   const double first_weight = 0.25, factor = 4;
   const int max_changes = 6;
   double c = first_weight * curvature_areas(m_surface, m_rho.on).dot(m_rho.values.cwiseAbs2());
-  for (int i = 0; i < max_changes && m_best_excess <= 1 && !is_found(); ++i) {
+  for (int i = 0; i < max_changes && m_best.excess <= 1 && !is_found(); ++i) {
     if (m_search.costs().cancelled) break;
     m_inexact.set_weight(c);
-    try_weight(m_weight, options, go_further);
+    try_weight(m_best.weight, options, go_further);
     c *= factor;
   }
-  m_inexact.set_weight(0);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Scale_search<SolverTraits, EigensolverTraits>::come_up_to_bound(const Dirac_options& options,
+                                                                     const Go_further& go_further)
+{
+  const double near_bound = 0.95, aim = 0.98;
+  const int max_tries = 4;
+  for (int i = 0; i < max_tries && is_found() && m_best.reach() < near_bound; ++i) {
+    if (m_search.costs().cancelled || !std::isfinite(m_beyond.reach())) break;
+    const double below = m_best.reach(), above = m_beyond.reach();
+    const double t = (aim - below) / (above - below);
+    if (!move_between(t, options, go_further)) minimize_between(t, options, go_further);
+    if (m_best.reach() == below && m_beyond.reach() == above) break;
+  }
 }
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_report::Scales Scale_search<SolverTraits, EigensolverTraits>::scales() const
 {
-  Spin_report::Scales scales = measured_scales(m_best.solution.lambda, m_areas, m_control);
-  scales.weight = m_weight;
-  measure_kept(m_rho, m_best.rho, curvature_areas(m_surface, m_rho.on), scales);
+  Spin_report::Scales scales =
+      measured_scales(m_best.candidate.solution.lambda, m_areas, m_control);
+  scales.weight = m_best.weight;
+  measure_kept(m_rho, m_best.candidate.rho, curvature_areas(m_surface, m_rho.on), scales);
   return scales;
 }
 
@@ -118,25 +132,57 @@ bool Scale_search<SolverTraits, EigensolverTraits>::try_weight(double w,
                                                                const Dirac_options& options,
                                                                const Go_further& go_further)
 {
-  const double period_tolerance = 1e-5;
   m_scales.set_weight(w / m_unit);
   const bool is_minimal = m_search.minimize(options, go_further, period_tolerance);
-  const typename Search::Candidate& found = m_search.present();
-  m_excess = measured_scales(found.solution.lambda, m_areas, m_control).excess();
-  if (!is_better(w)) return is_minimal;
-  m_best = found;
-  m_best_excess = m_excess;
-  m_best_inexact = m_inexact.size();
-  m_weight = w;
+  judge(w);
   return is_minimal;
 }
 
 template <class SolverTraits, class EigensolverTraits>
-bool Scale_search<SolverTraits, EigensolverTraits>::is_better(double w) const
+bool Scale_search<SolverTraits, EigensolverTraits>::move_between(double t,
+                                                                 const Dirac_options& options,
+                                                                 const Go_further& go_further)
 {
-  if (m_excess > 1 || m_best_excess > 1) return m_excess < m_best_excess;
-  if (m_best_inexact > inexact_limit()) return m_inexact.size() < m_best_inexact;
-  return w < m_weight && m_inexact.size() <= inexact_limit();
+  const Curvature_potential &here = m_best.candidate.rho, &there = m_beyond.candidate.rho;
+  const Eigen::VectorXd rho = (1 - t) * here.values + t * there.values;
+  const typename Search::Candidate& near = (t < 0.5 ? m_best : m_beyond).candidate;
+  const double w = weight_between(t), above = m_beyond.reach();
+  if (m_search.present().rho.values != near.rho.values) m_search.restore(near);
+  if (!m_search.move_to({here.on, rho}, options, go_further)) return false;
+  if (m_search.present().constraints.norm() > period_tolerance)
+    try_weight(w, options, go_further);
+  else
+    judge(w);
+  return m_last.reach() < above;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Scale_search<SolverTraits, EigensolverTraits>::minimize_between(double t,
+                                                                     const Dirac_options& options,
+                                                                     const Go_further& go_further)
+{
+  const double w = weight_between(t);
+  m_search.restore(m_best.candidate);
+  try_weight(w, options, go_further);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+void Scale_search<SolverTraits, EigensolverTraits>::judge(double w)
+{
+  const typename Search::Candidate& found = m_search.present();
+  m_inexact.set_spins(found.solution.lambda);  // the search may have tried others after it
+  m_last = {found, w, measured_scales(found.solution.lambda, m_areas, m_control).excess(),
+            m_inexact.size()};
+  if (m_last.reach() > 1 && m_last.reach() < m_beyond.reach()) m_beyond = m_last;
+  if (is_better(m_last)) m_best = m_last;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Scale_search<SolverTraits, EigensolverTraits>::is_better(const Trial& trial) const
+{
+  if (trial.excess > 1 || m_best.excess > 1) return trial.excess < m_best.excess;
+  if (m_best.inexact > inexact_limit()) return trial.inexact < m_best.inexact;
+  return trial.inexact <= inexact_limit() && trial.distance() < m_best.distance();
 }
 
 }  // namespace internal

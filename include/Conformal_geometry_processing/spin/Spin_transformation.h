@@ -188,10 +188,16 @@ class Spin_transformation {
   Spin_result transform_exactly(const Curvature_potential& rho, const Dirac_options& options,
                                 const internal::Go_further& go_further);
 
-  /// \brief the transformation by the rho' nearest to rho that keeps to the bound on lengths.
+  /// \brief the transformation by the rho' nearest to rho that keeps to the bound on lengths, or,
+  /// where its edges or handles stay open, to a half, a quarter, an eighth of rho.
   /// \pre no positions are prescribed
   Spin_result bound_scales(const Curvature_potential& rho, const internal::Scale_control& control,
                            const Dirac_options& options, const internal::Go_further& go_further);
+
+  /// \brief the surface of spins in the frame, with its report.
+  /// \param closing what tells whether handles are closed, or null
+  Spin_result surface_of(internal::Dirac_solution found,
+                         const internal::Exactness_constraints* closing, double tolerance);
 
   /// a solution in the frame, with its part of the report in the unit of the mesh
   Spin_result in_units(internal::Dirac_solution s) const;

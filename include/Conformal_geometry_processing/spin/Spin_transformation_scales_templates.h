@@ -91,15 +91,33 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
   const auto* const closing = exactness_if_looped(rho.on);
   internal::Scale_search<SolverTraits, EigensolverTraits> search(
       system(), {rho.on, rho.values * domain().unit()}, control, reconstruction(), closing);
-  Spin_result result = in_units(search.run(options, m_visits.guarded(go_further)));
-  if (result.report.cancelled) return result;
-  const auto edges = transformed_edges(system().surface(), result.lambda);
-  if (closing) result.report.period_defect = closing->period_defect(edges);
+  const auto is_reached = [](const Spin_report& r) {
+    return r.fault() != Spin_report::Fault::open && r.fault() != Spin_report::Fault::scales;
+  };
+  const double least_share = 1. / 8;
+  Spin_result result;
+  for (double share = 1; share >= least_share; share /= 2) {
+    result = surface_of(search.run(share, options, m_visits.guarded(go_further)), closing,
+                        options.tolerance);
+    if (result.report.cancelled) break;
+    result.report.scales = search.scales();
+    if (is_reached(result.report)) break;
+  }
+  return result;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::surface_of(
+    internal::Dirac_solution found, const internal::Exactness_constraints* closing,
+    double tolerance)
+{
+  Spin_result result = in_units(std::move(found));
+  Spin_report& r = result.report;
+  if (r.cancelled) return result;
   reconstruct(result);
-  if (closing)
-    result.report.period_limit =
-        internal::Period_limit{m_options.max_period_defect, options.tolerance}(result.report, 1);
-  result.report.scales = search.scales();
+  if (!closing) return result;
+  r.period_defect = closing->period_defect(transformed_edges(system().surface(), result.lambda));
+  r.period_limit = internal::Period_limit{m_options.max_period_defect, tolerance}(r, 1);
   return result;
 }
 

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_STEPS_TEMPLATES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_STEPS_TEMPLATES_H
+
+// The steps of a `Potential_search`, from derivatives.
+
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
+#include <Conformal_geometry_processing/spin/Potential_metric_templates.h>
+#include <Conformal_geometry_processing/spin/Potential_search.h>
+#include <Conformal_geometry_processing/spin/Spin_derivative_templates.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <optional>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+template <class SolverTraits, class EigensolverTraits>
+auto Potential_search<SolverTraits, EigensolverTraits>::best_step() -> std::optional<Step>
+{
+  try {
+    return best_step(derivative());
+  } catch (const No_derivative&) {
+    return std::nullopt;
+  }
+}
+
+template <class SolverTraits, class EigensolverTraits>
+auto Potential_search<SolverTraits, EigensolverTraits>::derivative() const -> Derivative
+{
+  const double tolerance = 1e-3;
+  const double gamma = m_system.is_closed() ? m_now.solution.eigenvalue : 0;
+  return Derivative(m_system, {m_rho.on, m_now.rho.values.array() + gamma}, m_now.solution.lambda,
+                    tolerance);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+auto Potential_search<SolverTraits, EigensolverTraits>::best_step(const Derivative& S) -> Step
+{
+  Stopwatch watch;
+  const Eigen::MatrixXd gradients =
+      S.apply_transpose(gradients_of(m_constraints, S.lambda().size()));
+  const Linear_constraints& constraints =
+      m_last_constraints.emplace(gradients, m_metric.solve(gradients), dampings_of(m_constraints));
+  const Eigen::VectorXd g = gradient(S);
+  Step step;
+  step.change = constraints.least_solution(-m_now.constraints);
+  const Eigen::VectorXd rest = improvement(S, constraints, g, step.change);
+  step.is_improvement = rest.size() > 0;
+  if (step.is_improvement) step.change += rest;
+  step.lambda = S.apply(step.change).col(0);
+  step.gamma = S.gamma_change(step.change)[0];
+  double rise = 2 * g.dot(step.change) + m_metric.squared_norm(step.change);
+  for (const Spin_residual* r : m_residuals) rise += r->change(step.lambda).squaredNorm();
+  // The sum may rise to satisfy constraints, but not by more than the price of what is satisfied.
+  const Eigen::VectorXd left = m_now.constraints + gradients.transpose() * step.change;
+  const double reduction = m_now.constraints.norm() - left.norm();
+  if (reduction > 0) m_penalty = (std::max)(m_penalty, 2 * rise / reduction);
+  m_costs.solves += S.number_of_solves();
+  m_costs.seconds.eigenvectors += watch.lap();
+  return step;
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::improvement(
+    const Derivative& S, const Linear_constraints& constraints, const Eigen::VectorXd& g,
+    const Eigen::VectorXd& first) const
+{
+  const double least_gain = 1e-2, tolerance = 5e-2;
+  const auto hessian = [&](const Block<double>& d, Block<double>& y) { y = curvature(S, d); };
+  const auto precondition = [&](const Block<double>& r, Block<double>& z) {
+    z = constraints.project_out(m_metric.solve(r));
+  };
+  Eigen::VectorXd slope = -g;
+  if (first.squaredNorm() > 0) slope -= curvature(S, first);
+  // Near the minimum nearly all of it is in the span of the constraints, and would be rounding.
+  const Block<double> b = constraints.project_gradient(slope);
+  Block<double> d;
+  Conjugate_gradients_options options;
+  options.tolerance = tolerance;
+  conjugate_gradients(hessian, precondition, b, d, options);
+  if (b.col(0).dot(d.col(0)) <= least_gain * m_now.sum) return {};
+  return d.col(0);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::gradient(
+    const Derivative& S) const
+{
+  Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(S.lambda().size(), 1, {});
+  for (const Spin_residual* r : m_residuals) q.col(0) += r->gradient(r->values());
+  return m_metric.apply(m_now.rho.values - m_rho.values) + S.apply_transpose(q);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::curvature(
+    const Derivative& S, const Eigen::VectorXd& d) const
+{
+  if (m_residuals.empty()) return m_metric.apply(d);
+  const Spins dlambda = S.apply(d).col(0);
+  Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(dlambda.size(), 1, {});
+  for (const Spin_residual* r : m_residuals) q.col(0) += r->gradient(r->change(dlambda));
+  return m_metric.apply(d) + S.apply_transpose(q);
+}
+
+template <class SolverTraits, class EigensolverTraits>
+bool Potential_search<SolverTraits, EigensolverTraits>::predict(Step& step)
+{
+  try {
+    const Derivative S = derivative();
+    step.lambda = S.apply(step.change).col(0);
+    step.gamma = S.gamma_change(step.change)[0];
+    m_costs.solves += S.number_of_solves();
+    return true;
+  } catch (const No_derivative&) {
+    return false;
+  }
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Dirac_solution Potential_search<SolverTraits, EigensolverTraits>::predicted(const Step& step,
+                                                                            double t) const
+{
+  Dirac_solution guess = m_now.solution;
+  components(guess.lambda) += t * components(step.lambda);
+  guess.eigenvalue += t * step.gamma;
+  return guess;
+}
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#endif
