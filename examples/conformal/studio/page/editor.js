@@ -113,7 +113,7 @@ function showInputs(isExact) {
 
 function showSliders() {
   const {state} = session;
-  element('amount').disabled = kindOf(state) === 'deform';
+  element('amount').disabled = kindOf(state) !== 'spin';
   element('amount').value = state.amplitude;
   element('amount-value').textContent = number(state.amplitude, 3);
   element('time').disabled = kindOf(state) !== 'flow' && state.report?.verified === false;

@@ -46,10 +46,7 @@ function listenToPaint() {
   });
   listen('amount', 'change', () => session.commit(scaled()));
   listen('formula-form', 'submit', applyFormula);
-  listen('bound', 'change', () => {
-    const state = kindOf(session.state) === 'deform' ? session.state : session.ground('spin');
-    session.commit({...state, bound: Number(element('bound').value) || 0});
-  });
+  listen('bound', 'change', () => session.commit({...session.state, bound: Number(element('bound').value) || 0}));
 }
 
 function listenToFlow() {

@@ -106,8 +106,9 @@ class Session {
         : quick.preview(base, faces, amounts(state), bound, continues);
   }
 
-  /** Takes an edit over, and computes it. */
+  /** Takes an edit over, and computes it. One of nothing, after what was done in another way, is none. */
   commit(state) {
+    if (!kindOf(state) && state.base !== this.state.base) return this.refresh();
     this.history.add({...state, ...this.#seen, isDone: false});
     this.#seen = {};
     this.refresh();
