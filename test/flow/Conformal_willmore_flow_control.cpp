@@ -148,7 +148,7 @@ TEST(Conformal_willmore_flow_control, follows_directions_without_an_energy)
   EXPECT_EQ(up.run().stop, Flow_stop::steps_done);
   EXPECT_LT(down.energy(), before);
   EXPECT_GT(up.energy(), before);
-  EXPECT_EQ(up.energy(), CGP::willmore_energy(up.mesh()));
+  EXPECT_NEAR(up.energy() / CGP::willmore_energy(up.mesh()), 1, 1e-14);  // in another frame
 }
 
 TEST(Conformal_willmore_flow_control, says_so_where_the_equation_is_not_solved)
@@ -184,30 +184,21 @@ TEST(Conformal_willmore_flow_control, stops_when_the_visitor_says_so)
 
 TEST(Conformal_willmore_flow_control, is_at_the_last_complete_step_when_the_visitor_throws)
 {
-  Visitor visitor;
-  visitor.throw_at_iteration = 7;
-  CGP::Conformal_willmore_flow<> flow(bumpy_sphere(2));
-  EXPECT_THROW((void)flow.run(visitor), std::runtime_error);
-  EXPECT_GT(visitor.ends, 0);
-  EXPECT_EQ(flow.mesh().positions(), visitor.last);
-  EXPECT_NEAR(flow.energy() / CGP::willmore_energy(flow.mesh()), 1, 1e-14);  // in another frame
-}
-
-TEST(Conformal_willmore_flow_control, goes_on_after_an_interruption_as_if_there_had_been_none)
-{
   const Mesh_view mesh = stretched(perturbed(irregular_torus(2, 1, 24, 12), .02), 2);
   CGP::Conformal_willmore_flow<> undisturbed(mesh);
   const CGP::Flow_report whole = undisturbed.run();
   for (const int iteration : {7, 8, 9, 12, 30}) {
     Visitor throwing, cancelling;
     throwing.throw_at_iteration = cancelling.stop_at_iteration = iteration;
-    CGP::Conformal_willmore_flow<> thrown(mesh), cancelled(mesh);
-    EXPECT_THROW((void)thrown.run(throwing), std::runtime_error);
+    CGP::Conformal_willmore_flow<> flow(mesh), cancelled(mesh);
+    EXPECT_THROW((void)flow.run(throwing), std::runtime_error);
+    EXPECT_EQ(flow.mesh().positions(), throwing.last);
+    EXPECT_NEAR(flow.energy() / CGP::willmore_energy(flow.mesh()), 1, 1e-14);  // in another frame
     EXPECT_EQ(cancelled.run(cancelling).stop, Flow_stop::cancelled);
-    EXPECT_EQ(thrown.run().stop, whole.stop);
+    EXPECT_EQ(flow.run().stop, whole.stop);
     EXPECT_EQ(cancelled.run().stop, whole.stop);
-    EXPECT_EQ(thrown.size_of_steps(), undisturbed.size_of_steps()) << iteration;
-    EXPECT_EQ(thrown.mesh().positions(), undisturbed.mesh().positions()) << iteration;
+    EXPECT_EQ(flow.size_of_steps(), undisturbed.size_of_steps()) << iteration;
+    EXPECT_EQ(flow.mesh().positions(), undisturbed.mesh().positions()) << iteration;
     EXPECT_EQ(cancelled.mesh().positions(), undisturbed.mesh().positions()) << iteration;
   }
 }
