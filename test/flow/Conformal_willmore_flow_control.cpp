@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
 
 #include "flow_tools.h"
 #include "support/moebius.h"
@@ -108,7 +109,7 @@ TEST(Conformal_willmore_flow_control, gives_up_where_the_energy_rises_and_leaves
   const CGP::Flow_report report = flow.run();
   EXPECT_EQ(report.stop, Flow_stop::time_step_too_small);
   EXPECT_FALSE(report);
-  EXPECT_TRUE(has(report.message, "the energy rises by")) << report.message;
+  EXPECT_NE(report.message.find("the energy rises by"), std::string::npos) << report.message;
   EXPECT_EQ(flow.mesh().positions(), mesh.positions());
   EXPECT_EQ(report.energy, report.initial_energy);
 }
