@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_SEARCH_H
 
 #include <Conformal_geometry_processing/spin/Exactness_residual.h>
+#include <Conformal_geometry_processing/spin/Period_limit.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
 #include <Conformal_geometry_processing/spin/Potential_search.h>
 #include <Conformal_geometry_processing/spin/Scale_control.h>
@@ -64,6 +65,9 @@ class Scale_search {
     /// square of the norm of rho' - rho
     double distance() const { return candidate.sum - candidate.residuals.squaredNorm(); }
 
+    /// of handles and holes, relative to the edges
+    double period_defect() const { return candidate.constraints.norm(); }
+
     /// at most 1 if it is within the bound, and its edges close up
     double reach() const { return (std::max)(excess, inexact / inexact_limit()); }
   };
@@ -103,12 +107,17 @@ class Scale_search {
 
   /// takes the present rho' if it is better than the best one, or nearer beyond the bound
   void judge(double w);
+
+  /// \brief whether it is nearer to rho than the best one, or that has a fault that it has less of:
+  /// lengths, then edges, then handles that do not close up.
   bool is_better(const Trial& trial) const;
 
   /// whether the best result is within the bound, and its edges close up
   bool is_found() const { return m_best.reach() <= 1; }
   static constexpr double period_tolerance = 1e-5;
   static double inexact_limit() { return 0.95 * Spin_report::Limits().closure; }
+  /// the defect for which no transformation is refused
+  static double defect_limit() { return Period_limit()(Spin_report(), 1); }
 
   const Surface_ref m_surface;
   const Curvature_potential m_rho;

@@ -182,7 +182,10 @@ bool Scale_search<SolverTraits, EigensolverTraits>::is_better(const Trial& trial
 {
   if (trial.excess > 1 || m_best.excess > 1) return trial.excess < m_best.excess;
   if (m_best.inexact > inexact_limit()) return trial.inexact < m_best.inexact;
-  return trial.inexact <= inexact_limit() && trial.distance() < m_best.distance();
+  if (trial.inexact > inexact_limit()) return false;
+  if (m_best.period_defect() > defect_limit())
+    return trial.period_defect() < m_best.period_defect();
+  return trial.period_defect() <= defect_limit() && trial.distance() < m_best.distance();
 }
 
 }  // namespace internal
