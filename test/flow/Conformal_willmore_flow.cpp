@@ -175,7 +175,7 @@ TEST(Conformal_willmore_flow, reports_what_it_did)
   EXPECT_EQ(flow.size_of_steps(), static_cast<int>(report.steps.size()));
   EXPECT_EQ(flow.initial_mesh().positions(), mesh.positions());
   EXPECT_EQ(report.initial_energy, CGP::willmore_energy(mesh));
-  EXPECT_EQ(report.energy, CGP::willmore_energy(flow.mesh()));
+  EXPECT_NEAR(report.energy, CGP::willmore_energy(flow.mesh()), 1e-13 * report.energy);
   double energy = report.initial_energy;
   for (std::size_t i = 0; i < report.steps.size(); ++i) {
     const CGP::Flow_step_report& step = report.steps[i];

@@ -3,6 +3,7 @@
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
 #include <functional>
 
+#include <Conformal_geometry_processing/spin/Spin_report_io.h>
 #include "spin/boundary_tools.h"
 
 /// Surfaces of revolution: for rho(r) on the unit disk, l = a(r) - b(r) T with a' = -rho b,
@@ -94,7 +95,7 @@ std::vector<Row> rows(const Boundary_condition& condition, const Radial_function
     const CGP::Spin_result r = transformed(
         mesh, condition,
         potential_on_faces(mesh, [&](const Eigen::Vector3d& p) { return rho(p.norm()); }));
-    EXPECT_TRUE(r.report);
+    EXPECT_TRUE(r.report) << n << ": " << r.report;
     const Points exact = surface([&](double s) { return rho(s) + gamma; }, n);
     list.push_back({r.report.eigenvalue, mean_Q(r), shape_error(r.positions, exact)});
   }

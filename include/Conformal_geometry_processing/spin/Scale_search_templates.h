@@ -145,9 +145,9 @@ bool Scale_search<SolverTraits, EigensolverTraits>::move_between(double t,
 {
   const Curvature_potential &here = m_best.candidate.rho, &there = m_beyond.candidate.rho;
   const Eigen::VectorXd rho = (1 - t) * here.values + t * there.values;
-  const typename Search::Candidate& near = (t < 0.5 ? m_best : m_beyond).candidate;
+  const typename Search::Candidate& closest = (t < 0.5 ? m_best : m_beyond).candidate;
   const double w = weight_between(t), above = m_beyond.reach();
-  if (m_search.present().rho.values != near.rho.values) m_search.restore(near);
+  if (m_search.present().rho.values != closest.rho.values) m_search.restore(closest);
   if (!m_search.move_to({here.on, rho}, options, go_further)) return false;
   if (m_search.present().constraints.norm() > period_tolerance)
     try_weight(w, options, go_further);

@@ -72,7 +72,7 @@ Eigensolver_result lobpcg(const Block_function& apply_k, const Block_function& a
 /// each eigenvalue occurs once, not four times as in the real form. On a space over the reals only
 /// (`Eigensolver_options::coefficients`) the coefficients are real. With T the inverse of K plus a
 /// small shift, 3 to 8 iterations reach 1e-6, where the inverse power method needs 4 to 60.
-/// Deterministic. Cost per iteration: one T, one K and one N on the block; three K where
+/// Deterministic. Cost per iteration: one T, two K and two N on the block; three K where
 /// `Eigensolver_options::adapt` changes the matrix.
 ///
 /// \param apply_k, apply_n, precondition callables that map a `Block<Quaternion<double>>` to one

@@ -33,7 +33,7 @@ CGP_INLINE Lobpcg_space::Vectors Lobpcg_space::projection() const
   return G;
 }
 
-// Moves x to [x, w, p] C, and K x and N x with it.
+// Moves x to [x, w, p] C. Updates only the vectors of x: K and N are applied to them again.
 CGP_INLINE void Lobpcg_space::advance(const Vectors& C)
 {
   const Vectors c_x = C.topRows(x.size()), c_w = C.middleRows(x.size(), w.size()),
@@ -41,7 +41,7 @@ CGP_INLINE void Lobpcg_space::advance(const Vectors& C)
   Vectors one = Vectors::Constant(C.cols(), C.cols(), {});
   for (Eigen::Index j = 0; j < C.cols(); ++j) one(j, j).w = 1;
   replace_by_combination(p, c_p, w, c_w);
-  replace_by_combination(x, c_x, p, one);
+  replace_by_combination(x.v, c_x, p.v, one);
 }
 
 CGP_INLINE Eigensolver_result
@@ -74,9 +74,10 @@ lobpcg(const Block_function& apply_k, const Block_function& apply_n,
     convergence.note_next_value(ritz.values[x.size()]);
     space.advance(ritz.vectors.leftCols(x.size()));
     convergence.count_iteration();
-    if (!convergence.has_adapted(x)) continue;
-    apply_operator(apply_k, x.v, x.kv);
-    apply_operator(apply_k, p.v, p.kv);
+    const bool has_adapted = convergence.has_adapted(x);
+    // Applied anew, so that the residual is the true one and not that of accumulated combinations.
+    apply_operators(apply_k, apply_n, x);
+    if (has_adapted) apply_operator(apply_k, p.v, p.kv);
   }
   return convergence.result();
 }
