@@ -46,8 +46,8 @@ namespace Conformal_geometry_processing {
 ///
 /// Surfaces stay on the exact discrete conformal class of the initial one: each step is smoothing
 /// within the class, then a spin transformation, and ends with the nearest surface of the class,
-/// see `Flow_options::exact_conformal_class`. A step that would leave `Flow_options::limits` ends
-/// the flow. Without that, as in the thesis, and with mollification:
+/// see `Flow_options::exact_conformal_class`. Where even a step of `min_time_step` would leave
+/// `Flow_options::limits`, the flow ends. Without that, as in the thesis, and with mollification:
 ///
 /// The conformal class of a surface with handles is kept but for two errors. The periods of a step
 /// are of second order in tau: left alone they add up to O(tau); `Flow_options::max_period_defect`

@@ -108,8 +108,6 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::find_t
       report.stop = Flow_step_report::Stop::cancelled;
     else if (verdict == Verdict::good)
       accept(report);
-    else if (verdict == Verdict::out_of_limits)
-      report.stop = Flow_step_report::Stop::limits_reached;
     else if (!m_options.backtracking)
       report.stop = Flow_step_report::Stop::step_failed;
     else if (slight_rises == 2)  // halving the step does not help: this is the minimum
@@ -125,6 +123,7 @@ Flow_step_report::Stop Conformal_willmore_flow<SolverTraits, EigensolverTraits,
 {
   if (last == Verdict::rises_slightly || last == Verdict::rises_within_error)
     return Flow_step_report::Stop::energy_settled;
+  if (last == Verdict::out_of_limits) return Flow_step_report::Stop::limits_reached;
   // Beyond, the squares of the lengths by the least damping of a snap, 1e-6, exceed 16 digits.
   const double largest_range = 11;
   const auto scale = map_to(measured(), m_mesh.positions()).scale;

@@ -157,15 +157,19 @@ double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::type
   }
 }
 
+// Where that fails, or leaves the limits, the surface is in its class to the tolerance of the
+// steps.
 template <class SolverTraits, class EigensolverTraits, class Direction>
 void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::polish()
 {
   Points f = m_mesh.positions();
   try {
     m_class->polish(f);
+    const auto fault = map_to(measured(), f).fault(m_options.limits);
+    if (m_options.backtracking && fault != Conformality::Fault::none) return;
     m_transformation.set_positions(f);
   } catch (const Error&) {
-    return;  // the surface is in its class to the tolerance of the steps
+    return;
   }
   m_mesh.set_positions(std::move(f));
   m_energy = energy_of(m_mesh);
