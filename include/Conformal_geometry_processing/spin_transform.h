@@ -186,8 +186,9 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDefault{the present direction}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_target_point_map}
-///     \cgalParamDescription{the new positions of the vertices on the boundary; cannot be combined
-///                           with directions}
+///     \cgalParamDescription{the new positions of the vertices on the boundary, and on the closed
+///                           curves inside that are constrained; cannot be combined with
+///                           directions}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key; without
 ///                    `vertex_normal_map` it must have points for all vertices}
 ///     \cgalParamDefault{none}
@@ -205,7 +206,8 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDefault{the normals of the surface with the target points of all vertices}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
-///     \cgalParamDescription{which vertices have target points; must be true on the whole boundary}
+///     \cgalParamDescription{which vertices have target points: the whole boundary, and vertices
+///                           inside that form closed curves of edges}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and `bool`
 ///                    as value}
 ///     \cgalParamDefault{true on the boundary}

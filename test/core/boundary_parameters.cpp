@@ -133,3 +133,24 @@ TEST_F(Boundary_parameters, want_all_of_the_boundary_constrained)
               "posed only if all of the boundary is");
   }
 }
+
+TEST_F(Boundary_parameters, prescribe_positions_of_closed_curves_inside_too)
+{
+  const boost::static_property_map<Kernel::Vector_3, Vertex> up(Kernel::Vector_3(0, 0, 1));
+  const auto inner = boost::make_function_property_map<Vertex>(
+      [](Vertex v) { return int(v) >= 19 || (int(v) > 0 && int(v) < 7); });
+  const auto c = condition(params::vertex_target_point_map(image<Kernel::Point_3>())
+                               .vertex_normal_map(up)
+                               .vertex_is_constrained_map(inner));
+  EXPECT_EQ(c.curves, (std::vector<std::vector<int>>{{1, 2, 3, 4, 5, 6}}));
+  ASSERT_EQ(c.targets.cols(), 24);
+  EXPECT_EQ(c.normals.cols(), 24);
+  EXPECT_EQ(c.targets.leftCols(18), expected_image());
+  const Kernel::Point_3 p = get(image<Kernel::Point_3>(), Vertex(3));
+  EXPECT_EQ(c.targets.col(20), Eigen::Vector3d(p.x(), p.y(), p.z()));
+  const auto open = boost::make_function_property_map<Vertex>(
+      [](Vertex v) { return int(v) >= 19 || int(v) == 3; });
+  EXPECT_THROW((void)condition(params::vertex_target_point_map(image<Kernel::Point_3>())
+                                   .vertex_is_constrained_map(open)),
+               CGP::Precondition_error);
+}

@@ -153,7 +153,7 @@ TEST(Prescribed_positions_of_a_curve, need_normals_that_turn_as_those_of_the_sur
   };
   EXPECT_EQ(twisted(0), "");
   EXPECT_EQ(twisted(1),
-            "the curve for the boundary loop at vertex 91 is twisted by a full turn against it; no "
+            "the curve for the loop at vertex 91 is twisted by a full turn against it; no "
             "continuous spins do that");
   EXPECT_EQ(twisted(2), "");  // two full turns are none
   EXPECT_NE(twisted(-1), "");

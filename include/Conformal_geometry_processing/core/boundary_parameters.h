@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <Conformal_geometry_processing/mesh/closed_curves.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
@@ -73,10 +74,13 @@ inline Points normals_at(const Mesh_view& mesh, const Points& positions,
   return normals;
 }
 
+/// Returns the closed curves inside the surface in `vertex_is_constrained_map`, if there is one,
+/// which must contain the boundary.
 template <class TriangleMesh, class NamedParameters>
-void require_constrained_boundary(const Graph_view<TriangleMesh>& graph,
-                                  const std::vector<int>& vertices, const NamedParameters& np,
-                                  const std::string& function)
+std::vector<std::vector<int>> constrained_curves(const Graph_view<TriangleMesh>& graph,
+                                                 const std::vector<int>& vertices,
+                                                 const NamedParameters& np,
+                                                 const std::string& function)
 {
   if constexpr (has_parameter<NamedParameters, CGAL::internal_np::vertex_is_constrained_t>) {
     auto is_constrained =
@@ -89,13 +93,20 @@ void require_constrained_boundary(const Graph_view<TriangleMesh>& graph,
         [&](int k) { return name_of_vertex(vertices[static_cast<std::size_t>(k)]); }, function,
         "boundary #vertex not constrained",
         "the problem is well posed only if all of the boundary is");
+    std::vector<char> is_inside(static_cast<std::size_t>(graph.view().size_of_vertices()));
+    for (std::size_t v = 0; v < is_inside.size(); ++v)
+      is_inside[v] = get(is_constrained, graph.vertex(static_cast<int>(v)));
+    for (const int v : vertices) is_inside[static_cast<std::size_t>(v)] = 0;
+    return closed_curves(graph.view(), is_inside, function);
   }
+  return {};
 }
 
 /// Returns the boundary condition given by named parameters: `vertex_target_point_map` for
 /// positions, with `position_weight`, `boundary_direction` and `boundary_direction_map` for
 /// directions (the tangents, if only the second is given), otherwise a free boundary. \throw
-/// Precondition_error if `vertex_is_constrained_map` contains only a part of the boundary
+/// Precondition_error if `vertex_is_constrained_map` contains only a part of the boundary, or
+/// vertices inside that form no closed curves
 template <class TriangleMesh, class NamedParameters>
 Boundary_condition boundary_condition(const Graph_view<TriangleMesh>& graph,
                                       const NamedParameters& np, const std::string& function)
@@ -111,9 +122,10 @@ Boundary_condition boundary_condition(const Graph_view<TriangleMesh>& graph,
   Boundary_condition condition;
   if constexpr (!has_points && !has_targets && !has_direction) return condition;
   const Mesh_view& mesh = graph.view();
-  const std::vector<int> vertices = boundary_frames(mesh).vertices;
+  std::vector<int> vertices = boundary_frames(mesh).vertices;
   if constexpr (has_points) {
-    require_constrained_boundary(graph, vertices, np, function);
+    condition.curves = constrained_curves(graph, vertices, np, function);
+    vertices = frames_of(mesh, condition).vertices;
     const auto target = get_parameter(np, internal_np::vertex_target_point_map);
     const auto traits = geometry_traits<TriangleMesh>(np);
     condition.kind = Boundary_condition::Kind::positions;

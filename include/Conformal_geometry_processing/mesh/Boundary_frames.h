@@ -52,6 +52,11 @@ internal::Boundary_frame boundary_frame(const Eigen::Vector3d& tangent,
                                         const Eigen::Vector3d& normal);
 
 /// \ingroup PkgMesh
+/// the frames of closed curves on a surface, each with its vertices in order; O(|V| + |F|)
+internal::Boundary_frames frames_along(const Surface_ref& surface,
+                                       std::vector<std::vector<int>> loops);
+
+/// \ingroup PkgMesh
 /// the frames of all boundary vertices; O(|V| + |F|)
 /// \pre `require_surface(mesh)` holds
 internal::Boundary_frames boundary_frames(const Surface_ref& surface);

@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -35,11 +36,12 @@ CGP_INLINE internal::Boundary_frame boundary_frame(const Eigen::Vector3d& tangen
   return frame;
 }
 
-CGP_INLINE internal::Boundary_frames boundary_frames(const Surface_ref& surface)
+CGP_INLINE internal::Boundary_frames frames_along(const Surface_ref& surface,
+                                                  std::vector<std::vector<int>> loops)
 {
   const Points normals = vertex_normals(surface, internal::Normal_weight::angle);
   internal::Boundary_frames b;
-  b.loops = boundary_loops(surface);
+  b.loops = std::move(loops);
   for (const std::vector<int>& loop : b.loops) {
     const std::size_t n = loop.size();
     for (std::size_t k = 0; k < n; ++k) {
@@ -51,6 +53,11 @@ CGP_INLINE internal::Boundary_frames boundary_frames(const Surface_ref& surface)
     }
   }
   return b;
+}
+
+CGP_INLINE internal::Boundary_frames boundary_frames(const Surface_ref& surface)
+{
+  return frames_along(surface, boundary_loops(surface));
 }
 
 }  // namespace Conformal_geometry_processing

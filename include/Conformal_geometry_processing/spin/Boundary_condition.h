@@ -3,12 +3,14 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_CONDITION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_BOUNDARY_CONDITION_H
 
+#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -28,7 +30,8 @@ namespace Conformal_geometry_processing {
 /// *Positions*: the boundary becomes a given curve, with given normals. No conformal surface has
 /// it, in general: the conformal distortion is minimised in the sense of least squares, and is what
 /// the result is judged by [CGP 6.3.2]. With a finite weight, the boundary is attached to the
-/// curve, and the distance from it is minimised together with the distortion.
+/// curve, and the distance from it is minimised together with the distortion. Closed curves inside
+/// the surface may have positions and normals, too.
 struct Boundary_condition {
   enum class Kind { free, directions, positions };
 
@@ -36,13 +39,15 @@ struct Boundary_condition {
   /// coefficients (t, n, b) of U in the frame (T, N, B); of any nonzero length
   Eigen::Vector3d direction{1, 0, 0};
   /// directions V of any nonzero length, or positions; 3 x number of boundary vertices, in the
-  /// order of `boundary_frames()`. No columns: the surface keeps its own directions; if it moves,
-  /// those before each step
+  /// order of `boundary_frames()`, and of the vertices of `curves` after them. No columns: the
+  /// surface keeps its own directions; if it moves, those before each step
   Points targets = Points(3, 0);
   Points normals = Points(3, 0);  ///< of the given curve, with positions
   /// of positions against conformality: the curve pulls at the boundary in a layer of the width
   /// radius / weight; infinite: positions are exact
   double weight = std::numeric_limits<double>::infinity();
+  /// with positions: closed curves inside the surface, each with its vertices in order
+  std::vector<std::vector<int>> curves = {};
 
   static Boundary_condition free() { return {}; }
 
@@ -58,12 +63,18 @@ struct Boundary_condition {
 };
 
 /// \ingroup PkgSpin
+/// the frames where a condition has values, in their order: of the boundary, then of its curves
+internal::Boundary_frames frames_of(const Surface_ref& surface,
+                                    const Boundary_condition& condition);
+
+/// \ingroup PkgSpin
 /// \brief checks that a condition fits the surface.
 ///
 /// \throw Precondition_error if a condition other than `free` is set and there is no boundary; if
 /// the number of targets or normals is not that of the boundary vertices; if one is zero or not
 /// finite; if the direction is the normal (not elliptic), zero or not finite; if the boundary of
-/// the surface folds back at a vertex, which then has no frame
+/// the surface folds back at a vertex, which then has no frame; if a curve has fewer than three
+/// vertices, or one that is not inside the surface or is on it, or on another curve, twice
 void require_condition(const Surface_ref& surface, const Boundary_condition& condition,
                        const std::string& function);
 

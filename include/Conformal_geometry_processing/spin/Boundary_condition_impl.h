@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 
@@ -42,27 +41,60 @@ CGP_INLINE Boundary_condition Boundary_condition::positions(Points targets, Poin
   return {Kind::positions, {1, 0, 0}, std::move(targets), std::move(normals), weight};
 }
 
+CGP_INLINE internal::Boundary_frames frames_of(const Surface_ref& surface,
+                                               const Boundary_condition& condition)
+{
+  std::vector<std::vector<int>> loops = boundary_loops(surface);
+  loops.insert(loops.end(), condition.curves.begin(), condition.curves.end());
+  return frames_along(surface, std::move(loops));
+}
+
+namespace internal {
+
+inline void require_curves(const Surface_ref& surface, const std::vector<std::vector<int>>& curves,
+                           const std::string& function)
+{
+  std::vector<char> is_taken = boundary_vertices(surface);
+  for (const std::vector<int>& curve : curves) {
+    if (curve.size() < 3)
+      throw Precondition_error(function, "a curve of " + std::to_string(curve.size()) +
+                                             " vertices; at least three are needed");
+    for (const int v : curve) {
+      const bool exists = v >= 0 && v < surface.size_of_vertices();
+      if (!exists || is_taken[static_cast<std::size_t>(v)])
+        throw Precondition_error(function, name_of_vertex(v) +
+                                               " of a curve is not inside the "
+                                               "surface, or is on curves twice");
+      is_taken[static_cast<std::size_t>(v)] = 1;
+    }
+  }
+}
+
+}  // namespace internal
+
 CGP_INLINE void require_condition(const Surface_ref& surface, const Boundary_condition& condition,
                                   const std::string& function)
 {
   using Kind = Boundary_condition::Kind;
   if (condition.kind == Kind::free) return;
-  const internal::Boundary_frames boundary = boundary_frames(surface);
+  internal::require_curves(surface, condition.curves, function);
+  const internal::Boundary_frames boundary = frames_of(surface, condition);
   const std::vector<int>& vertices = boundary.vertices;
   const auto count = static_cast<Eigen::Index>(vertices.size());
-  if (count == 0)
+  if (boundary_loops(surface).empty())
     throw Precondition_error(function, "the surface is closed; no boundary can be prescribed");
   internal::refuse_if_any(
       static_cast<int>(count),
       [&](int k) { return !(boundary.frames[static_cast<std::size_t>(k)].determinant() > 0.5); },
       [&](int k) { return internal::name_of_vertex(vertices[static_cast<std::size_t>(k)]); },
       function, "boundary #vertex without tangent or normal", "the boundary must not fold back");
+  const std::string whose =
+      condition.curves.empty() ? "boundary vertex" : "vertex of the boundary and the curves";
   const bool is_directions = condition.kind == Kind::directions;
   const auto require_size = [&](const Points& p, const std::string& what, bool is_optional) {
     if (p.cols() != count && !(is_optional && p.cols() == 0))
-      throw Precondition_error(function,
-                               std::to_string(p.cols()) + " " + what +
-                                   ", one per boundary vertex is needed: " + std::to_string(count));
+      throw Precondition_error(function, std::to_string(p.cols()) + " " + what + ", one per " +
+                                             whose + " is needed: " + std::to_string(count));
   };
   const auto require_good = [&](const Points& p, const std::string& what, bool is_direction) {
     internal::refuse_if_any(

@@ -27,7 +27,8 @@ namespace internal {
 ///
 /// At the boundary lambda is known: it rotates the frame of the surface into that of the curve and
 /// scales by the ratio of lengths. Inside it minimises |(D - rho) lambda|^2, which is a linear
-/// system. The positions solve (5.5) with the boundary fixed on the curve. With a finite weight w,
+/// system. The positions solve (5.5) with the boundary fixed on the curve. Curves inside the
+/// surface are treated in the same way. With a finite weight w,
 /// both minimise in addition w / R times the integral along the boundary of the squared difference
 /// from what is given, where pi R^2 is the area.
 ///
@@ -47,7 +48,7 @@ class Prescribed_positions {
                        std::shared_ptr<const Sparse_pattern> pattern, const Solver& solver,
                        const std::string& function)
       : m_surface(surface),
-        m_frames(boundary_frames(surface)),
+        m_frames(frames_of(surface, condition)),
         m_targets(condition.targets),
         m_weights(weights(condition.weight)),
         m_spins(spins(condition, function)),

@@ -111,7 +111,7 @@ std::vector<Quaternion<double>> internal::Prescribed_positions<SolverTraits>::sp
   for (std::size_t l = 0; l < closes.size(); ++l)
     if (!closes[l])
       throw Precondition_error(
-          function, "the curve for the boundary loop at vertex " +
+          function, "the curve for the loop at vertex " +
                         std::to_string(m_frames.loops[l].front()) +
                         " is twisted by a full turn against it; no continuous spins do that");
   return spins;

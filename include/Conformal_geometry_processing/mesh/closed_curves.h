@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_CLOSED_CURVES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_CLOSED_CURVES_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+#include <string>
+#include <vector>
+
+namespace Conformal_geometry_processing {
+namespace internal {
+
+/// \ingroup PkgMesh
+/// \brief the closed curves of edges that marked vertices form, each with its vertices in order.
+///
+/// A curve begins at its vertex of smallest number. O(|V| + |E|).
+/// \param is_marked |V|
+/// \throw Precondition_error if a marked vertex has more or fewer than two marked neighbours
+std::vector<std::vector<int>> closed_curves(const Mesh_view& mesh,
+                                            const std::vector<char>& is_marked,
+                                            const std::string& function);
+
+}  // namespace internal
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/closed_curves_impl.h>
+#endif
+
+#endif
