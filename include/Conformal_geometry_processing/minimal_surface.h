@@ -53,7 +53,9 @@ namespace Conformal_geometry_processing {
 /// \cgalNamedParamsEnd
 ///
 /// \returns the report, which converts to `true` if such a surface exists. Otherwise nothing is
-/// written.
+/// written, and `reached` is the share of the way to it that exists: steps of
+/// `conformal_willmore_flow()` with the same `boundary_direction` may go all of it, and a second
+/// call then finds the minimal surface.
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold triangle mesh with
 /// boundary, finite coordinates and positive areas, or the directions do not fit it
 /// \throw Solver_error if a factorization fails

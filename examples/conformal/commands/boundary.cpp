@@ -139,13 +139,15 @@ void boundary(const Boundary_options& options, Session& session)
   session.note_all(
       notes_of_repair_alike(input, {by.tangents_from, by.binormals_from, by.positions_from}));
   const double unit = User_frame(input.mesh).unit();
+  const std::string easier = options.minimal
+                                 ? "conformal flow --boundary tangents before, in small steps"
+                                 : "a gentler change of the directions";
   each_component(input, session, [&](const Component& component, Session& own) {
     require_boundary(component.input);
     const Spin_problem problem =
         problem_of(on_component(surface.rho, component, 1 / unit),
                    on_component(condition, input.mesh, component), options);
-    surface.set(component, deform(component.input, problem, options.spin,
-                                  "a gentler change of the directions", own));
+    surface.set(component, deform(component.input, problem, options.spin, easier, own));
   });
   write_result(input, surface, session, options.spin.lambda);
 }

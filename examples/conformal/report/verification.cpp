@@ -27,9 +27,12 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
                               const std::string& easier)
 {
   const std::string what = CGP::to_string(report.boundary_fault);
+  const bool is_part = report.reached > 0 && report.reached < 1;
+  const std::string part =
+      is_part ? "; " + text_of(100 * report.reached, 2) + " % of the way there is one" : "";
   if (report.boundary_fault == CGP::Spin_report::Boundary_fault::not_realizable)
-    return what + "; try: binormals instead of tangents, the tangents of a plane curve, or " +
-           easier;
+    return what + part +
+           "; try: binormals instead of tangents, the tangents of a plane curve, or " + easier;
   if (report.boundary_fault != CGP::Spin_report::Boundary_fault::none)
     return what + "; try: " + easier + ", or a finer mesh";
   return "directions at the boundary are missed by " +

@@ -31,7 +31,8 @@ std::string easier_by_amplitude(const Surface_input& input, const Spin_problem& 
                                 const Spin_options& options, const Spin_solution& refused,
                                 const std::string& easier, Session& session)
 {
-  if (options.force || objection(refused.report, refused.positions, options.limits, "").empty())
+  if (options.force || problem.minimal ||
+      objection(refused.report, refused.positions, options.limits, "").empty())
     return easier;
   const double amplitude =
       options.rho.amplitude * suggested_factor(input.mesh, problem, options, session);

@@ -26,7 +26,8 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
   };
 
   int steps = 1;              ///< number of steps, for a surface with handles that stays closed
-  double reached = 1;         ///< completed share of the path to rho, in [0, 1]
+  double reached = 1;         ///< completed share of the path to rho, in [0, 1]; where a minimal
+                              ///< surface does not exist, the share of the way that does
   double missing_share = 0;   ///< norm of the part of rho that was left out because the surface
                               ///< would not have closed up, relative to that of rho
   double realised_share = 1;  ///< norm of the rho that the new surface has, relative to that of the
