@@ -139,8 +139,9 @@ void boundary(const Boundary_options& options, Session& session)
   session.note_all(
       notes_of_repair_alike(input, {by.tangents_from, by.binormals_from, by.positions_from}));
   const double unit = User_frame(input.mesh).unit();
+  const std::string kept = condition.is_self_adjoint() ? "binormals" : "tangents";
   const std::string easier = options.minimal
-                                 ? "conformal flow --boundary tangents before, in small steps"
+                                 ? "conformal flow --boundary " + kept + " before, in small steps"
                                  : "a gentler change of the directions";
   each_component(input, session, [&](const Component& component, Session& own) {
     require_boundary(component.input);
