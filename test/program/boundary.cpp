@@ -128,6 +128,18 @@ TEST_F(Boundary, what_no_surface_has_is_written_only_by_force)
   EXPECT_TRUE(has("b.ply"));
 }
 
+TEST_F(Boundary, refusals_name_what_is_easier_than_what_was_asked_for)
+{
+  write("a.off", off(disk(10)));
+  write("cap.off", off(cgp_test::cap_from_disk(disk(8), 1.5)));
+  const std::string turned = " --tangent-rotation -360*s", tilted = " --binormal-tilt 0";
+  EXPECT_TRUE(fails(run("boundary -q a.off -o b.ply" + turned), 1, "binormals instead of"));
+  EXPECT_TRUE(fails(run("boundary -q a.off --minimal -o b.ply" + turned), 1,
+                    "try: conformal flow --boundary tangents before"));
+  EXPECT_TRUE(fails(run("boundary -q cap.off --minimal -o b.ply" + tilted), 1,
+                    "try: conformal flow --boundary binormals before"));
+}
+
 TEST_F(Boundary, directions_that_are_missed_have_a_limit)
 {
   write("a.off", off(disk(5)));

@@ -39,6 +39,28 @@ struct Boundary_options {
   bool minimal = false;  ///< rho is -H
 };
 
+void add_positions(CLI::App& command, CLI::Option* from, Prescription_options& prescription)
+{
+  command
+      .add_option("--position-weight", prescription.position_weight,
+                  "weight of these positions against conformality; without it they are exact. With "
+                  "it, the boundary moves away from them within a layer of radius / weight")
+      ->check(CLI::PositiveNumber);
+  auto* curves = command.add_option_group("curves inside", "closed curves, one of");
+  curves
+      ->add_option("--curves-expression", prescription.curves_expression,
+                   "formula: where it is positive, vertices inside the surface form closed curves "
+                   "of edges, which are to lie where they do in --positions-from, too")
+      ->check(formula)
+      ->needs(from);
+  curves
+      ->add_option("--curves-property", prescription.curves_property,
+                   "vertex property with these numbers")
+      ->check(not_empty)
+      ->needs(from);
+  curves->require_option(0, 1);
+}
+
 void add_prescription(CLI::App& command, Prescription_options& prescription)
 {
   auto* what = command.add_option_group("boundary", "what the boundary becomes, one of");
@@ -48,9 +70,10 @@ void add_prescription(CLI::App& command, Prescription_options& prescription)
   what->add_option("--binormals-from", prescription.binormals_from,
                    "has the binormals of this mesh (tangent x normal, out of the surface)")
       ->check(not_empty);
-  what->add_option("--positions-from", prescription.positions_from,
-                   "lies where that of this mesh does, with its normals")
-      ->check(not_empty);
+  CLI::Option* const positions =
+      what->add_option("--positions-from", prescription.positions_from,
+                       "lies where that of this mesh does, with its normals")
+          ->check(not_empty);
   what->add_option("--curve", prescription.curve,
                    "has the tangents of a closed curve: a text file with a point per line, an "
                    "empty line between curves, one for each loop, in the order of conformal info; "
@@ -66,11 +89,7 @@ void add_prescription(CLI::App& command, Prescription_options& prescription)
                    "has its binormals turned towards the normals, by a formula likewise")
       ->check(formula);
   what->require_option(1);
-  command
-      .add_option("--position-weight", prescription.position_weight,
-                  "weight of these positions against conformality; without it they are exact. With "
-                  "it, the boundary moves away from them within a layer of radius / weight")
-      ->check(CLI::PositiveNumber);
+  add_positions(command, positions, prescription);
 }
 
 void add_options(CLI::App& command, Boundary_options& boundary, Common_options& common)
@@ -128,6 +147,20 @@ Spin_problem problem_of(CGP::Curvature_potential rho, CGP::Boundary_condition co
   return problem;
 }
 
+/// what is easier to have than a condition; any binormals exist, where no minimal surface is wanted
+std::string easier_than(const CGP::Boundary_condition& condition, bool is_minimal)
+{
+  const bool has_binormals = condition.is_self_adjoint();
+  if (condition.kind == CGP::Boundary_condition::Kind::positions)
+    return "positions nearer to a conformal image, --position-weight 10";
+  if (is_minimal)
+    return std::string("conformal flow --boundary ") + (has_binormals ? "binormals" : "tangents") +
+           " before, in small steps";
+  const std::string gentler = "a gentler change of the directions";
+  return has_binormals ? gentler
+                       : "binormals instead of tangents, the tangents of a plane curve, " + gentler;
+}
+
 void boundary(const Boundary_options& options, Session& session)
 {
   require_writable(session.options().output);
@@ -139,10 +172,7 @@ void boundary(const Boundary_options& options, Session& session)
   session.note_all(
       notes_of_repair_alike(input, {by.tangents_from, by.binormals_from, by.positions_from}));
   const double unit = User_frame(input.mesh).unit();
-  const std::string kept = condition.is_self_adjoint() ? "binormals" : "tangents";
-  const std::string easier = options.minimal
-                                 ? "conformal flow --boundary " + kept + " before, in small steps"
-                                 : "a gentler change of the directions";
+  const std::string easier = easier_than(condition, options.minimal);
   each_component(input, session, [&](const Component& component, Session& own) {
     require_boundary(component.input);
     const Spin_problem problem =

@@ -96,7 +96,10 @@ std::string easier(const Spin_options& spin)
 {
   const bool is_mollified = spin.mollification.value_or(1) > 0;
   const std::string bound = spin.scales.bound ? "" : "--max-scale 2, ";
-  return bound + (is_mollified ? "a weaker rho" : "a weaker rho, --mollify for thin faces");
+  const bool has_tangents = spin.boundary == Boundary_choice::tangents;
+  const std::string boundary = has_tangents ? "--boundary binormals, " : "";
+  return bound + boundary +
+         (is_mollified ? "a weaker rho" : "a weaker rho, --mollify for thin faces");
 }
 
 /// \param rho in 1/length

@@ -11,11 +11,13 @@
 #include "conformal/process/Failure.h"
 
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <Conformal_geometry_processing/mesh/closed_curves.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace conformal {
 namespace {
@@ -42,13 +44,35 @@ CGP::Mesh_view target_surface(const Surface_input& input, const std::string& pat
   return {positions_in(input, read_file_like(input, path)), input.mesh.corners()};
 }
 
-Boundary_condition positions_of(const CGP::Mesh_view& target, double weight)
+/// the closed curves inside the surface whose positions are prescribed, too
+std::vector<std::vector<int>> curves_inside(const Surface_input& input,
+                                            const Prescription_options& options)
 {
-  const auto frames = CGP::boundary_frames(target);
-  CGP::Points points(3, count(frames));
-  for (Eigen::Index k = 0; k < points.cols(); ++k)
-    points.col(k) = target.position(frames.vertices[static_cast<std::size_t>(k)]);
-  return Boundary_condition::positions(std::move(points), axes(frames, 1), weight);
+  const Eigen::VectorXd numbers = vertex_numbers(
+      input, "--curves-expression", options.curves_expression, options.curves_property);
+  if (numbers.size() == 0) return {};
+  std::vector<char> is_marked(static_cast<std::size_t>(numbers.size()));
+  for (std::size_t v = 0; v < is_marked.size(); ++v)
+    is_marked[v] = numbers[static_cast<Eigen::Index>(v)] > 0;
+  for (const int v : CGP::boundary_frames(input.mesh).vertices)
+    is_marked[static_cast<std::size_t>(v)] = 0;
+  auto curves = CGP::internal::closed_curves(input.mesh, is_marked, "conformal boundary",
+                                             [&](int v) { return name_of_vertex(input, v); });
+  if (curves.empty())
+    throw unsuitable(input.file.path,
+                     "no vertex inside is on a curve, wanted some where it is positive");
+  return curves;
+}
+
+Boundary_condition positions_of(const CGP::Mesh_view& target, std::vector<std::vector<int>> curves,
+                                double weight)
+{
+  Boundary_condition condition = Boundary_condition::positions({}, {}, weight);
+  condition.curves = std::move(curves);
+  const auto frames = CGP::frames_of(target, condition);
+  condition.normals = axes(frames, 1);
+  condition.targets = target.positions()(Eigen::indexing::all, frames.vertices);
+  return condition;
 }
 
 /// The angles in radians that a formula of degrees gives at the boundary.
@@ -107,7 +131,8 @@ Boundary_condition condition_of(const Surface_input& input, const Prescription_o
     return directions_of(input, target_surface(input, options.binormals_from),
                          Boundary_choice::binormals);
   if (!options.positions_from.empty())
-    return positions_of(target_surface(input, options.positions_from), options.position_weight);
+    return positions_of(target_surface(input, options.positions_from),
+                        curves_inside(input, options), options.position_weight);
   if (!options.curve.empty())
     return Boundary_condition::tangents(tangents_of_curves(input, options.curve));
   const auto frames = CGP::boundary_frames(input.mesh);

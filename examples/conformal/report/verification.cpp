@@ -30,11 +30,8 @@ std::string fault_of_boundary(const CGP::Spin_report& report, const Verification
   const bool is_part = report.reached > 0 && report.reached < 1;
   const std::string part =
       is_part ? "; " + text_of(100 * report.reached, 2) + " % of the way there is one" : "";
-  if (report.boundary_fault == CGP::Spin_report::Boundary_fault::not_realizable)
-    return what + part +
-           "; try: binormals instead of tangents, the tangents of a plane curve, or " + easier;
   if (report.boundary_fault != CGP::Spin_report::Boundary_fault::none)
-    return what + "; try: " + easier + ", or a finer mesh";
+    return what + part + "; try: " + easier + ", or a finer mesh";
   return "directions at the boundary are missed by " +
          text_of(report.direction_error.mean * 180 / std::acos(-1.), 3) +
          " degrees in the mean, more than " + text_of(limits.direction_error, 3) +

@@ -2,23 +2,32 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Component.h"
 
-#include <Conformal_geometry_processing/mesh/Boundary_frames.h>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace conformal {
 namespace {
 
-/// Numbers the boundary vertices of the component among those of the whole surface.
-std::vector<int> boundary_on_component(const CGP::Mesh_view& whole, const Component& component)
+/// of some elements of the whole surface the numbers in the component, -1 for others
+std::vector<int> numbers_in(const std::vector<int>& elements, int whole)
 {
-  const std::vector<int> all = CGP::boundary_frames(whole).vertices;
-  std::vector<int> number(static_cast<std::size_t>(whole.size_of_vertices()), -1), columns;
-  for (std::size_t k = 0; k < all.size(); ++k)
-    number[static_cast<std::size_t>(all[k])] = static_cast<int>(k);
-  for (const int v : CGP::boundary_frames(component.input.mesh).vertices) {
-    const int in_whole = component.vertices[static_cast<std::size_t>(v)];
-    columns.push_back(number[static_cast<std::size_t>(in_whole)]);
+  std::vector<int> numbers(static_cast<std::size_t>(whole), -1);
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    numbers[static_cast<std::size_t>(elements[k])] = static_cast<int>(k);
+  return numbers;
+}
+
+/// the curves that are on the component, in its numbers
+std::vector<std::vector<int>> curves_on_component(std::vector<std::vector<int>> curves,
+                                                  const std::vector<int>& numbers)
+{
+  std::vector<std::vector<int>> own;
+  for (std::vector<int>& curve : curves) {
+    for (int& v : curve) v = numbers[static_cast<std::size_t>(v)];
+    if (curve.front() >= 0) own.push_back(std::move(curve));
   }
-  return columns;
+  return own;
 }
 
 }  // namespace
@@ -35,7 +44,14 @@ CGP::Boundary_condition on_component(const CGP::Boundary_condition& condition,
 {
   CGP::Boundary_condition own = condition;
   if (condition.targets.cols() == 0) return own;
-  const std::vector<int> columns = boundary_on_component(whole, component);
+  const int size = whole.size_of_vertices();
+  own.curves = curves_on_component(condition.curves, numbers_in(component.vertices, size));
+  const std::vector<int> number = numbers_in(CGP::frames_of(whole, condition).vertices, size);
+  std::vector<int> columns;
+  for (const int v : CGP::frames_of(component.input.mesh, own).vertices) {
+    const int in_whole = component.vertices[static_cast<std::size_t>(v)];
+    columns.push_back(number[static_cast<std::size_t>(in_whole)]);
+  }
   own.targets = condition.targets(Eigen::indexing::all, columns);
   if (condition.normals.cols() > 0) own.normals = condition.normals(Eigen::indexing::all, columns);
   return own;

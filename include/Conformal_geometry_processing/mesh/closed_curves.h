@@ -4,7 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_MESH_CLOSED_CURVES_H
 
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,10 +18,11 @@ namespace internal {
 ///
 /// A curve begins at its vertex of smallest number. O(|V| + |E|).
 /// \param is_marked |V|
+/// \param name of a vertex in errors
 /// \throw Precondition_error if a marked vertex has more or fewer than two marked neighbours
-std::vector<std::vector<int>> closed_curves(const Mesh_view& mesh,
-                                            const std::vector<char>& is_marked,
-                                            const std::string& function);
+std::vector<std::vector<int>> closed_curves(
+    const Mesh_view& mesh, const std::vector<char>& is_marked, const std::string& function,
+    const std::function<std::string(int)>& name = name_of_vertex);
 
 }  // namespace internal
 }  // namespace Conformal_geometry_processing

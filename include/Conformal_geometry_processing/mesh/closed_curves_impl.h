@@ -13,9 +13,9 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE std::vector<std::vector<int>> internal::closed_curves(const Mesh_view& mesh,
-                                                                 const std::vector<char>& is_marked,
-                                                                 const std::string& function)
+CGP_INLINE std::vector<std::vector<int>> internal::closed_curves(
+    const Mesh_view& mesh, const std::vector<char>& is_marked, const std::string& function,
+    const std::function<std::string(int)>& name)
 {
   const auto at = [](int v) { return static_cast<std::size_t>(v); };
   std::vector<std::vector<int>> neighbors(is_marked.size());
@@ -27,8 +27,8 @@ CGP_INLINE std::vector<std::vector<int>> internal::closed_curves(const Mesh_view
   }
   refuse_if_any(
       static_cast<int>(is_marked.size()),
-      [&](int v) { return is_marked[at(v)] && neighbors[at(v)].size() != 2; }, name_of_vertex,
-      function, "#vertex on no closed curve", "two neighbours on it are needed, and no more");
+      [&](int v) { return is_marked[at(v)] && neighbors[at(v)].size() != 2; }, name, function,
+      "#vertex on no closed curve", "two neighbours on it are needed, and no more");
   std::vector<std::vector<int>> curves;
   std::vector<char> is_visited(is_marked.size(), 0);
   for (int first = 0; first < mesh.size_of_vertices(); ++first) {
