@@ -14,6 +14,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "support/limbs.h"
 
@@ -193,6 +194,23 @@ TEST(Scale_search, takes_a_part_of_rho_where_handles_stay_open)
   EXPECT_LE(r.report.scales.excess(), 1);
   EXPECT_LE(r.report.period_defect, r.report.period_limit);
   EXPECT_GT(r.report.scales.kept_correlation, .8);
+}
+
+// What counts as closed for the verdict does so for the search.
+TEST(Scale_search, keeps_more_of_rho_where_handles_may_open_further)
+{
+  const Mesh_view mesh = scaled_to_area(irregular_torus(3, 1, 14, 8), 4 * std::acos(-1.));
+  for (const double frequency : {3., 5.}) {
+    const auto kept_within = [&](double limit) {
+      CGP::Spin_transformation_options options = bounded_by(2);
+      options.max_period_defect = limit;
+      const auto report = transformed(mesh, rings(mesh, 1.5, frequency), options).report;
+      EXPECT_TRUE(report) << to_string(report.fault());
+      EXPECT_LE(report.period_defect, limit);
+      return report.scales.kept_norm;
+    };
+    EXPECT_GT(kept_within(.02), 1.08 * kept_within(.001)) << frequency;
+  }
 }
 
 TEST(Scale_search, bounds_disks)

@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SCALE_SEARCH_H
 
 #include <Conformal_geometry_processing/spin/Exactness_residual.h>
-#include <Conformal_geometry_processing/spin/Period_limit.h>
 #include <Conformal_geometry_processing/spin/Period_residual.h>
 #include <Conformal_geometry_processing/spin/Potential_search.h>
 #include <Conformal_geometry_processing/spin/Scale_control.h>
@@ -15,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -35,15 +35,17 @@ template <class SolverTraits, class EigensolverTraits>
 class Scale_search {
  public:
   using Search = Potential_search<SolverTraits, EigensolverTraits>;
+  using Limit_of_periods = std::function<double(const Dirac_solution&)>;
 
   /// \param system of the surface, \param rho in 1/length of it
   /// \param control with a bound; must outlive the object
   /// \param reconstruction of the surface
   /// \param exactness to keep handles and holes closed, or null
+  /// \param period_limit of the surface that a solution gives
   Scale_search(Dirac_system<SolverTraits>& system, Curvature_potential rho,
                const Scale_control& control,
                const Poisson_reconstruction<SolverTraits>& reconstruction,
-               const Exactness_constraints* exactness);
+               const Exactness_constraints* exactness, Limit_of_periods period_limit);
 
   /// \brief searches w, and a weight for the inexact part of the edges where these do not close up.
   /// \param share of rho that is wanted, in (0, 1]
@@ -61,12 +63,10 @@ class Scale_search {
     double weight = 0;  // w times m_unit
     double excess = std::numeric_limits<double>::infinity();
     double inexact = std::numeric_limits<double>::infinity();
+    double open = std::numeric_limits<double>::infinity();  // at most 1: handles count as closed
 
     /// square of the norm of rho' - rho
     double distance() const { return candidate.sum - candidate.residuals.squaredNorm(); }
-
-    /// of handles and holes, relative to the edges
-    double period_defect() const { return candidate.constraints.norm(); }
 
     /// at most 1 if it is within the bound, and its edges close up
     double reach() const { return (std::max)(excess, inexact / inexact_limit()); }
@@ -105,6 +105,11 @@ class Scale_search {
     return m_best.weight * std::pow(m_beyond.weight / m_best.weight, t);
   }
 
+  /// \brief the period defect of a solution relative to what counts as closed.
+  ///
+  /// The limit costs a surface: it is asked for only where it matters.
+  double openness(const typename Search::Candidate& found) const;
+
   /// takes the present rho' if it is better than the best one, or nearer beyond the bound
   void judge(double w);
 
@@ -116,8 +121,6 @@ class Scale_search {
   bool is_found() const { return m_best.reach() <= 1; }
   static constexpr double period_tolerance = 1e-5;
   static double inexact_limit() { return 0.95 * Spin_report::Limits().closure; }
-  /// the defect for which no transformation is refused
-  static double defect_limit() { return Period_limit()(Spin_report(), 1); }
 
   const Surface_ref m_surface;
   const Curvature_potential m_rho;
@@ -126,6 +129,7 @@ class Scale_search {
   std::optional<Period_residual> m_periods;
   Search m_search;
   const Scale_control& m_control;
+  const Limit_of_periods m_period_limit;
   Eigen::VectorXd m_areas;
   double m_unit;  // the square of the radius of the sphere of the same area
   Trial m_last, m_best;

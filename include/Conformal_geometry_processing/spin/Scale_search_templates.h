@@ -34,7 +34,7 @@ template <class SolverTraits, class EigensolverTraits>
 Scale_search<SolverTraits, EigensolverTraits>::Scale_search(
     Dirac_system<SolverTraits>& system, Curvature_potential rho, const Scale_control& control,
     const Poisson_reconstruction<SolverTraits>& reconstruction,
-    const Exactness_constraints* exactness)
+    const Exactness_constraints* exactness, Limit_of_periods period_limit)
     : m_surface(system.surface()),
       m_rho(effective(std::move(rho), m_surface, system.is_closed())),
       m_scales(system.areas(), wanted_log_scales(system.areas(), control), control.weights),
@@ -45,6 +45,7 @@ Scale_search<SolverTraits, EigensolverTraits>::Scale_search(
           system, m_rho, {&m_scales, &m_inexact},
           exactness ? std::vector<Spin_residual*>{&*m_periods} : std::vector<Spin_residual*>{}),
       m_control(control),
+      m_period_limit(std::move(period_limit)),
       m_areas(system.areas()),
       m_unit(1 / system.unit())
 {}
@@ -167,12 +168,20 @@ void Scale_search<SolverTraits, EigensolverTraits>::minimize_between(double t,
 }
 
 template <class SolverTraits, class EigensolverTraits>
+double Scale_search<SolverTraits, EigensolverTraits>::openness(
+    const typename Search::Candidate& found) const
+{
+  const double defect = found.constraints.norm();
+  return defect <= period_tolerance ? 0 : defect / m_period_limit(found.solution);
+}
+
+template <class SolverTraits, class EigensolverTraits>
 void Scale_search<SolverTraits, EigensolverTraits>::judge(double w)
 {
   const typename Search::Candidate& found = m_search.present();
   m_inexact.set_spins(found.solution.lambda);  // the search may have tried others after it
   m_last = {found, w, measured_scales(found.solution.lambda, m_areas, m_control).excess(),
-            m_inexact.size()};
+            m_inexact.size(), openness(found)};
   if (m_last.reach() > 1 && m_last.reach() < m_beyond.reach()) m_beyond = m_last;
   if (is_better(m_last)) m_best = m_last;
 }
@@ -183,9 +192,8 @@ bool Scale_search<SolverTraits, EigensolverTraits>::is_better(const Trial& trial
   if (trial.excess > 1 || m_best.excess > 1) return trial.excess < m_best.excess;
   if (m_best.inexact > inexact_limit()) return trial.inexact < m_best.inexact;
   if (trial.inexact > inexact_limit()) return false;
-  if (m_best.period_defect() > defect_limit())
-    return trial.period_defect() < m_best.period_defect();
-  return trial.period_defect() <= defect_limit() && trial.distance() < m_best.distance();
+  if (m_best.open > 1) return trial.open < m_best.open;
+  return trial.open <= 1 && trial.distance() < m_best.distance();
 }
 
 }  // namespace internal

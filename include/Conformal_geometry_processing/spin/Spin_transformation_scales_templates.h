@@ -90,7 +90,10 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
 {
   const auto* const closing = exactness_if_looped(rho.on);
   internal::Scale_search<SolverTraits, EigensolverTraits> search(
-      system(), {rho.on, rho.values * domain().unit()}, control, reconstruction(), closing);
+      system(), {rho.on, rho.values * domain().unit()}, control, reconstruction(), closing,
+      [&](const internal::Dirac_solution& found) {
+        return surface_of(found, closing, options.tolerance).report.period_limit;
+      });
   const auto is_reached = [](const Spin_report& r) {
     return r.fault() != Spin_report::Fault::open && r.fault() != Spin_report::Fault::scales;
   };
