@@ -174,50 +174,6 @@ TEST(Conformal_deformation, goes_as_far_as_it_can_without_flips)
   EXPECT_GT(r.report.position_error.max, 0);
 }
 
-TEST(Conformal_deformation, follows_a_drag_without_jumps)
-{
-  const Mesh_view mesh = dumbbell(2);
-  Deformation deformation(mesh);
-  Points last = mesh.positions();
-  std::vector<double> steps;
-  const int count = 30;
-  for (int i = 1; i <= count; ++i) {
-    const CGP::Spin_result r = deformation.deform(one_moved(mesh, 8, .6 * i / count));
-    ASSERT_TRUE(r.report) << i;
-    steps.push_back((r.positions - last).norm());
-    last = r.positions;
-  }
-  std::sort(steps.begin(), steps.end());
-  EXPECT_LT(steps.back(), 3 * steps[steps.size() / 2]);
-}
-
-TEST(Conformal_deformation, drags_to_where_one_move_leads_at_less_cost)
-{
-  const Mesh_view mesh = sphere();
-  Deformation deformation(mesh);
-  const CGP::Spin_report first = deformation.deform(one_moved(mesh, 8, .2)).report;
-  (void)deformation.deform(one_moved(mesh, 8, .21));
-  const CGP::Spin_result dragged = deformation.deform(one_moved(mesh, 8, .22));
-  EXPECT_TRUE(dragged.report);
-  EXPECT_LT(dragged.report.position_error.max, 1e-8 * diagonal(mesh));
-  EXPECT_LT(3 * dragged.report.solves, first.solves);
-  Deformation other(mesh);
-  const CGP::Spin_result whole = other.deform(one_moved(mesh, 8, .22));
-  EXPECT_LT((dragged.positions - whole.positions).norm(),
-            .02 * (whole.positions - mesh.positions()).norm());
-  EXPECT_LT((deformation.potential().values - other.potential().values).norm(),
-            .1 * other.potential().values.norm());
-}
-
-TEST(Conformal_deformation, of_other_points_starts_anew)
-{
-  const Mesh_view mesh = dumbbell(2);
-  Deformation deformation(mesh);
-  (void)deformation.deform(one_moved(mesh, 8, .3));
-  const Points found = deformation.deform(one_moved(mesh, 6, .2)).positions;
-  EXPECT_EQ(found, Deformation(mesh).deform(one_moved(mesh, 6, .2)).positions);
-}
-
 TEST(Conformal_deformation, with_a_weight_comes_the_nearer_the_larger_it_is)
 {
   const Mesh_view mesh = sphere();

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Conformal_deformation.h
+#include <Conformal_geometry_processing/spin/Conformal_deformation.h>
+#include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/Potential_metric.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <vector>
+
+#include "support/control_points.h"
+#include "support/limbs.h"
+#include "support/meshes.h"
+
+/// Control points that are dragged: one surface after the other.
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+using Deformation = CGP::internal::Conformal_deformation<>;
+
+/// <rho, K rho>, which a deformation minimises up to 1 %. It is quadratic about its minimum, so
+/// that rho itself, and with it the surface, is found up to 10 %.
+double cost(const Mesh_view& mesh, const Eigen::VectorXd& rho)
+{
+  const CGP::internal::Dirac_system<> system(mesh);
+  const CGP::internal::Potential_metric<> metric(system, CGP::Curvature_potential::On::vertices,
+                                                 .1 / system.unit());
+  return metric.squared_norm(rho);
+}
+
+}  // namespace
+
+TEST(Conformal_deformation_drag, follows_a_drag_without_jumps)
+{
+  const Mesh_view mesh = dumbbell(2);
+  Deformation deformation(mesh);
+  Points last = mesh.positions();
+  std::vector<double> steps;
+  const int count = 30;
+  for (int i = 1; i <= count; ++i) {
+    const CGP::Spin_result r = deformation.deform(one_moved(mesh, 8, .6 * i / count));
+    ASSERT_TRUE(r.report) << i;
+    steps.push_back((r.positions - last).norm());
+    last = r.positions;
+  }
+  std::sort(steps.begin(), steps.end());
+  EXPECT_LT(steps.back(), 3 * steps[steps.size() / 2]);
+}
+
+TEST(Conformal_deformation_drag, drags_to_where_one_move_leads_at_less_cost)
+{
+  const Mesh_view mesh = perturbed(icosphere(3), .02);
+  Deformation deformation(mesh);
+  const CGP::Spin_report first = deformation.deform(one_moved(mesh, 8, .2)).report;
+  (void)deformation.deform(one_moved(mesh, 8, .21));
+  const CGP::Spin_result dragged = deformation.deform(one_moved(mesh, 8, .22));
+  EXPECT_TRUE(dragged.report);
+  EXPECT_LT(dragged.report.position_error.max, 1e-8 * diagonal(mesh));
+  EXPECT_LT(3 * dragged.report.solves, first.solves);
+  Deformation other(mesh);
+  const CGP::Spin_result whole = other.deform(one_moved(mesh, 8, .22));
+  EXPECT_LT((dragged.positions - whole.positions).norm(),
+            .2 * (whole.positions - mesh.positions()).norm());
+  const Eigen::VectorXd& found = deformation.potential().values;
+  const Eigen::VectorXd& at_once = other.potential().values;
+  const double least = cost(mesh, at_once);
+  EXPECT_NEAR(cost(mesh, found), least, .01 * least);
+  EXPECT_LT(cost(mesh, found - at_once), .2 * .2 * least);
+}
+
+TEST(Conformal_deformation_drag, of_other_points_starts_anew)
+{
+  const Mesh_view mesh = dumbbell(2);
+  Deformation deformation(mesh);
+  (void)deformation.deform(one_moved(mesh, 8, .3));
+  const Points found = deformation.deform(one_moved(mesh, 6, .2)).positions;
+  EXPECT_EQ(found, Deformation(mesh).deform(one_moved(mesh, 6, .2)).positions);
+}
