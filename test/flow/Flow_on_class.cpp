@@ -169,6 +169,21 @@ TEST(Flow_on_class, stops_at_the_last_step_within_its_limits)
   }
 }
 
+TEST(Flow_on_class, stops_within_its_limits_without_smaller_steps)
+{
+  CGP::Flow_options options = steps(20);
+  options.limits.quasi_conformal = 1.01;
+  options.backtracking = false;
+  for (const bool is_exact : {true, false}) {
+    options.exact_conformal_class = is_exact;
+    Flow flow(stretched(irregular_torus(2, 1, 32, 16), 2), options);
+    const CGP::Flow_report report = flow.run();
+    EXPECT_EQ(report.stop, Stop::limits_reached) << report.message;
+    EXPECT_EQ(report.conformality.fault(options.limits), CGP::Conformality::Fault::none);
+    EXPECT_NE(report.message.find("not conformal"), std::string::npos) << report.message;
+  }
+}
+
 // The last surface is moved to its class to rounding; not where that is beyond a limit.
 TEST(Flow_on_class, is_within_its_limits_in_the_end)
 {

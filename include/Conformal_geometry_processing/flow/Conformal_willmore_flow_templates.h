@@ -109,7 +109,8 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::find_t
     else if (verdict == Verdict::good)
       accept(report);
     else if (!m_options.backtracking)
-      report.stop = Flow_step_report::Stop::step_failed;
+      report.stop = verdict == Verdict::out_of_limits ? Flow_step_report::Stop::limits_reached
+                                                      : Flow_step_report::Stop::step_failed;
     else if (slight_rises == 2)  // halving the step does not help: this is the minimum
       report.stop = Flow_step_report::Stop::energy_settled;
     else if (!m_time_step.halve())
@@ -229,7 +230,7 @@ auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::move_o
     double energy, const Conformality::Limits& limits, Flow_step_report& report) -> Verdict
 {
   const Conformality map = map_to(measured(), m_next.positions());
-  const auto fault = m_options.backtracking ? map.fault(limits) : Conformality::Fault::none;
+  const auto fault = map.fault(limits);
   if (fault != Conformality::Fault::none) {
     (void)reject(std::string("from the initial surface, ") + to_string(fault), report);
     return Verdict::out_of_limits;

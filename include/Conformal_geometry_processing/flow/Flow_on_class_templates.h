@@ -165,8 +165,7 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::polish
   Points f = m_mesh.positions();
   try {
     m_class->polish(f);
-    const auto fault = map_to(measured(), f).fault(m_options.limits);
-    if (m_options.backtracking && fault != Conformality::Fault::none) return;
+    if (map_to(measured(), f).fault(m_options.limits) != Conformality::Fault::none) return;
     m_transformation.set_positions(f);
   } catch (const Error&) {
     return;
@@ -190,7 +189,7 @@ Conformality::Limits
 Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::spin_limits() const
 {
   Conformality::Limits limits = m_options.limits;
-  if (m_class)
+  if (m_class && m_options.backtracking)
     limits.quasi_conformal = (std::min)(limits.quasi_conformal, m_options.max_spin_distortion);
   return limits;
 }
