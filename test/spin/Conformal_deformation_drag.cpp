@@ -81,3 +81,20 @@ TEST(Conformal_deformation_drag, of_other_points_starts_anew)
   const Points found = deformation.deform(one_moved(mesh, 6, .2)).positions;
   EXPECT_EQ(found, Deformation(mesh).deform(one_moved(mesh, 6, .2)).positions);
 }
+
+// Points on a line have a shape of one number more: a similarity cannot turn it into another.
+TEST(Conformal_deformation_drag, reaches_targets_on_a_line)
+{
+  const Mesh_view mesh = dumbbell(2);
+  auto points = one_moved(mesh, 3, 0);
+  const Eigen::Vector3d a = points[0].target, c = points[2].target;
+  const Eigen::Vector3d along = (points[1].target - a).normalized();
+  const Eigen::Vector3d on_line = a + (c - a).dot(along) * along;
+  Deformation deformation(mesh);
+  for (const double share : {.5, .9, 1., .9}) {
+    points[2].target = c + share * (on_line - c);
+    const CGP::Spin_report report = deformation.deform(points).report;
+    EXPECT_TRUE(report) << share;
+    EXPECT_LT(report.position_error.max, 1e-8 * diagonal(mesh)) << share;
+  }
+}

@@ -27,6 +27,8 @@ class Linear_constraints {
   Linear_constraints(Eigen::MatrixXd gradients, Eigen::MatrixXd directions,
                      const Eigen::VectorXd& dampings);
 
+  Eigen::Index size() const { return m_gradients.cols(); }  ///< how many
+
   /// the shortest d with C^T d = c, K^-1 C (C^T K^-1 C)^-1 c
   Eigen::VectorXd least_solution(const Eigen::VectorXd& c) const;
 

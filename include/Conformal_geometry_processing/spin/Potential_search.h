@@ -71,7 +71,8 @@ class Potential_search {
   /// Each step has to reduce the norm of the constraints to a tenth: the gradients then still hold
   /// to about that share, and the sum is minimal to its square, the 1 % of `minimize()`.
   /// \returns whether their norm is at most `tolerance`; otherwise all is as it was. False if there
-  /// was no step, or if there are residuals, whose minimum also moves
+  /// was no step, if the constraints were more or fewer then, or if there are residuals, whose
+  /// minimum also moves
   /// \throw Solver_error if a factorization fails
   bool follow_constraints(const Dirac_options& options, const Go_further& go_further,
                           double tolerance);

@@ -85,6 +85,7 @@ bool Potential_search<SolverTraits, EigensolverTraits>::follow_constraints(
   // hold, or the sum would grow from call to call.
   Linear_constraints constraints = *m_last_constraints;
   refresh(options, go_further);
+  if (constraints.size() != m_now.constraints.size()) return false;
   const Candidate before = m_now;
   while (m_now.solution.converged && m_now.constraints.norm() > tolerance) {
     const Eigen::VectorXd c = m_now.constraints;
