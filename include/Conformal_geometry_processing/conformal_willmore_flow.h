@@ -194,8 +194,7 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///                       each step}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_conformal_class}
-///     \cgalParamDescription{whether surfaces stay on their exact discrete conformal class; without
-///                           effect with `mollification`}
+///     \cgalParamDescription{whether surfaces stay on their exact discrete conformal class}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
@@ -218,7 +217,9 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{mollification}
 ///     \cgalParamDescription{admits faces of any thinness, also of area zero, see
-///                           `spin_transform()`}
+///                           `spin_transform()`. On the exact class, vertices of faces that flips
+///                           of edges leave without area move first, by about a thousandth of
+///                           their edges}
 ///     \cgalParamType{`double`, between 0 and 1; 1e-6 is a good value}
 ///     \cgalParamDefault{none: faces of area zero are rejected}
 ///   \cgalParamNEnd

@@ -16,11 +16,12 @@ namespace {
 
 using namespace cgp_test;
 
-CGP::Flow_options mollified(int steps)
+CGP::Flow_options mollified(int steps, bool on_class = true)
 {
   CGP::Flow_options options;
   options.max_steps = steps;
   options.mollification = 1e-6;
+  options.exact_conformal_class = on_class;
   return options;
 }
 
@@ -36,10 +37,9 @@ double distance(const Mesh_view& found, const Mesh_view& expected)
 TEST(Conformal_willmore_flow_mollified, of_a_Delaunay_mesh_begins_as_that_of_the_mesh)
 {
   const Mesh_view mesh = bumpy_sphere(2);
-  CGP::Flow_options plain = mollified(1);
+  CGP::Flow_options plain = mollified(1, false);
   plain.mollification.reset();
-  plain.exact_conformal_class = false;
-  CGP::Conformal_willmore_flow<> expected(mesh, plain), flow(mesh, mollified(1));
+  CGP::Conformal_willmore_flow<> expected(mesh, plain), flow(mesh, mollified(1, false));
   EXPECT_NEAR(flow.energy(), expected.energy(), 1e-12 * expected.energy());
   const CGP::Flow_report a = expected.run(), b = flow.run();
   ASSERT_TRUE(a && b);
@@ -51,19 +51,40 @@ TEST(Conformal_willmore_flow_mollified, of_a_Delaunay_mesh_begins_as_that_of_the
 TEST(Conformal_willmore_flow_mollified, rounds_a_sphere_with_flat_faces_as_the_clean_one)
 {
   const Mesh_view clean = bumpy_sphere(3);
-  CGP::Conformal_willmore_flow<> expected(clean, mollified(6));
-  (void)expected.run();
-  for (const double height : {1e-6, 0.}) {
-    const Mesh_view mesh = with_thin_faces(clean, height);
-    CGP::Conformal_willmore_flow<> flow(mesh, mollified(6));
-    const CGP::Flow_report report = flow.run();
-    ASSERT_TRUE(report);
-    EXPECT_GT(report.steps.back().spin.mollification.flipped_edges, 100);
-    EXPECT_LT(report.energy, .9 * report.initial_energy);
-    EXPECT_LT(report.conformality.quasi_conformal.mean, 1.03);
-    EXPECT_LT(distance(flow.mesh(), expected.mesh()), .03);
+  for (const bool on_class : {true, false}) {
+    CGP::Conformal_willmore_flow<> expected(clean, mollified(6, on_class));
+    (void)expected.run();
+    for (const double height : {1e-6, 0.}) {
+      const Mesh_view mesh = with_thin_faces(clean, height);
+      CGP::Conformal_willmore_flow<> flow(mesh, mollified(6, on_class));
+      const CGP::Flow_report report = flow.run();
+      ASSERT_TRUE(report);
+      EXPECT_GT(report.steps.back().spin.mollification.flipped_edges, 100);
+      EXPECT_LT(report.energy, .9 * report.initial_energy);
+      EXPECT_LT(report.conformality.quasi_conformal.mean, 1.03);
+      EXPECT_LT(distance(flow.mesh(), expected.mesh()), .03);
+    }
   }
   EXPECT_THROW(CGP::Conformal_willmore_flow<>{with_thin_faces(clean, 0)}, CGP::Precondition_error);
+}
+
+// Faces whose longest edge is flipped, points that coincide, and both among good faces.
+TEST(Conformal_willmore_flow_mollified, makes_spheres_of_flat_faces_on_their_class)
+{
+  const Mesh_view clean = stretched(icosphere(3), 1.5);
+  for (const Mesh_view& mesh : {with_thin_faces(clean, 0), with_thin_faces(clean, 0, 0),
+                                with_thin_faces(perturbed(clean, .02), 0, .9)}) {
+    CGP::Conformal_willmore_flow<> flow(mesh, mollified(20));
+    const CGP::Flow_report report = flow.run();
+    EXPECT_TRUE(report) << to_string(report.stop) << ' ' << report.message;
+    for (const CGP::Flow_step_report& step : report.steps) {
+      EXPECT_LE(step.length_cross_ratio, 1e-3);
+      EXPECT_GT(step.spin.mollification.thin_faces, 100);
+    }
+    EXPECT_LT(report.conformality.length_cross_ratio.max, 1e-9);
+    EXPECT_LT(report.energy, 1.02 * 4 * pi);
+    EXPECT_LT(report.conformality_of_faces.quasi_conformal.mean, 1.05);
+  }
 }
 
 // Vertices much nearer to each other than edges are long are creases of small scale to the flow,
@@ -81,27 +102,32 @@ TEST(Conformal_willmore_flow_mollified, goes_on_where_faces_are_folded)
 TEST(Conformal_willmore_flow_mollified, keeps_the_handle_of_a_torus_with_flat_faces)
 {
   const Mesh_view mesh = with_thin_faces(torus(2, 1, 32, 16), 0);
-  CGP::Conformal_willmore_flow<> flow(mesh, mollified(4));
-  const CGP::Flow_report report = flow.run();
-  ASSERT_TRUE(report);
-  EXPECT_LT(report.energy, report.initial_energy);
-  for (const CGP::Flow_step_report& step : report.steps) {
-    EXPECT_LT(step.period_defect, 5e-3);
-    EXPECT_LT(step.spin.closure_residual, .02);
+  for (const bool on_class : {true, false}) {
+    CGP::Conformal_willmore_flow<> flow(mesh, mollified(4, on_class));
+    const CGP::Flow_report report = flow.run();
+    ASSERT_TRUE(report);
+    EXPECT_LT(report.energy, report.initial_energy);
+    for (const CGP::Flow_step_report& step : report.steps) {
+      EXPECT_LT(step.period_defect, 5e-3);
+      EXPECT_LT(step.spin.closure_residual, .02);
+    }
+    EXPECT_LT(report.conformality.quasi_conformal.mean, 1.05);
+    EXPECT_EQ(report.conformal_type_change > 0, on_class);  // it is not measured on sheets
   }
-  EXPECT_LT(report.conformality.quasi_conformal.mean, 1.05);
 }
 
 TEST(Conformal_willmore_flow_mollified, can_be_filtered_and_balanced)
 {
   const Mesh_view mesh = with_thin_faces(torus(2, 1, 24, 12), 0);
-  CGP::Flow_options options = mollified(2);
-  options.filter_weight = .02;
-  options.balance = CGP::Flow_options::Balance::initial;
-  CGP::Conformal_willmore_flow<> flow(mesh, options);
-  const CGP::Flow_report report = flow.run();
-  EXPECT_TRUE(report);
-  EXPECT_LT(report.energy, report.initial_energy);
+  for (const bool on_class : {true, false}) {
+    CGP::Flow_options options = mollified(2, on_class);
+    options.filter_weight = .02;
+    options.balance = CGP::Flow_options::Balance::initial;
+    CGP::Conformal_willmore_flow<> flow(mesh, options);
+    const CGP::Flow_report report = flow.run();
+    EXPECT_TRUE(report);
+    EXPECT_LT(report.energy, report.initial_energy);
+  }
 }
 
 TEST(Conformal_willmore_flow_mollified, flattens_a_sheet_with_a_cap_at_its_boundary)
@@ -120,20 +146,23 @@ TEST(Conformal_willmore_flow_mollified, flattens_a_sheet_with_a_cap_at_its_bound
   corners[at(cap)] = {v[0], v[1], apex};
   corners.push_back({v[1], v[2], apex});
   corners.push_back({v[2], v[0], apex});
-  CGP::Conformal_willmore_flow<> flow(Mesh_view(p, corners), mollified(3));
-  const CGP::Flow_report report = flow.run();
-  EXPECT_TRUE(report);
-  EXPECT_LT(report.energy, .05 * report.initial_energy);
+  for (const bool on_class : {true, false}) {
+    CGP::Conformal_willmore_flow<> flow(Mesh_view(p, corners), mollified(3, on_class));
+    const CGP::Flow_report report = flow.run();
+    EXPECT_TRUE(report);
+    EXPECT_LT(report.energy, .05 * report.initial_energy);
+  }
 }
 
 TEST(Conformal_willmore_flow_mollified, does_not_depend_on_scale)
 {
   const Mesh_view mesh = with_thin_faces(bumpy_sphere(1), 0);
-  for (const double scale : {1e-100, 1e90}) {
-    CGP::Conformal_willmore_flow<> flow(scaled(mesh, scale), mollified(2)),
-        expected(mesh, mollified(2));
-    EXPECT_FALSE(flow.run().steps.empty());  // areas are not measured at such scales
-    EXPECT_TRUE(expected.run());
-    EXPECT_NEAR(flow.energy(), expected.energy(), 1e-6 * expected.energy());
-  }
+  for (const bool on_class : {true, false})
+    for (const double scale : {1e-100, 1e90}) {
+      CGP::Conformal_willmore_flow<> flow(scaled(mesh, scale), mollified(2, on_class)),
+          expected(mesh, mollified(2, on_class));
+      EXPECT_FALSE(flow.run().steps.empty());  // areas are not measured at such scales
+      EXPECT_TRUE(expected.run());
+      EXPECT_NEAR(flow.energy(), expected.energy(), 1e-6 * expected.energy());
+    }
 }

@@ -66,6 +66,7 @@ TEST_F(Flow, takes_faces_of_area_zero_with_mollify_also_on_surfaces_with_handles
     EXPECT_LT(report["result"]["energy"]["final"], report["result"]["energy"]["initial"]);
     EXPECT_LT(report["result"]["period_defect"], .02);
     EXPECT_LT(report["result"]["quasi_conformal"]["mean"], 1.05);
+    EXPECT_LT(report["result"]["length_cross_ratio"]["max"], 1e-9);
   }
 }
 

@@ -110,7 +110,8 @@ CGP_INLINE bool internal::Class_keeper::try_smoothing(
     const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better, Points& f)
 {
   try {
-    const Mesh_view present(mesh.positions() / m_unit, mesh.corners());
+    Mesh_view present = m_initial;
+    present.set_positions(mesh.positions() / m_unit);
     keep_directions(present.positions());
     f = m_unit * m_fairing(present, m_strength);
     return snap_to_kept(f) && is_better(f);

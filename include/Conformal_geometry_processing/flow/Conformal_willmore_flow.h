@@ -47,7 +47,7 @@ namespace Conformal_geometry_processing {
 /// Surfaces stay on the exact discrete conformal class of the initial one: each step is smoothing
 /// within the class, then a spin transformation, and ends with the nearest surface of the class,
 /// see `Flow_options::exact_conformal_class`. Where even a step of `min_time_step` would leave
-/// `Flow_options::limits`, the flow ends. Without that, as in the thesis, and with mollification:
+/// `Flow_options::limits`, the flow ends. Without that, as in the thesis:
 ///
 /// The conformal class of a surface with handles is kept but for two errors. The periods of a step
 /// are of second order in tau: left alone they add up to O(tau); `Flow_options::max_period_defect`
@@ -173,12 +173,15 @@ class Conformal_willmore_flow {
 
   /// the part of the initial mesh on which distortion is measured
   const Mesh_view& measured() const { return m_well_shaped ? m_well_shaped->mesh : m_initial; }
+  static internal::Well_shaped_faces well_shaped_part(const Mesh_view& mesh);
+
+  /// how the connectivity of the class was made of the faces of the input, with mollification
+  Spin_report::Mollification mollification_on_class() const;
 
   /// the surface on which the flow computes: with the connectivity of the exact class, if it is
   /// kept
   static Mesh_view on_class(const Mesh_view& mesh, const Flow_options& options,
                             const std::string& function);
-  static bool keeps_class(const Flow_options& options);
   bool fairs() const;
 
   // A single type for all visitors, so that the eigensolver is compiled only once.
@@ -268,6 +271,7 @@ class Conformal_willmore_flow {
   internal::Flow_balance m_balance;
   double m_energy;
   internal::Time_step m_time_step;
+  Spin_report::Mollification m_mollification;  // on the exact class
   int m_steps = 0;
 };
 

@@ -34,15 +34,15 @@ Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::Conformal_w
       m_balance(m_initial, options, m_transformation, m_function),
       m_energy(energy_of(m_initial)),
       m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step),
-                  keeps_class(options)
+                  options.exact_conformal_class
                       ? (std::max)(options.time_step / 4,
                                    (std::min)(options.min_time_step, options.time_step))
                       : options.time_step)
 {
-  if (keeps_class(options)) m_class.emplace(m_initial, options.boundary);
+  if (options.exact_conformal_class) m_class.emplace(m_initial, options.boundary);
   if (!options.mollification) return;
-  m_well_shaped = well_shaped_faces(in_frame(m_initial));
-  m_well_shaped->mesh.set_positions(m_initial.positions());
+  m_well_shaped = well_shaped_part(m_initial);
+  if (m_class) m_mollification = mollification_on_class();
 }
 
 namespace internal {
@@ -69,9 +69,9 @@ Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::transformat
 {
   Spin_transformation_options own;
   own.boundary = options.boundary;
-  if (keeps_class(options)) internal::keep_first_directions(initial, own.boundary);
+  if (options.exact_conformal_class) internal::keep_first_directions(initial, own.boundary);
   own.exactness = options.exactness;
-  own.mollification = options.mollification;
+  if (!options.exact_conformal_class) own.mollification = options.mollification;
   return own;
 }
 
@@ -81,7 +81,8 @@ double Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::ener
 {
   const Direction& direction = m_direction.unconstrained();
   const Mesh_view framed = in_frame(mesh);
-  if (!m_options.mollification) return internal::energy_of(direction, mesh, framed);
+  if (!m_transformation.domain().is_mollified())
+    return internal::energy_of(direction, mesh, framed);
   return internal::energy_of(direction, mesh, Delaunay_view(framed, *m_options.mollification));
 }
 
@@ -90,7 +91,9 @@ Mesh_view Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::i
     const Mesh_view& mesh)
 {
   const Points& positions = mesh.positions();
-  return {internal::Normalized_frame(positions).to_frame(positions), mesh.corners()};
+  Mesh_view framed = mesh;  // with its edges, which need not be found again
+  framed.set_positions(internal::Normalized_frame(positions).to_frame(positions));
+  return framed;
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
@@ -141,6 +144,7 @@ auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::try_st
         m_transformation, Curvature_potential::on_vertices(rho),
         {m_options.max_period_defect, m_options.dirac.tolerance}, 1, m_options.dirac, go_further);
     report.spin = next.result.report;
+    if (m_class) report.spin.mollification = m_mollification;
     report.period_defect = report.spin.period_defect;
     return report.spin.cancelled ? Verdict::cancelled : judge(std::move(next.result), report);
   } catch (const Solver_error& error) {

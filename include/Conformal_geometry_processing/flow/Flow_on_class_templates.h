@@ -7,33 +7,34 @@
 
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/forms/conformal_type.h>
+#include <Conformal_geometry_processing/mesh/mollified_lengths.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/simple_delaunay.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
+#include <Conformal_geometry_processing/mesh/with_opened_faces.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
-bool Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::keeps_class(
-    const Flow_options& options)
-{
-  return options.exact_conformal_class && !options.mollification;
-}
-
-template <class SolverTraits, class EigensolverTraits, class Direction>
 Mesh_view Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::on_class(
     const Mesh_view& mesh, const Flow_options& options, const std::string& function)
 {
-  if (options.mollification) return mesh;
-  require_surface(mesh, function);
-  return keeps_class(options) ? internal::simple_delaunay(mesh) : mesh;
+  internal::Framed_surface::require(mesh, options.mollification, function);
+  if (!options.exact_conformal_class) return mesh;
+  if (!options.mollification) return internal::simple_delaunay(mesh);
+  const double share = *options.mollification;
+  Mesh_view opened = internal::with_opened_faces(internal::simple_delaunay(mesh, share), share);
+  require_surface(opened, function);
+  return opened;
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
@@ -85,6 +86,7 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::settle
   report.energy = m_energy;
   report.time_step = 0;
   report.spin = {};
+  report.spin.mollification = m_mollification;
   judge_boundary(report.spin);
   ++m_steps;
 }
@@ -140,8 +142,11 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::finish
   if (m_class) report.period_defect = internal::largest_period_defect(report);
   report.conformality = map_to(measured(), m_mesh.positions());
   report.conformality_of_faces =
-      m_class ? map_to(m_input, m_mesh.positions()) : report.conformality;
-  if (m_steps > 0 && !m_options.mollification && boundary_loops(m_mesh).empty())
+      m_class ? map_to(m_options.mollification ? well_shaped_part(m_input).mesh : m_input,
+                       m_mesh.positions())
+              : report.conformality;
+  const bool is_triangulated = m_transformation.domain().is_mollified();
+  if (m_steps > 0 && !is_triangulated && boundary_loops(m_mesh).empty())
     report.conformal_type_change = type_change();
 }
 
@@ -175,11 +180,38 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::polish
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
+internal::Well_shaped_faces
+Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::well_shaped_part(
+    const Mesh_view& mesh)
+{
+  internal::Well_shaped_faces part = well_shaped_faces(in_frame(mesh));
+  part.mesh.set_positions(mesh.positions());
+  return part;
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
+Spin_report::Mollification
+Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::mollification_on_class() const
+{
+  const double share = *m_options.mollification;
+  const std::set<std::array<int, 2>> edges(m_input.ends().begin(), m_input.ends().end());
+  Spin_report::Mollification made;
+  made.share = share;
+  made.thin_faces = mollified_lengths(in_frame(m_input), share).thin_faces;
+  for (const auto& ends : m_initial.ends())
+    made.flipped_edges += static_cast<int>(1 - edges.count(ends));
+  made.measured_faces = m_well_shaped->mesh.size_of_faces();
+  made.measured_area = m_well_shaped->share;
+  return made;
+}
+
+template <class SolverTraits, class EigensolverTraits, class Direction>
 Conformality Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::map_to(
     const Mesh_view& measured, const Points& positions)
 {
   const double unit = internal::Normalized_frame(measured.positions()).unit();
-  const Mesh_view before(measured.positions() / unit, measured.corners());
+  Mesh_view before = measured;
+  before.set_positions(measured.positions() / unit);
   const Points after = positions / unit;
   return conformality(before, after, neighbourhood_normals(before, after));
 }

@@ -58,7 +58,7 @@ struct Flow_options {
   ///
   /// At a boundary, a free one moves with the rest; directions that are kept are the first ones in
   /// every step, not those of the last surface, and the way to the class leaves them as they are,
-  /// see `internal::Class_keeper`. Without effect with mollification
+  /// see `internal::Class_keeper`
   bool exact_conformal_class = true;
 
   /// whether each step on the exact class begins with smoothing within it, see
@@ -89,9 +89,11 @@ struct Flow_options {
   /// discretisation error of the step, see `internal::Period_limit`
   std::optional<double> max_period_defect = std::nullopt;
 
-  /// admits faces of any thinness, see `Spin_transformation_options`. Curvature and energy are then
-  /// computed on the triangulation, if the direction takes a `Surface_ref`, and distortion on the
-  /// `well_shaped_faces()` of the initial mesh
+  /// admits faces of any thinness, see `Spin_transformation_options`. Distortion is then measured
+  /// on the `well_shaped_faces()` of the initial mesh. On the exact class, edges are flipped by
+  /// mollified lengths, and what is left without area is opened, see
+  /// `internal::with_opened_faces()`: the flow has a mesh like others. Off the class, curvature and
+  /// energy are computed on the triangulation, if the direction takes a `Surface_ref`
   std::optional<double> mollification = std::nullopt;
   /// sigma > 0 removes low frequencies from the direction, which preserves the overall shape; zero:
   /// no filter. See `Curvature_filter` for the units and the order.

@@ -16,8 +16,10 @@ namespace internal {
 /// Flips that would join two vertices twice are left out, so every edge is determined by its ends,
 /// and so are those that would give a face without area. The vertices, their numbers and the
 /// boundary stay. A mesh that is Delaunay already is returned unchanged.
-/// \param mesh an oriented manifold without edges of length zero, with or without boundary
-Mesh_view simple_delaunay(const Mesh_view& mesh);
+/// \param mesh an oriented manifold with or without boundary
+/// \param mollification of the lengths by which edges are flipped, see `mollified_lengths()`; zero:
+/// none, and no edge has length zero
+Mesh_view simple_delaunay(const Mesh_view& mesh, double mollification = 0);
 
 }  // namespace internal
 

@@ -60,9 +60,11 @@ inline bool has_area_when_flipped(const Mesh_view& mesh, const Intrinsic_triangu
 
 }  // namespace internal
 
-CGP_INLINE Mesh_view internal::simple_delaunay(const Mesh_view& mesh)
+CGP_INLINE Mesh_view internal::simple_delaunay(const Mesh_view& mesh, double mollification)
 {
-  Intrinsic_triangulation triangles(mesh, edge_lengths(mesh));
+  Intrinsic_triangulation triangles(mesh, mollification > 0
+                                              ? mollified_lengths(mesh, mollification).lengths
+                                              : edge_lengths(mesh));
   Joined_vertices joined(mesh);
   const auto may_flip = [&](int h) {
     const int k = triangles.apex(h), l = triangles.apex(triangles.twin(h));

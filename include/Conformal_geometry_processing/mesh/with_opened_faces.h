@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_MESH_WITH_OPENED_FACES_H
+#define CONFORMAL_GEOMETRY_PROCESSING_MESH_WITH_OPENED_FACES_H
+
+#include <Conformal_geometry_processing/mesh/Mesh_view.h>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgMesh
+/// \brief The mesh with vertices moved until all faces have an area, for algorithms on chords.
+///
+/// A face is thin if its longest edge is not shorter than the sum of the two others by at least
+/// `share` of it. Its tips, those opposite to long edges, move along the surface, towards the mean
+/// of their neighbours, by the root of `share` of the way: `mollified_lengths()` gives triangles of
+/// three collinear points such a height. All other vertices stay to the bit.
+///
+/// Faces remain thin where whole neighbourhoods lie on a line or in a point.
+/// \param share positive
+Mesh_view with_opened_faces(const Mesh_view& mesh, double share);
+
+}  // namespace internal
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/mesh/with_opened_faces_impl.h>
+#endif
+
+#endif
