@@ -49,14 +49,14 @@ the input. t is the time step.
 | discrete Willmore, 16 fold | the same with 16 t/2 L M^-1 L for the Hessian, which W outgrows where circles nearly coincide | factorized in every step |
 | isometric bending [WBH+07] | (M + t/2 Q) f' = M f, f^T Q f the bending energy of hinges | factorized in every step |
 | isometric bending, metric kept | the same with M and Q of the input | factorized once |
-| ours | rho = -t H, `Conformal_willmore_flow`, default options: t = 1, half of it where that is too large | quaternionic, factorized in every step |
+| ours | rho = -t H, `Conformal_willmore_flow` without its exact class, as in the thesis, else with default options: t = 1, half of it where that is too large | quaternionic, factorized in every step |
 | ours, one time step | the same without trying again | the same |
 
 - *Equal solver*: all matrices are symmetric and positive definite, and all are factorized by the
   supernodal Cholesky factorization of this library, smooth_shape's too: in real numbers for the others, in
   quaternions for ours. Ordering and symbolic analysis are done once.
 - *Equal time*: seconds of the processor on one thread, from the arrays of the mesh on, without what only
-  measures. All have the seconds that ours takes with default options until its energy settles, at most
+  measures. All have the seconds that ours takes with these options until its energy settles, at most
   20 steps; a step that ends later does not count.
 - *Largest stable time step*: of 64, 32, 16, ..., the first with which, through all that time, every number is
   finite, every system is solved, and the Willmore energy is never more than 1 % above the least so far; then
@@ -76,7 +76,7 @@ face in degrees, *flips* the faces that are turned over or have no area.
 
 ## Verdict
 
-Computed from the tables, of ours with default options:
+Computed from the tables, of ours with these options:
 
 {verdict}
 

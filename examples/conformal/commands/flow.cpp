@@ -62,7 +62,9 @@ void add_options(CLI::App& command, Flow_options& flow, Common_options& common)
   command.add_flag("--no-fairing", flow.no_fairing,
                    "no smoothing within the conformal class, curvature flow only");
   add_boundary(command, flow.boundary);
-  add_mollification(command, flow.mollification);
+  add_mollification(command, flow.mollification,
+                    "; without --plain no edge becomes longer: vertices of faces that are still "
+                    "without area after the flips move by a thousandth of their edges");
   add_period_defect(command, flow.max_period_defect);
   add_choice(command, "--balance", flow.balance, {"none", "initial", "canonical"},
              "undoes drift of closed surfaces by sphere inversions: towards the initial areas, "
