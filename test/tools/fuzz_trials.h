@@ -107,7 +107,7 @@ class Trials {
     while (m_tally->next < m_request.mutants) {
       const int status = status_of_child(subject);
       if (WIFEXITED(status) && WEXITSTATUS(status) == 0) continue;
-      ++(WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU ? hangs : crashes);
+      ++(WIFSIGNALED(status) && WTERMSIG(status) == SIGVTALRM ? hangs : crashes);
       keep(subject, m_tally->next - 1);
     }
     std::string row = "| " + subject.name;
@@ -147,7 +147,7 @@ class Trials {
   // The end by exit() lets a sanitizer look for memory that was lost.
   [[noreturn]] void run(const Subject& subject)
   {
-    Deadline deadline(m_request.seconds, SIGXCPU);
+    Deadline deadline(m_request.seconds, SIGVTALRM);
     while (m_tally->next < m_request.mutants) {
       const unsigned long number = m_tally->next++;
       const std::string mutant = subject.mutant(number);
