@@ -40,7 +40,7 @@ TEST(Expression, knows_points_normals_constants_and_bumps)
 
 TEST(Expression, that_is_no_formula_names_the_place)
 {
-  for (const std::string wrong : {"x+", "sin(x", "x+foo", "", "x,y", "2x)"}) try {
+  for (const std::string wrong : {"x+", "sin(x", "x+foo", "", "x,y", "2x)", "x=1", "y+(x=2)"}) try {
       value(wrong);
       FAIL() << wrong;
     } catch (const Failure& failure) {
@@ -52,6 +52,13 @@ TEST(Expression, that_is_no_formula_names_the_place)
     EXPECT_NE(std::string(failure.what()).find("\"foo\" found, at place 3"), std::string::npos)
         << failure.what();
   }
+}
+
+TEST(Expression, may_compare_but_not_assign)
+{
+  for (const std::string comparison : {"x<=1", "x>=1", "x==1", "x!=2"})
+    EXPECT_EQ(value(comparison), 1) << comparison;
+  for (const std::string assignment : {"z=4", "x<=(y=2)"}) EXPECT_THROW(value(assignment), Failure);
 }
 
 TEST_F(Rho, of_a_formula_that_is_too_long_or_empty_is_a_usage_error)

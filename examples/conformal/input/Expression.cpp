@@ -32,6 +32,18 @@ std::string listed(const std::vector<std::string>& names)
   return list;
 }
 
+/// where a variable is assigned to, which muParser allows; npos if nowhere
+std::size_t assignment_in(const std::string& text)
+{
+  const std::string comparisons = "<>!=";  // begin like this and end with =
+  for (std::size_t i = text.find('='); i != std::string::npos; i = text.find('=', i + 1)) {
+    const bool ends = i > 0 && comparisons.find(text[i - 1]) != std::string::npos;
+    const bool begins = i + 1 < text.size() && text[i + 1] == '=';
+    if (!ends && !begins) return i;
+  }
+  return std::string::npos;
+}
+
 }  // namespace
 
 struct Expression::Parser {
@@ -45,6 +57,8 @@ struct Expression::Parser {
     parser.DefineConst("e", std::exp(1.));
     parser.DefineFun("gauss", gauss);
     parser.DefineFun("bump", bump);
+    if (const std::size_t i = assignment_in(text); i != std::string::npos)
+      throw bad("an assignment, at place " + std::to_string(i + 1));
     try {
       parser.SetExpr(text);  // finds no other fault than this
     } catch (const mu::Parser::exception_type&) {
