@@ -29,9 +29,21 @@ namespace internal {
 /// lead them back to the first, or to the prescribed ones.
 class Class_keeper {
  public:
+  /// \brief How strong the next smoothing is, and how many steps are to go without one.
+  ///
+  /// Where nothing is left to be smoothed, surfaces change little, and what is refused once is
+  /// refused again: after the second refusal in a row there is a step without, then twice as many.
+  struct Smoothing {
+    double strength = 2;
+    int rest = 0, next_rest = 0;
+
+    void succeed() { strength *= 2, next_rest = 0; }
+    void fail() { rest = next_rest, next_rest = next_rest > 0 ? 2 * next_rest : 1; }
+  };
+
   /// what a step depends on beside its surface
   struct State {
-    double strength = 2;  // of the next smoothing
+    Smoothing smoothing;
     Snap_equations::State snap;
   };
 
@@ -50,6 +62,11 @@ class Class_keeper {
   /// \throw Solver_error if a factorization fails
   void polish(Points& f);
 
+  /// whether the next step does without smoothing; it counts as one
+  bool rests() { return m_smoothing.rest > 0 && m_smoothing.rest-- > 0; }
+  /// ends the steps without smoothing
+  void wake() { m_smoothing.rest = 0; }
+
   /// \brief a smoother surface of the class that is better; the strength is quartered until it is,
   /// at most twice, and doubled for the next call.
   /// \param is_better whether a surface is to be taken
@@ -57,7 +74,7 @@ class Class_keeper {
   std::optional<Points> smoothed(const Mesh_view& mesh,
                                  const std::function<bool(const Points&)>& is_better);
 
-  State state() const { return {m_strength, m_class.state()}; }
+  State state() const { return {m_smoothing, m_class.state()}; }
   void set_state(const State& state);
 
  private:
@@ -74,7 +91,7 @@ class Class_keeper {
   Boundary_condition m_boundary;
   Conformal_class m_class;
   Fairing m_fairing;
-  double m_strength = State().strength;
+  Smoothing m_smoothing;
 };
 
 }  // namespace internal

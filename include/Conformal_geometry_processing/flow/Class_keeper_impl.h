@@ -88,21 +88,23 @@ CGP_INLINE void internal::Class_keeper::take(Points moved, Points& f) const
 CGP_INLINE std::optional<Points> internal::Class_keeper::smoothed(
     const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better)
 {
-  const double weakest = 1e-2;
+  const double weakest = 2.5e-3;
+  Points f;
   for (int trial = 0; trial < 3; ++trial) {
-    Points f;
     if (try_smoothing(mesh, is_better, f)) {
-      m_strength *= 2;
+      m_smoothing.succeed();
       return f;
     }
-    m_strength = (std::max)(m_strength / 4, weakest);
+    if (m_smoothing.strength <= weakest) break;
+    m_smoothing.strength = (std::max)(m_smoothing.strength / 4, weakest);
   }
+  m_smoothing.fail();
   return std::nullopt;
 }
 
 CGP_INLINE void internal::Class_keeper::set_state(const State& state)
 {
-  m_strength = state.strength;
+  m_smoothing = state.smoothing;
   m_class.set_state(state.snap);
 }
 
@@ -113,7 +115,7 @@ CGP_INLINE bool internal::Class_keeper::try_smoothing(
     Mesh_view present = m_initial;
     present.set_positions(mesh.positions() / m_unit);
     keep_directions(present.positions());
-    f = m_unit * m_fairing(present, m_strength);
+    f = m_unit * m_fairing(present, m_smoothing.strength);
     return snap_to_kept(f) && is_better(f);
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;

@@ -48,7 +48,8 @@ template <class SolverTraits, class EigensolverTraits, class Direction>
 void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::take_step(
     Flow_step_report& report, const Go_further& go_further)
 {
-  report.faired = fairs() && fair(report);
+  const bool rests = fairs() && m_class->rests();
+  report.faired = fairs() && !rests && fair(report);
   const auto direction = m_direction(m_mesh);
   report.direction_norm = direction.norm;
   report.remaining_share = direction.share;
@@ -58,6 +59,10 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::take_s
     find_time_step(direction.v, report, go_further);
   const bool is_cancelled = report.stop == Flow_step_report::Stop::cancelled;
   if (report.faired && !report.accepted && !is_cancelled) settle_for_fairing(report);
+  if (rests && report.accepted && report.stop == Flow_step_report::Stop::energy_settled) {
+    report.stop = Flow_step_report::Stop::none;  // smoothing might go on
+    m_class->wake();
+  }
 }
 
 template <class SolverTraits, class EigensolverTraits, class Direction>
