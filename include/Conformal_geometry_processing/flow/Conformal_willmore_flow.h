@@ -269,7 +269,7 @@ class Conformal_willmore_flow {
       m_well_shaped;  // of the initial mesh, with mollification
   internal::Constrained_direction<SolverTraits, EigensolverTraits, Direction> m_direction;
   internal::Flow_balance m_balance;
-  double m_energy;
+  double m_initial_energy, m_energy;
   internal::Time_step m_time_step;
   Spin_report::Mollification m_mollification;  // on the exact class
   int m_steps = 0;

@@ -32,7 +32,8 @@ Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::Conformal_w
       m_transformation(m_initial, transformation_options(m_initial, options), m_function),
       m_direction(m_transformation, std::move(direction), options, m_function),
       m_balance(m_initial, options, m_transformation, m_function),
-      m_energy(energy_of(m_initial)),
+      m_initial_energy(energy_of(m_initial)),
+      m_energy(m_initial_energy),
       m_time_step(options.time_step, (std::min)(options.min_time_step, options.time_step),
                   options.exact_conformal_class
                       ? (std::max)(options.time_step / 4,
@@ -217,7 +218,7 @@ bool Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::is_sma
     double change, double time) const
 {
   // Near minimal surfaces, whose energy is zero, the discretisation limits the convergence.
-  const double scale = (std::max)(m_energy, 0.01 * energy_of(m_initial));
+  const double scale = (std::max)(m_energy, 0.01 * m_initial_energy);
   return std::abs(change) < m_options.energy_tolerance * time * scale;
 }
 

@@ -64,7 +64,8 @@ void Spin_transformation<SolverTraits, EigensolverTraits>::set_positions(const P
   require_size(positions.cols(), "positions");
   if (system().positions())
     throw Precondition_error(m_function, "a surface with prescribed boundary cannot move");
-  const Mesh_view moved(positions, domain().mesh().corners());
+  Mesh_view moved = domain().mesh();  // with its edges, which need not be found again
+  moved.set_positions(positions);
   internal::Framed_surface::require_faces(moved, domain().is_mollified(), m_function);
   if (domain().is_mollified()) {
     m_stage = std::make_unique<Stage>(moved, *this);

@@ -29,7 +29,8 @@ struct With_numbers : Kind {
   static constexpr int numbers = numbers_;
 };
 using Kinds_with_numbers =
-    testing::Types<With_numbers<Kind<double, double>, 4>, With_numbers<Kind<double, float>, 4>,
+    testing::Types<With_numbers<Kind<double, double>, 1>, With_numbers<Kind<double, float>, 1>,
+                   With_numbers<Kind<double, double>, 4>, With_numbers<Kind<double, float>, 4>,
                    With_numbers<Kind<std::complex<double>, double>, 4>,
                    With_numbers<Kind<std::complex<double>, float>, 4>,
                    With_numbers<Kind<Quaternion<double>, double>, 4>,

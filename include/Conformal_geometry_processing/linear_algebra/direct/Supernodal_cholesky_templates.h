@@ -137,9 +137,11 @@ Solver_status Supernodal_cholesky<Scalar, Real>::solve(const Block<Scalar>& b,
     Block<Scalar>& solution = is_direct ? x : other;
     const Eigen::Index rest = b.cols() % (wide / planes),
                        first = b.cols() - (rest <= narrow / planes ? rest : 0);
-    if (!substitute<wide>(b, 0, first, solution) ||
-        !substitute<narrow>(b, first, b.cols(), solution))
-      return Solver_status::numerical_issue;
+    constexpr int least = planes == 1 ? 1 : narrow;
+    const bool is_solved = substitute<wide>(b, 0, first, solution) &&
+                           (rest == 1 ? substitute<least>(b, first, b.cols(), solution)
+                                      : substitute<narrow>(b, first, b.cols(), solution));
+    if (!is_solved) return Solver_status::numerical_issue;
     if (!is_direct) x = std::move(other);
     return Solver_status::success;
   });

@@ -16,4 +16,8 @@
       apply(double, float) apply(std::complex<double>, float) apply(Quaternion<double>, float) \
           apply(float, float) apply(Quaternion<float>, float)
 
+/// Those of them with real entries
+#define CGP_FOR_REAL_SUPERNODAL_INSTANCES(apply) \
+  apply(double, double) apply(double, float) apply(float, float)
+
 #endif

@@ -20,6 +20,9 @@ namespace Conformal_geometry_processing {
   template class Supernodal_cholesky<Scalar, Real>;
 CGP_FOR_SUPERNODAL_INSTANCES(CGP_DEFINE)
 #undef CGP_DEFINE
+#define CGP_DEFINE(Scalar, Real) template class internal::Supernodal_substitution<Scalar, Real, 1>;
+CGP_FOR_REAL_SUPERNODAL_INSTANCES(CGP_DEFINE)
+#undef CGP_DEFINE
 
 }  // namespace Conformal_geometry_processing
 

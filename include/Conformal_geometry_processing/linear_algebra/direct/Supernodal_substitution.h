@@ -25,7 +25,7 @@ namespace internal {
 ///
 /// The vector is stored as [row][right-hand side][component], with rows in elimination order.
 ///
-/// \tparam numbers_ per row, 4 or 8
+/// \tparam numbers_ per row: 4 or 8, or 1 for scalars of one
 template <class Scalar, class Real, int numbers_ = 4>
 class Supernodal_substitution {
   using Factor = Supernodal_factor<Scalar, Real>;
@@ -33,7 +33,7 @@ class Supernodal_substitution {
  public:
   static constexpr int numbers = numbers_;                               ///< per row
   static constexpr int columns = numbers / Scalar_planes<Scalar>::size;  ///< right-hand sides
-  static_assert(numbers == 4 || numbers == 8);
+  static_assert(numbers == 4 || numbers == 8 || (numbers == 1 && columns == 1));
 
   /// \throw std::bad_alloc
   explicit Supernodal_substitution(const Factor& factor);
@@ -72,6 +72,10 @@ class Supernodal_substitution {
   extern template class internal::Supernodal_substitution<Scalar, Real, 4>; \
   extern template class internal::Supernodal_substitution<Scalar, Real, 8>;
 CGP_FOR_SUPERNODAL_INSTANCES(CGP_DECLARE)
+#undef CGP_DECLARE
+#define CGP_DECLARE(Scalar, Real) \
+  extern template class internal::Supernodal_substitution<Scalar, Real, 1>;
+CGP_FOR_REAL_SUPERNODAL_INSTANCES(CGP_DECLARE)
 #undef CGP_DECLARE
 #endif
 

@@ -18,7 +18,9 @@ internal::Supernodal_substitution<Scalar, Real, numbers>::Supernodal_substitutio
     const Factor& factor)
     : m_factor(factor),
       S(factor.structure()),
-      m_kernels(numbers == 4 ? factor.kernels().narrow : factor.kernels().wide),
+      m_kernels(numbers == 1   ? factor.kernels().single
+                : numbers == 4 ? factor.kernels().narrow
+                               : factor.kernels().wide),
       m_threads(Factor::threads(static_cast<double>(factor.panel_bytes()) / 5e9))  // read twice
 {
   const auto size = [&](int s) { return static_cast<std::int64_t>(S.height(s)) * numbers; };

@@ -83,6 +83,7 @@ struct Front_kernels {
   void (*add_to_update)(const Child_update<Real>& child, int columns, int rows_below, Real* update,
                         int begin, int end);
 
+  Front_substitution<Real> single;  ///< with one number per row, for scalars of one
   Front_substitution<Real> narrow;  ///< with four numbers per row
   Front_substitution<Real> wide;    ///< with eight numbers per row
 };

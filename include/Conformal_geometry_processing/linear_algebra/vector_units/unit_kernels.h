@@ -18,6 +18,7 @@ Front_kernels<Real> unit_kernels_of()
   using Add = Extend_add<Unit, Real, planes>;
   using Narrow = Substitution_kernels<Unit, Real, planes, 4>;
   using Wide = Substitution_kernels<Unit, Real, planes, 8>;
+  using Single = Substitution_kernels<Unit, Real, planes, planes == 1 ? 1 : 4>;
   return {Unit::unit,
           Simd_lanes<Unit, Real>::layout(planes),
           Panel::factor_panel,
@@ -25,6 +26,7 @@ Front_kernels<Real> unit_kernels_of()
           Panel::set_outer_product,
           Add::add_to_panel,
           Add::add_to_update,
+          {Single::add_child, Single::forward, Single::backward},
           {Narrow::add_child, Narrow::forward, Narrow::backward},
           {Wide::add_child, Wide::forward, Wide::backward}};
 }
