@@ -216,7 +216,7 @@ Spin_report conformal_deformation(TriangleMesh& mesh, const TargetRange& targets
       deformation.deform(internal::read_control_points(
                              graph, targets, internal::geometry_traits<TriangleMesh>(np), function),
                          internal::dirac_options(np), internal::asking(visitor));
-  internal::read_limits(np, result.report);
+  internal::read_limits(np, result.report.limits);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

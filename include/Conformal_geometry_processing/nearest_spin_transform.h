@@ -98,7 +98,7 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///                           positions come nearer by wrinkles, where the target is far from
 ///                           conformal}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{1}
+///     \cgalParamDefault{0.25}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{distance_tolerance}
 ///     \cgalParamDescription{the search ends at this distance, relative to the diagonal of the
@@ -201,11 +201,11 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
   Nearest_spin_result result =
       nearest.transform(internal::dirac_options(np), internal::asking(visitor));
-  internal::read_limits(np, result.report);
+  internal::read_limits(np, result.report.limits);
   const double t = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, internal_np::blend), 0.);
   if (t != 0 && result.report) result = nearest.blend(result, t);
-  internal::read_limits(np, result.report);
+  internal::read_limits(np, result.report.limits);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   Nearest_spin_report report;
   static_cast<Spin_report&>(report) = result.report;

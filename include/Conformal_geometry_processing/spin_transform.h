@@ -14,6 +14,7 @@
 #include <Conformal_geometry_processing/spin/Spin_visitor.h>
 
 #include <string>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -276,11 +277,12 @@ Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
   const Curvature_potential potential = internal::read_curvature_potential(graph, rho);
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
-  Spin_result result =
-      internal::Spin_transformation_for<NamedParameters>(
-          graph.view(), internal::spin_transformation_options(graph, np, function), function)
+  internal::Spin_transformation_for<NamedParameters> transformation(
+      graph.view(), internal::spin_transformation_options(graph, np, function), function);
+  internal::read_limits(np, transformation.limits());
+  const Spin_result result =
+      std::move(transformation)
           .transform(potential, internal::dirac_options(np), internal::asking(visitor));
-  internal::read_limits(np, result.report);
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

@@ -9,6 +9,7 @@
 #include <Conformal_geometry_processing/spin_transform.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -61,9 +62,10 @@ internal::Component_reports<Spin_report> spin_transform_components(
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
   const auto transformed = [&](const Graph_view<TriangleMesh>& component) {
-    return internal::Spin_transformation_for<NamedParameters>(
-               component.view(), internal::spin_transformation_options(component, np, function),
-               function)
+    internal::Spin_transformation_for<NamedParameters> transformation(
+        component.view(), internal::spin_transformation_options(component, np, function), function);
+    internal::read_limits(np, transformation.limits());
+    return std::move(transformation)
         .transform(internal::read_curvature_potential(component, rho), internal::dirac_options(np),
                    internal::asking(visitor));
   };
@@ -73,7 +75,6 @@ internal::Component_reports<Spin_report> spin_transform_components(
         Spin_result result;
         result.report.cancelled = is_cancelled;  // applies to all remaining components
         if (!is_cancelled) result = transformed(component);
-        internal::read_limits(np, result.report);
         is_cancelled = result.report.cancelled;
         return result;
       },

@@ -12,17 +12,6 @@ namespace conformal {
 namespace {
 
 /// Describes boundary faults that are not covered by the limits.
-CGP::Spin_report::Limits bounds(const Verification_limits& limits)
-{
-  CGP::Spin_report::Limits bounds;
-  bounds.closure = limits.closure;
-  bounds.direction_error = limits.direction_error * std::acos(-1.) / 180;
-  bounds.realised_share = limits.realised;
-  bounds.kept_norm = limits.kept;
-  bounds.map = {limits.quasi_conformal, limits.flipped, limits.collapsed};
-  return bounds;
-}
-
 std::string fault_of_boundary(const CGP::Spin_report& report, const Verification_limits& limits,
                               const std::string& easier)
 {
@@ -56,6 +45,17 @@ std::string fault_of(const Evidence& evidence, const Verification_limits& limits
 
 }  // namespace
 
+CGP::Spin_report::Limits spin_limits(const Verification_limits& limits)
+{
+  CGP::Spin_report::Limits bounds;
+  bounds.closure = limits.closure;
+  bounds.direction_error = limits.direction_error * std::acos(-1.) / 180;
+  bounds.realised_share = limits.realised;
+  bounds.kept_norm = limits.kept;
+  bounds.map = {limits.quasi_conformal, limits.flipped, limits.collapsed};
+  return bounds;
+}
+
 Verdict judge(const Evidence& evidence, const Verification_limits& limits,
               const std::string& easier)
 {
@@ -71,7 +71,7 @@ std::string objection(const CGP::Spin_report& report, const CGP::Points& positio
 {
   using Fault = CGP::Spin_report::Fault;
   CGP::Spin_report judged = report;
-  judged.limits = bounds(limits);
+  judged.limits = spin_limits(limits);
   switch (judged.fault()) {
     case Fault::nothing_left:
       if (report.boundary_fault != CGP::Spin_report::Boundary_fault::none)
@@ -123,7 +123,7 @@ std::string objection(const CGP::Conformality& map, const Verification_limits& l
                       const std::string& easier)
 {
   using Fault = CGP::Conformality::Fault;
-  switch (map.fault(bounds(limits).map)) {
+  switch (map.fault(spin_limits(limits).map)) {
     case Fault::not_conformal: {
       const double mean = map.quasi_conformal.mean, now = map.quasi_conformal_of_new_area;
       const bool is_old = !(mean <= limits.quasi_conformal);

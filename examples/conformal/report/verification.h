@@ -37,6 +37,9 @@ struct Verdict {
   bool is_verified() const { return fault.empty(); }
 };
 
+/// the limits of the library's reports, in its units
+CGP::Spin_report::Limits spin_limits(const Verification_limits& limits);
+
 /// \brief Judges a result.
 /// \param easier what to try that asks for less
 Verdict judge(const Evidence& evidence, const Verification_limits& limits,

@@ -3,6 +3,7 @@
 #include "solve_spin.h"
 
 #include "conformal/process/Failure.h"
+#include "conformal/report/verification.h"
 
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
@@ -13,7 +14,8 @@
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 
-#include <optional>
+#include <functional>
+#include <utility>
 
 namespace conformal {
 namespace {
@@ -21,21 +23,32 @@ namespace {
 using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
 
 template <class SolverTraits>
+CGP::Spin_result transformed(const CGP::Mesh_view& mesh, const Spin_problem& problem,
+                             const CGP::Spin_transformation_options& own,
+                             const CGP::Spin_report::Limits& limits,
+                             const CGP::Dirac_options& options, const Go_further& go_further)
+{
+  CGP::Spin_transformation<SolverTraits> transformation(mesh, own, "spin");
+  transformation.limits() = limits;
+  return std::move(transformation).transform(problem.rho, options, std::cref(go_further));
+}
+
+template <class SolverTraits>
 Spin_solution solve_by(const CGP::Mesh_view& mesh, const Spin_problem& problem,
-                       std::optional<double> max_period_defect, const CGP::Dirac_options& options,
+                       const Spin_options& spin, const CGP::Dirac_options& options,
                        const Go_further& go_further)
 {
   CGP::Spin_transformation_options own{problem.boundary};
-  own.max_period_defect = max_period_defect;
+  own.max_period_defect = spin.max_period_defect;
   own.scales = problem.scales;
   own.exact_conformal_class = problem.exact_class;
   if (!problem.closes_loops) own.exactness.reset();
   if (problem.mollification > 0) own.mollification = problem.mollification;
-  CGP::Spin_result result = problem.minimal
-                                ? CGP::spin_to_minimal_surface<SolverTraits>(
-                                      mesh, own, options, "boundary", std::cref(go_further))
-                                : CGP::Spin_transformation<SolverTraits>(mesh, own, "spin")
-                                      .transform(problem.rho, options, std::cref(go_further));
+  CGP::Spin_result result =
+      problem.minimal ? CGP::spin_to_minimal_surface<SolverTraits>(mesh, own, options, "boundary",
+                                                                   std::cref(go_further))
+                      : transformed<SolverTraits>(mesh, problem, own, spin_limits(spin.limits),
+                                                  options, go_further);
   return {std::move(result.positions), std::move(result.lambda), result.report};
 }
 
@@ -51,17 +64,17 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem
                       : CGP::Dirac_options::Eigenproblem::standard;
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
-  const std::optional<double> defect = options.max_period_defect;
   if (options.solver == "eigen")
-    return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, problem, defect, dirac, go_further);
+    return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, problem, options, dirac, go_further);
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
   if (options.solver == "cholmod")
-    return solve_by<CGP::Cholmod_hermitian_solver_traits>(mesh, problem, defect, dirac, go_further);
+    return solve_by<CGP::Cholmod_hermitian_solver_traits>(mesh, problem, options, dirac,
+                                                          go_further);
 #else
   if (options.solver == "cholmod")
     throw Failure(Exit_code::usage, "this program was built without CHOLMOD; try: --solver native");
 #endif
-  return solve_by<CGP::Default_solver_traits>(mesh, problem, defect, dirac, go_further);
+  return solve_by<CGP::Default_solver_traits>(mesh, problem, options, dirac, go_further);
 }
 
 }  // namespace conformal

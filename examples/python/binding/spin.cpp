@@ -32,10 +32,9 @@ class Transformation {
     const CGP::Dirac_options dirac = dirac_options(options, m_function);
     const Watch watch(callback);
     const Turn turn(m_is_computing, m_function);
-    CGP::Spin_result result = without_lock(
-        [&] { return m_transformation->transform(potential, dirac, std::cref(watch)); });
-    result.report.limits = limits(bounds);
-    return as_tuple(result);
+    m_transformation->limits() = limits(bounds);
+    return as_tuple(without_lock(
+        [&] { return m_transformation->transform(potential, dirac, std::cref(watch)); }));
   }
 
   py::tuple integrate(const Array& lambda)

@@ -14,12 +14,12 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// lets the report judge by the limits of the named parameters, if there are any
+/// the limits of the named parameters, if there are any
 template <class NamedParameters>
-void read_limits(const NamedParameters& np, Spin_report& report)
+void read_limits(const NamedParameters& np, Spin_report::Limits& limits)
 {
   if constexpr (has_parameter<NamedParameters, internal_np::limits_t>)
-    report.limits = CGAL::parameters::get_parameter(np, internal_np::limits);
+    limits = CGAL::parameters::get_parameter(np, internal_np::limits);
 }
 
 /// Writes lambda, then the points. A map that throws leaves the points as they were

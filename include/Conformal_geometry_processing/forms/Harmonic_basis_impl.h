@@ -8,7 +8,9 @@
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 #include <Conformal_geometry_processing/forms/tangent_field.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/QR>
 
 #include <cmath>
 
@@ -45,33 +47,37 @@ CGP_INLINE Eigen::MatrixXd weighted_fields(const Surface_ref& surface, const Eig
   return columns;
 }
 
-/// \param pivots norm of each form's component orthogonal to the preceding forms
-CGP_INLINE void require_independent(const Eigen::VectorXd& pivots)
+/// \param R triangular; its diagonal has the norm of each form's component orthogonal to the
+/// preceding forms
+CGP_INLINE void require_independent(const Eigen::MatrixXd& R)
 {
+  const Eigen::VectorXd pivots = R.diagonal();
   const double least_pivot = 1e-7;  // relative: half of the digits
   if (!pivots.allFinite() || !(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
     throw Precondition_error("orthonormalize", "the 1-forms are not linearly independent");
 }
 
+/// the upper triangular factor, with a positive diagonal, of the forms' QR decomposition
+CGP_INLINE Eigen::MatrixXd triangular_factor(const Surface_ref& surface,
+                                             const Eigen::MatrixXd& forms)
+{
+  Eigen::MatrixXd V = weighted_fields(surface, forms);
+  const Eigen::HouseholderQR<Eigen::Ref<Eigen::MatrixXd>> qr(V);
+  const Eigen::MatrixXd R = V.topRows(V.cols()).triangularView<Eigen::Upper>();
+  const Eigen::VectorXd signs =
+      (R.diagonal().array() < 0).select(-1., Eigen::VectorXd::Ones(R.rows()));
+  return signs.asDiagonal() * R;
+}
+
 CGP_INLINE void orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms)
 {
   if (forms.cols() == 0) return;
-  for (int pass = 0; pass < 2; ++pass) {  // the second pass removes the rounding errors of the
-                                          // first
-    Eigen::MatrixXd V = weighted_fields(surface, forms);
-    Eigen::VectorXd pivots(V.cols());
-    for (Eigen::Index j = 0; j < V.cols(); ++j) {
-      for (Eigen::Index i = 0; i < j; ++i) {
-        const double part = V.col(i).dot(V.col(j));
-        V.col(j) -= part * V.col(i);
-        forms.col(j) -= part * forms.col(i);
-      }
-      pivots[j] = V.col(j).norm();
-      V.col(j) /= pivots[j];
-      forms.col(j) /= pivots[j];
-    }
-    require_independent(pivots);
-  }
+  const Eigen::MatrixXd R = triangular_factor(surface, forms);
+  require_independent(R);
+  R.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(forms);
+  // The Gram matrix is the identity but for rounding errors, which its Cholesky factor removes.
+  const Eigen::MatrixXd V = weighted_fields(surface, forms), gram = V.transpose() * V;
+  gram.llt().matrixU().solveInPlace<Eigen::OnTheRight>(forms);
 }
 
 }  // namespace internal

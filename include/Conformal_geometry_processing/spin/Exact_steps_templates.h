@@ -47,6 +47,7 @@ Spin_result Exact_steps<Transformation>::run(const Dirac_options& options,
   m_limit.tolerance = options.tolerance;
   Spin_result all;
   all.lambda = Quaternion_vector<double>::Constant(m_before.size_of_vertices(), {1, 0, 0, 0});
+  all.report.limits = m_transformation.limits();
   all.report.steps = 0;
   all.report.reached = 0;
   go_all_the_way(options, go_further, all);

@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace Conformal_geometry_processing {
@@ -91,9 +92,12 @@ template <class SolverTraits, class EigensolverTraits>
 Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::gradient(
     const Derivative& S) const
 {
+  const Eigen::VectorXd g = m_metric.apply(m_now.rho.values - m_rho.values);
+  const double rounding = 1e-12;  // whose gradient is noise, on which iterations do not converge
+  if (m_now.residuals.norm() <= rounding * std::sqrt(m_now.sum)) return g;
   Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(S.lambda().size(), 1, {});
   for (const Spin_residual* r : m_residuals) q.col(0) += r->gradient(r->values());
-  return m_metric.apply(m_now.rho.values - m_rho.values) + S.apply_transpose(q);
+  return g + S.apply_transpose(q);
 }
 
 template <class SolverTraits, class EigensolverTraits>

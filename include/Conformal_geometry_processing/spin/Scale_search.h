@@ -49,7 +49,7 @@ class Scale_search {
 
   /// \brief searches w, and a weight for the inexact part of the edges where these do not close up.
   /// \param share of rho that is wanted, in (0, 1]
-  /// \returns the solution for rho', with the costs of all runs; that nearest to the bound if none
+  /// \returns the solution for rho'; that nearest to the bound if none
   /// is within it
   Dirac_solution run(double share, const Dirac_options& options, const Go_further& go_further);
 

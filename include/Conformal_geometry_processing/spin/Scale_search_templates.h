@@ -56,6 +56,7 @@ Dirac_solution Scale_search<SolverTraits, EigensolverTraits>::run(double share,
                                                                   const Go_further& go_further)
 {
   m_search.restart({m_rho.on, share * m_rho.values});
+  m_search.reset_costs();
   m_best = m_beyond = Trial();
   search_weight(options, go_further);
   search_exactness(options, go_further);

@@ -121,6 +121,11 @@ class Spin_transformation {
     return system().directions() && m_options.boundary.targets.cols() > 0;
   }
 
+  /// by which the reports of what is computed from now on judge; control of scale takes less of rho
+  /// where these would not pass
+  Spin_report::Limits& limits() { return m_limits; }
+  const Spin_report::Limits& limits() const { return m_limits; }
+
   /// \throw Precondition_error if rho has the wrong length or a value that is not finite
   void require_potential(const Curvature_potential& rho) const;
 
@@ -191,10 +196,13 @@ class Spin_transformation {
                                 const internal::Go_further& go_further);
 
   /// \brief the transformation by the rho' nearest to rho that keeps to the bound on lengths, or,
-  /// where its edges or handles stay open, to a half, a quarter, an eighth of rho.
+  /// where its edges or handles stay open or the mesh is too coarse for the map to be conformal, to
+  /// a half, a quarter, an eighth of rho.
+  /// \param share of rho to begin with
   /// \pre no positions are prescribed
-  Spin_result bound_scales(const Curvature_potential& rho, const internal::Scale_control& control,
-                           const Dirac_options& options, const internal::Go_further& go_further);
+  Spin_result bound_scales(const Curvature_potential& rho, double share,
+                           const internal::Scale_control& control, const Dirac_options& options,
+                           const internal::Go_further& go_further);
 
   /// \brief the surface of spins in the frame, with its report.
   /// \param closing what tells whether handles are closed, or null
@@ -216,6 +224,7 @@ class Spin_transformation {
   std::string m_function;
   internal::Visit_guard m_visits;
   Spin_transformation_options m_options;
+  Spin_report::Limits m_limits;
   Eigen::MatrixXd m_generators;  // closed forms of the mesh, |E| x number of loops
   std::unique_ptr<Stage> m_stage;
 };

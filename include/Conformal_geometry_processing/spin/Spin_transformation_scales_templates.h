@@ -40,7 +40,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::on_class(
   for (int i = 0; i < max_tries && result.report.scales.excess() > 1; ++i) {
     const double margin = 1.05;
     tighter.bound = std::pow(*tighter.bound, 1 / (margin * result.report.scales.excess()));
-    Spin_result next = bound_scales(rho, tighter, options, go_further);
+    Spin_result next = bound_scales(rho, 1, tighter, options, go_further);
     if (next.report.converged && !next.report.cancelled) move_to_class(next);
     internal::add_costs(next.report, result.report);
     result = std::move(next);
@@ -75,8 +75,10 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform_free
   if (r.converged)  // otherwise lambda may not be finite
     r.scales = internal::measured_scales(result.lambda, system().areas(), m_options.scales);
   const bool is_within = r.converged && r.reached == 1 && r.scales.excess() <= 1;
-  if (is_within && r.closure_residual <= r.limits.closure) return result;
-  Spin_result bounded = bound_scales(rho, m_options.scales, options, go_further);
+  const bool is_closed = r.closure_residual <= r.limits.closure;
+  if (is_within && is_closed && r.fault() != Spin_report::Fault::map) return result;
+  const double share = is_within && is_closed ? .5 : 1;
+  Spin_result bounded = bound_scales(rho, share, m_options.scales, options, go_further);
   const bool is_better = !is_within || bounded.report || bounded.report.cancelled;
   Spin_result& best = is_better ? bounded : result;
   internal::add_costs(best.report, is_better ? r : bounded.report);
@@ -85,7 +87,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform_free
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
-    const Curvature_potential& rho, const internal::Scale_control& control,
+    const Curvature_potential& rho, double share, const internal::Scale_control& control,
     const Dirac_options& options, const internal::Go_further& go_further)
 {
   const auto* const closing = exactness_if_looped(rho.on);
@@ -94,19 +96,23 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
       [&](const internal::Dirac_solution& found) {
         return surface_of(found, closing, options.tolerance).report.period_limit;
       });
-  const auto is_reached = [](const Spin_report& r) {
-    return r.fault() != Spin_report::Fault::open && r.fault() != Spin_report::Fault::scales;
+  using Fault = Spin_report::Fault;
+  const auto is_too_much = [](Fault f) {
+    return f == Fault::open || f == Fault::scales || f == Fault::map;
   };
   const double least_share = 1. / 8;
-  Spin_result result;
-  for (double share = 1; share >= least_share; share /= 2) {
-    result = surface_of(search.run(share, options, m_visits.guarded(go_further)), closing,
-                        options.tolerance);
-    if (result.report.cancelled) break;
-    result.report.scales = search.scales();
-    if (is_reached(result.report)) break;
+  Spin_result best;
+  for (; share >= least_share && (best.lambda.size() == 0 || is_too_much(best.report.fault()));
+       share /= 2) {
+    Spin_result next = surface_of(search.run(share, options, m_visits.guarded(go_further)), closing,
+                                  options.tolerance);
+    if (!next.report.cancelled) next.report.scales = search.scales();
+    // Of maps that are not conformal, that of most of rho tells most.
+    if (best.report.fault() != Fault::map || next.report || next.report.cancelled)
+      std::swap(best, next);
+    internal::add_costs(best.report, next.report);
   }
-  return result;
+  return best;
 }
 
 template <class SolverTraits, class EigensolverTraits>

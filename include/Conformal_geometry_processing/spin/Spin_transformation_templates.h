@@ -178,6 +178,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::integrate(
   Spin_result result;
   result.lambda = std::move(lambda);
   result.report.converged = true;
+  result.report.limits = m_limits;
   result.report.mollification = domain().mollification();
   reconstruct(result);
   return result;
@@ -218,6 +219,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::in_units(
   static_cast<internal::Dirac_evidence&>(result.report) =
       Conformal_geometry_processing::in_units(s, domain().unit());
   static_cast<internal::Dirac_evidence::Seconds&>(result.report.seconds) = s.seconds;
+  result.report.limits = m_limits;
   result.report.seconds.setup = m_stage->seconds;
   result.report.mollification = domain().mollification();
   result.lambda = std::move(s.lambda);

@@ -15,9 +15,9 @@ namespace Conformal_geometry_processing {
 /// which a plain Gram-Schmidt process would normalize. The functions should have similar norms. The
 /// basis is empty if there are no functions or all of them vanish.
 ///
-/// Uses the eigenvectors of the Gram matrix, followed by a Gram-Schmidt process that makes the
-/// basis orthonormal up to rounding. Deterministic. About 8 n k^2 operations, and memory for a copy
-/// of the functions.
+/// Uses the eigenvectors of the Gram matrix, followed by a Cholesky decomposition that makes the
+/// basis orthonormal up to rounding. Deterministic. About 8 n k^2 operations, and memory for two
+/// copies of the functions.
 ///
 /// \param functions n x k, one per column
 /// \param weights n positive numbers

@@ -5,10 +5,11 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/weighted_orthonormalization.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
 #include <string>
@@ -38,21 +39,8 @@ CGP_INLINE void require_weighted_functions(const Eigen::MatrixXd& functions,
 CGP_INLINE Eigen::MatrixXd weighted_gram_matrix(const Eigen::MatrixXd& functions,
                                                 const Eigen::VectorXd& weights)
 {
-  Eigen::MatrixXd gram(functions.cols(), functions.cols());
-  for (Eigen::Index j = 0; j < gram.cols(); ++j) {
-    const Eigen::VectorXd weighted = weights.cwiseProduct(functions.col(j));
-    for (Eigen::Index i = 0; i <= j; ++i) gram(i, j) = gram(j, i) = weighted.dot(functions.col(i));
-  }
-  return gram;
-}
-
-CGP_INLINE void orthonormalize_in_order(Eigen::MatrixXd& basis, const Eigen::VectorXd& weights)
-{
-  for (Eigen::Index j = 0; j < basis.cols(); ++j) {
-    for (Eigen::Index i = 0; i < j; ++i)
-      basis.col(j) -= weights.cwiseProduct(basis.col(i)).dot(basis.col(j)) * basis.col(i);
-    basis.col(j) /= std::sqrt(weights.cwiseProduct(basis.col(j)).dot(basis.col(j)));
-  }
+  const Eigen::MatrixXd weighted = weights.asDiagonal() * functions;
+  return functions.transpose() * weighted;
 }
 
 }  // namespace internal
@@ -63,18 +51,17 @@ CGP_INLINE Eigen::MatrixXd weighted_orthonormalization(const Eigen::MatrixXd& fu
 {
   internal::require_weighted_functions(functions, weights);
   if (functions.cols() == 0) return functions;
-  const auto gram = hermitian_jacobi(internal::weighted_gram_matrix(functions, weights));
-  const Eigen::VectorXd squared = gram.values.reverse();  // decreasing
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(
+      internal::weighted_gram_matrix(functions, weights));
+  const Eigen::VectorXd squared = gram.eigenvalues().reverse();  // decreasing
   const Eigen::Index rank =
       squared[0] > 0 ? (squared.array() > threshold * threshold * squared[0]).count() : 0;
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(functions.rows(), rank);
-  for (Eigen::Index r = 0; r < rank; ++r)
-    for (Eigen::Index j = 0; j < functions.cols(); ++j)
-      basis.col(r) += gram.vectors(j, gram.vectors.cols() - 1 - r) * functions.col(j);
-  for (Eigen::Index r = 0; r < rank; ++r) basis.col(r) /= std::sqrt(squared[r]);
-  // The basis is already orthonormal up to rounding / threshold^2, so that the Gram-Schmidt process
-  // hardly mixes the directions.
-  internal::orthonormalize_in_order(basis, weights);
+  Eigen::MatrixXd basis = functions * (gram.eigenvectors().rowwise().reverse().leftCols(rank) *
+                                       squared.head(rank).cwiseSqrt().cwiseInverse().asDiagonal());
+  // The basis is already orthonormal up to rounding / threshold^2, so that the Cholesky factor of
+  // its Gram matrix, near the identity, makes it so and hardly mixes the directions.
+  const Eigen::MatrixXd rest = internal::weighted_gram_matrix(basis, weights);
+  rest.llt().matrixU().solveInPlace<Eigen::OnTheRight>(basis);
   return basis;
 }
 
@@ -83,18 +70,17 @@ CGP_INLINE Eigen::VectorXd weighted_singular_values(const Eigen::MatrixXd& funct
 {
   internal::require_weighted_functions(functions, weights);
   if (functions.cols() == 0) return {};
-  const auto gram = hermitian_jacobi(internal::weighted_gram_matrix(functions, weights));
-  return gram.values.reverse().cwiseMax(0).cwiseSqrt();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(
+      internal::weighted_gram_matrix(functions, weights), Eigen::EigenvaluesOnly);
+  return gram.eigenvalues().reverse().cwiseMax(0).cwiseSqrt();
 }
 
 CGP_INLINE Eigen::VectorXd project_out(const Eigen::MatrixXd& basis, const Eigen::VectorXd& weights,
                                        Eigen::VectorXd v)
 {
-  Eigen::VectorXd coefficients(basis.cols());
   for (int pass = 0; pass < 2; ++pass) {
-    const Eigen::VectorXd weighted = weights.cwiseProduct(v);
-    for (Eigen::Index j = 0; j < basis.cols(); ++j) coefficients[j] = basis.col(j).dot(weighted);
-    for (Eigen::Index j = 0; j < basis.cols(); ++j) v -= coefficients[j] * basis.col(j);
+    const Eigen::VectorXd coefficients = basis.transpose() * weights.cwiseProduct(v);
+    v -= basis * coefficients;
   }
   return v;
 }
