@@ -154,6 +154,18 @@ TEST(Conformal_class, needs_no_more_steps_than_the_tolerance_asks_for)
   EXPECT_FALSE(Conformal_class(mesh).snap(f, options).converged);
 }
 
+// So far from the origin, coordinates are rounded by 1e-10, nearly 1e-9 of an edge.
+TEST(Conformal_class, is_approached_by_few_factorizations_as_far_as_rounding_allows)
+{
+  const Mesh_view mesh = bumpy_sphere(3);
+  Points f = stretched(mesh, 1.01);
+  f.row(1).array() += 1e6;
+  const auto report = Conformal_class(mesh).snap(f);
+  EXPECT_FALSE(report.converged);
+  EXPECT_LT(report.residual, 2e-9);
+  EXPECT_LE(report.factorizations, 2);
+}
+
 TEST(Conformal_class, is_not_reached_from_a_surface_that_has_collapsed)
 {
   const Mesh_view mesh = icosphere(1);

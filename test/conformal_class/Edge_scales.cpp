@@ -46,6 +46,20 @@ TEST(Edge_scales, are_those_of_least_squares)
   EXPECT_LT(gradient.norm(), 1e-12);
 }
 
+TEST(Edge_scales, are_as_exact_as_rounded_coordinates)
+{
+  const Mesh_view mesh = bumpy_sphere(2);
+  const Edge_scales scales(mesh, CGP::vertex_graph(mesh));
+  const Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.size_of_vertices());
+  for (const double distance : {1., 1e3, 1e6}) {
+    const Eigen::Vector3d o = distance * Eigen::Vector3d(1, -2, 3);
+    const Points away = mesh.positions().colwise() + o, back = away.colwise() - o;
+    const double change = (scales.residuals(back, u)).lpNorm<Eigen::Infinity>();
+    EXPECT_LT(change, scales.rounding(away));
+    EXPECT_GT(change, .02 * scales.rounding(away));
+  }
+}
+
 TEST(Edge_scales, of_a_surface_without_extent_do_not_exist)
 {
   const Mesh_view mesh = icosphere(1);

@@ -56,7 +56,9 @@ class Conformal_class {
   /// `Snap_equations`; a step that does not lower the residuals is halved.
   ///
   /// A factor is used as long as the residuals fall by four fifths in each step; near the class
-  /// that is to the end. Commutes with motions and scalings of f. Each factorization costs about
+  /// that is to the end. Where rounding of the positions alone makes residuals as large as these,
+  /// no other is made: edges may be shorter than the surface by so much that the class cannot be
+  /// reached any better. Commutes with motions and scalings of f. Each factorization costs about
   /// twice that of the complex Dirac matrix.
   /// \param f 3 x |V|; unchanged where the residual is within the tolerance from the start. Without
   /// convergence, the nearest surface found

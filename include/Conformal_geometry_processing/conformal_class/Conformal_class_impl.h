@@ -60,25 +60,20 @@ CGP_INLINE internal::Snap_report internal::Conformal_class::snap(Points& f,
 {
   const double fast = .2;       // a step with an old factor has to gain so much
   const double is_near = 1e-6;  // a new factor that gains less there is damped too much
-  const int patience = 8;       // near the class; rounding does not allow more
   const double damping = m_equations.damping();
   State state{f, m_scales.nearest_scales(f), {}};
   state.residuals = residuals(f, state.u);
   Snap_report report;
   report.initial_residual = report.residual = state.residuals.lpNorm<Eigen::Infinity>();
   bool has_factor = options.keep_factor && m_equations.resume();
-  int idle = 0;  // iterations since the residual was halved
-  double halved = report.residual;
-  while (report.residual > options.tolerance && report.iterations < options.max_iterations &&
-         idle < patience) {
+  while (report.residual > options.tolerance && report.iterations < options.max_iterations) {
     const bool is_new = !has_factor;
+    if (is_new && report.residual < is_near && report.residual < m_scales.rounding(state.f)) break;
     if (is_new) m_equations.factorize(state.f), ++report.factorizations;
     ++report.iterations;
     has_factor = is_new ? advance(state, 1, 8) : advance(state, fast, 0);
     if (is_new && !has_factor && !m_equations.damp()) break;
     const double before = std::exchange(report.residual, state.residuals.lpNorm<Eigen::Infinity>());
-    idle = report.residual < is_near && report.residual > halved / 2 ? idle + 1 : 0;
-    if (idle == 0) halved = report.residual;
     if (is_new && report.residual < is_near && report.residual > fast * before)
       m_equations.undamp(), has_factor = false;
   }

@@ -32,6 +32,10 @@ class Edge_scales {
   /// edge has no length.
   Eigen::VectorXd residuals(const Points& f, const Eigen::VectorXd& u) const;
 
+  /// \brief How exactly positions in double precision can hold the residuals: the largest change of
+  /// log |f_j - f_i| when coordinates of the ends are rounded.
+  double rounding(const Points& f) const;
+
   /// \brief The u of least squares of the residuals.
   ///
   /// Its normal equations, the signless Laplacian, are well conditioned on every mesh with

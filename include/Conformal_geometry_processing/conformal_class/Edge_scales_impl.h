@@ -11,8 +11,10 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -40,6 +42,15 @@ CGP_INLINE Eigen::VectorXd internal::Edge_scales::residuals(const Points& f,
     c[k] = std::log((f.col(j) - f.col(i)).norm()) - m_log_lengths[k] - (u[i] + u[j]) / 2;
   }
   return c;
+}
+
+CGP_INLINE double internal::Edge_scales::rounding(const Points& f) const
+{
+  const Eigen::VectorXd size = f.cwiseAbs().colwise().maxCoeff();
+  double largest = 0;  // of coordinates, by the length of their edge
+  for (const auto& [i, j] : m_ends)
+    largest = (std::max)(largest, (std::max)(size[i], size[j]) / (f.col(j) - f.col(i)).norm());
+  return largest * std::numeric_limits<double>::epsilon();
 }
 
 CGP_INLINE Eigen::VectorXd internal::Edge_scales::nearest_scales(const Points& f) const
