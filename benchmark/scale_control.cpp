@@ -25,10 +25,12 @@ using namespace cgp_benchmark;
 using Rho = CGP::Curvature_potential;
 
 CGP::Spin_report transformed(const CGP::Mesh_view& mesh, const Rho& rho,
-                             std::optional<double> bound)
+                             std::optional<double> bound,
+                             std::optional<double> mollification = std::nullopt)
 {
   CGP::Spin_transformation_options options;
   options.scales.bound = bound;
+  options.mollification = mollification;
   CGP::Spin_transformation<> transformation(mesh, options);
   CGP::Spin_result result = transformation.transform(rho);
   if (!bound)
@@ -106,9 +108,12 @@ void survey(const std::string& path)
           .add("potential", potential.name)
           .add("amplitude", amplitude);
       add(transformed(mesh, rho, std::nullopt), "plain_", record);
-      const CGP::Spin_report report = transformed(mesh, rho, bound);
+      CGP::Spin_report report = transformed(mesh, rho, bound);
+      const bool is_retried = !report;
+      if (is_retried) report = transformed(mesh, rho, bound, 1e-6);
       add(report, "", record);
-      record.add("weight", report.scales.weight)
+      record.add("mollified", is_retried ? 1 : 0)
+          .add("weight", report.scales.weight)
           .add("kept_norm", report.scales.kept_norm)
           .add("kept_correlation", report.scales.kept_correlation)
           .add("closure", report.closure_residual)

@@ -143,7 +143,8 @@ Spin_transformation_options spin_transformation_options(const Graph_view<Triangl
 ///     \cgalParamDescription{b > 1: lengths are multiplied by factors in [1/b, b] on 98 % of the
 ///                           area, at unchanged total area; where rho would do more, the nearest
 ///                           rho that does not is applied. `Spin_report::scales` tells what was
-///                           kept. A factor of 1.5 to 3 keeps limbs recognisable}
+///                           kept. A factor of 1.5 to 3 keeps limbs recognisable. Less of rho is
+///                           applied, too, where the map would be beyond `limits`}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{none: rho is applied as it is}
 ///   \cgalParamNEnd

@@ -145,8 +145,9 @@ def spin_transform(V: Any, F: Any, rho: Any, *, on: Optional[str] = None,
         what rho belongs to, where its length does not tell
     max_scale : float > 1, optional
         b: lengths are multiplied by factors in [1/b, b] on 98 % of the area; where rho would do
-        more, the nearest rho that does not is applied (``report.scales`` tells what was kept). 1.5
-        to 3 keep limbs recognisable. By default rho is applied as it is.
+        more, the nearest rho that does not is applied (``report.scales`` tells what was kept), and
+        less of it where the map would be beyond ``limits``. 1.5 to 3 keep limbs recognisable. By
+        default rho is applied as it is.
     vertex_scale, vertex_scale_weight : (n,) arrays, optional
         with max_scale: wanted factors of lengths, to which the bound is relative, and how much the
         size matters there; 0 where lengths may change freely
