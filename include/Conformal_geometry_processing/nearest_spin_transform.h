@@ -98,7 +98,7 @@ Points read_points(const TriangleMesh& mesh, PointMap points, const NamedParamet
 ///                           positions come nearer by wrinkles, where the target is far from
 ///                           conformal}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{0.25}
+///     \cgalParamDefault{1}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{distance_tolerance}
 ///     \cgalParamDescription{the search ends at this distance, relative to the diagonal of the

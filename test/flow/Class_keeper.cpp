@@ -60,8 +60,8 @@ TEST(Class_keeper, gives_up_where_nothing_is_better)
   EXPECT_EQ(trials, 3);
 }
 
-// Trials that are refused take as long as others: the same one is not made twice in a row, and where
-// nothing is better, fewer and fewer steps look for it.
+// Trials that are refused take as long as others: the same one is not made twice in a row, and
+// where nothing is better, fewer and fewer steps look for it.
 TEST(Class_keeper, tries_the_weakest_smoothing_once)
 {
   const Mesh_view mesh = bumpy_sphere(2);

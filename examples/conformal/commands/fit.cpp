@@ -45,7 +45,7 @@ struct Fit_options {
   Spin_options spin;  ///< what this command has in common with that; input is the source
   std::string target;
   bool keep_curvature = false;  ///< of the target, whatever the distance
-  double normal_weight = .25;   ///< how much the normals of the target count
+  double normal_weight = 1;     ///< how much the normals of the target count
   double distance_tolerance = Fit_problem().distance_tolerance;
   std::optional<double> scale_bound;
   double blend = 0;   ///< 0 is conformal, 1 nearest to the target

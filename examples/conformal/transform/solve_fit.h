@@ -19,7 +19,7 @@ struct Fit_problem {
   Eigen::Vector3d direction{1, 0, 0};  ///< of the boundary frame, which becomes the target's
   double blend = 0;                    ///< 0 is conformal, 1 nearest to the target
   bool keep_curvature = false;         ///< that of the target, wherever the surface is then
-  double normal_weight = .25;          ///< how much normals count beside positions
+  double normal_weight = 1;            ///< how much normals count beside positions
   double distance_tolerance = CGP::Nearest_spin_options().distance_tolerance;  ///< search's end
   std::optional<double> scale_bound;  ///< on factors of lengths
   double mollification = 0;           ///< if not 0, on the intrinsic Delaunay triangulation

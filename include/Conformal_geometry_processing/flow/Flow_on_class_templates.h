@@ -60,8 +60,12 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::take_s
   const bool is_cancelled = report.stop == Flow_step_report::Stop::cancelled;
   if (report.faired && !report.accepted && !is_cancelled) settle_for_fairing(report);
   if (rests && report.accepted && report.stop == Flow_step_report::Stop::energy_settled) {
-    report.stop = Flow_step_report::Stop::none;  // smoothing might go on
-    m_class->wake();
+    m_class->wake();  // smoothing might go on
+    if (fair(report)) {
+      report.faired = true;
+      report.stop = Flow_step_report::Stop::none;
+      report.energy = m_energy;
+    }
   }
 }
 

@@ -51,7 +51,7 @@ struct Nearest_spin_options {
   internal::Scale_control scales = {};  ///< a bound on the change of lengths
   /// how much the normals count beside the positions, >= 0, see `internal::Target_mismatch`. With
   /// 0, a target that is far from conformal is approached by wrinkles
-  double normal_weight = .25;
+  double normal_weight = 1;
   /// the search ends at this distance, relative to the diagonal, and a hundred times as many
   /// radians between normals: a tenth of a pixel of a picture of 1,000 pixels. What is left after
   /// that costs most of the time

@@ -25,7 +25,7 @@ class Nearest_result(Spin_result):
 
 
 def nearest(V: Any, target: Any, F: Any, *, blend: float = 0., keep_curvature: bool = False,
-            normal_weight: float = .25, distance_tolerance: float = 1e-4,
+            normal_weight: float = 1., distance_tolerance: float = 1e-4,
             direction: Any = (1, 0, 0), vertex_scale: Any = None,
             exactness: Optional[str] = "adjoint", max_period_defect: Optional[float] = None,
             mollification: Optional[float] = None, eigenproblem: str = "standard",
