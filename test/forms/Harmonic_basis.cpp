@@ -174,3 +174,10 @@ TEST(Harmonic_basis, refuses_generators_that_are_not_independent)
     EXPECT_NE(std::string(error.what()).find("not linearly independent"), std::string::npos);
   }
 }
+
+TEST(Harmonic_basis, refuses_more_forms_than_there_are_fields)
+{
+  const Mesh_view mesh = tetrahedron();
+  Eigen::MatrixXd forms = random_numbers(6 * 13, 3).reshaped(6, 13);
+  EXPECT_THROW(CGP::internal::orthonormalize_forms(mesh, forms), CGP::Precondition_error);
+}

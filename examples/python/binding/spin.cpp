@@ -41,6 +41,7 @@ class Transformation {
   {
     const Turn turn(m_is_computing, m_function);
     Spins given = spins(lambda, m_function);
+    m_transformation->limits() = {};
     return as_tuple(without_lock([&] { return m_transformation->integrate(std::move(given)); }));
   }
 

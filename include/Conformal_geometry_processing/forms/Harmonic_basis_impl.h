@@ -47,14 +47,19 @@ CGP_INLINE Eigen::MatrixXd weighted_fields(const Surface_ref& surface, const Eig
   return columns;
 }
 
-/// \param R triangular; its diagonal has the norm of each form's component orthogonal to the
-/// preceding forms
-CGP_INLINE void require_independent(const Eigen::MatrixXd& R)
+CGP_INLINE void require_independent(bool are_independent)
+{
+  if (!are_independent)
+    throw Precondition_error("orthonormalize", "the 1-forms are not linearly independent");
+}
+
+/// whether the diagonal, the norm of each form's component orthogonal to the preceding forms, is
+/// far from 0
+CGP_INLINE bool has_full_rank(const Eigen::MatrixXd& R)
 {
   const Eigen::VectorXd pivots = R.diagonal();
   const double least_pivot = 1e-7;  // relative: half of the digits
-  if (!pivots.allFinite() || !(pivots.minCoeff() > least_pivot * pivots.maxCoeff()))
-    throw Precondition_error("orthonormalize", "the 1-forms are not linearly independent");
+  return pivots.allFinite() && pivots.minCoeff() > least_pivot * pivots.maxCoeff();
 }
 
 /// the upper triangular factor, with a positive diagonal, of the forms' QR decomposition
@@ -72,8 +77,9 @@ CGP_INLINE Eigen::MatrixXd triangular_factor(const Surface_ref& surface,
 CGP_INLINE void orthonormalize_forms(const Surface_ref& surface, Eigen::MatrixXd& forms)
 {
   if (forms.cols() == 0) return;
+  require_independent(forms.cols() <= 3 * surface.size_of_sheets());
   const Eigen::MatrixXd R = triangular_factor(surface, forms);
-  require_independent(R);
+  require_independent(has_full_rank(R));
   R.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(forms);
   // The Gram matrix is the identity but for rounding errors, which its Cholesky factor removes.
   const Eigen::MatrixXd V = weighted_fields(surface, forms), gram = V.transpose() * V;

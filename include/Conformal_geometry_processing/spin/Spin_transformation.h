@@ -195,9 +195,9 @@ class Spin_transformation {
   Spin_result transform_exactly(const Curvature_potential& rho, const Dirac_options& options,
                                 const internal::Go_further& go_further);
 
-  /// \brief the transformation by the rho' nearest to rho that keeps to the bound on lengths, or,
-  /// where its edges or handles stay open or the mesh is too coarse for the map to be conformal, to
-  /// a half, a quarter, an eighth of rho.
+  /// \brief the transformation by the rho' nearest to rho that keeps to the bound on lengths; or to
+  /// a half, a quarter, an eighth of rho where its edges or handles stay open or the mesh is too
+  /// coarse for the map to be conformal, and then to more of it, found by bisection.
   /// \param share of rho to begin with
   /// \pre no positions are prescribed
   Spin_result bound_scales(const Curvature_potential& rho, double share,

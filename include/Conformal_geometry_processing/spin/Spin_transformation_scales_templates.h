@@ -96,21 +96,39 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
       [&](const internal::Dirac_solution& found) {
         return surface_of(found, closing, options.tolerance).report.period_limit;
       });
+  const auto attempt = [&](double t) {
+    Spin_result found = surface_of(search.run(t, options, m_visits.guarded(go_further)), closing,
+                                   options.tolerance);
+    if (!found.report.cancelled) found.report.scales = search.scales();
+    return found;
+  };
   using Fault = Spin_report::Fault;
   const auto is_too_much = [](Fault f) {
     return f == Fault::open || f == Fault::scales || f == Fault::map;
   };
-  const double least_share = 1. / 8;
-  Spin_result best;
-  for (; share >= least_share && (best.lambda.size() == 0 || is_too_much(best.report.fault()));
-       share /= 2) {
-    Spin_result next = surface_of(search.run(share, options, m_visits.guarded(go_further)), closing,
-                                  options.tolerance);
-    if (!next.report.cancelled) next.report.scales = search.scales();
-    // Of maps that are not conformal, that of most of rho tells most.
-    if (best.report.fault() != Fault::map || next.report || next.report.cancelled)
-      std::swap(best, next);
+  Spin_result best = attempt(share);
+  const auto take = [&](Spin_result next, bool is_better) {
+    if (is_better || next.report.cancelled) std::swap(best, next);
     internal::add_costs(best.report, next.report);
+  };
+  const double least_share = 1. / 8;
+  double too_coarse = share < 1 ? 1 : 0;  // a share with which the map is not conformal
+  while (share > least_share && is_too_much(best.report.fault())) {
+    const bool is_map = best.report.fault() == Fault::map;
+    too_coarse = is_map ? share : 0;
+    share /= 2;
+    Spin_result next = attempt(share);
+    // Of maps that are not conformal, that of most of rho tells most.
+    const bool is_better = !is_map || next.report;
+    take(std::move(next), is_better);
+  }
+  // A little more of rho shall not mean that half of it is applied.
+  for (int i = 0; i < 2 && too_coarse > 0 && best.report; ++i) {
+    const double middle = (share + too_coarse) / 2;
+    Spin_result next = attempt(middle);
+    const bool is_better(next.report);
+    (is_better ? share : too_coarse) = middle;
+    take(std::move(next), is_better);
   }
   return best;
 }
