@@ -22,6 +22,7 @@ using CGP::Curvature_potential;
 using CGP::internal::Branch_point;
 using CGP::internal::Dirac_gram;
 using CGP::internal::follow_branch;
+using CGP::internal::follow_settled_branch;
 
 /// the columns divided by their lengths in the norm of the vertex areas
 Quaternion_matrix unit_columns(const Eigen::VectorXd& areas, Quaternion_matrix V)
@@ -213,4 +214,59 @@ TEST_F(Two_branches_that_cross, have_the_least_gap_where_they_cross)
   EXPECT_NEAR(before.least_gap, 1, .1);
   EXPECT_LT(after.least_gap, .4);  // the error of the normal, which is no eigenvector exactly
   EXPECT_NEAR(after.gap, 2, .1);
+}
+
+TEST_F(Two_branches_that_cross, are_settled_without_a_vector_that_they_do_not_need)
+{
+  const Dirac_gram gram(both, rho(), vectors());
+  Branch_point at_one, at_normal;
+  at_one.c = unit_vector(0);
+  at_normal.c = unit_vector(1);
+  at_normal.gamma = gram.quotient(0, at_normal.c);
+  const Branch_point a = follow_settled_branch(gram, at_one, 1),
+                     b = follow_settled_branch(gram, at_normal, 1);
+  EXPECT_EQ(a.t, 1);
+  EXPECT_TRUE(a.is_settled);
+  EXPECT_NEAR(a.gamma, 0, 1e-12);
+  EXPECT_NEAR(a.misfit, 0, 1e-12);
+  EXPECT_EQ(b.t, 0) << "its vector is the last";
+}
+
+TEST_F(Two_branches_that_cross, are_described_without_the_last_vector)
+{
+  const Dirac_gram gram(both, rho(), vectors()), one(both, rho(), vectors().leftCols(1));
+  EXPECT_EQ(gram.without_last().size_of_vectors(), 1);
+  for (const double t : {0., .7}) {
+    const auto expected = one.energy(t, .3)(0, 0), found = gram.without_last().energy(t, .3)(0, 0);
+    EXPECT_NEAR(norm(found - expected), 0, 1e-14);
+  }
+}
+
+// In the span of 1 and the normals, 1 has the misfit of rho, which grows with t.
+TEST(Follow_settled_branch, stops_where_the_misfit_is_more_than_half_of_the_gap)
+{
+  const double step = 1. / 8;
+  const Mesh_view mesh = bumpy_sphere(2);
+  Quaternion_matrix V(mesh.size_of_vertices(), 2);
+  for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+    const Eigen::Vector3d p = mesh.position(v);
+    V(v, 0) = {1, 0, 0, 0};
+    V(v, 1) = {0, p.x(), p.y(), p.z()};
+  }
+  Branch_point one;
+  one.c = unit_vector(0);
+  double last = 2;
+  for (const double amplitude : {1., 4., 8.}) {
+    const Dirac_gram gram(mesh, harmonics(mesh, amplitude),
+                          unit_columns(CGP::vertex_areas(mesh), V));
+    const Branch_point p = follow_settled_branch(gram, one, 1);
+    EXPECT_LE(p.misfit, p.gap / 2) << amplitude;
+    EXPECT_LT(p.t, last) << "stronger rho is followed less far";
+    last = p.t;
+    if (p.t == 1) continue;
+    const Branch_point beyond = follow_branch(gram, p, p.t + step, .97);
+    EXPECT_TRUE(beyond.t < p.t + step || beyond.misfit > beyond.gap / 2 ||
+                overlap(beyond.c, one.c) < .98)
+        << amplitude;
+  }
 }

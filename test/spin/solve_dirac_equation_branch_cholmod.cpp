@@ -40,7 +40,6 @@ TEST_F(Branch_on_icosphere_4, of_strong_potentials_is_found_in_few_stages)
 {
   for (const Curvature_potential& rho : {smooth_potential(sphere, 3), bumps_potential(sphere, 4)}) {
     const CGP::internal::Dirac_solution s = expect_branch(rho);
-    EXPECT_GT(s.substeps, 1);
     EXPECT_LE(s.substeps, 4);
   }
 }

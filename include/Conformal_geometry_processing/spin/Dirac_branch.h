@@ -9,6 +9,7 @@
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
+#include <Conformal_geometry_processing/spin/Shift_secant.h>
 #include <Conformal_geometry_processing/spin/follow_branch.h>
 
 #include <Eigen/Core>
@@ -28,9 +29,13 @@ namespace internal {
 /// 1. factors X at a point (t, sigma), the pole; first at t = 1, with the mean of rho removed;
 /// 2. extends the span of 1 by images under X^-1 H, which resemble (D - rho)^-1 on smooth vectors,
 ///    so that few of them suffice for the eigenvectors near the pole;
-/// 3. follows the branch within the span as far as the span can be trusted (`follow_branch()`);
+/// 3. follows the branch within the span as far as the span can be trusted: as far as the vector
+///    turns little (`follow_branch()`), or the span is found to contain it
+///    (`follow_settled_branch()`);
 /// 4. refines the vector there. Normally t is 1 and the factor of the first stage still serves as
-///    preconditioner; if not, that point is the next pole.
+///    preconditioner; if not, that point is the next pole;
+/// 5. compares the eigenpair with the one that was predicted. If it is another, the span is not
+///    trusted that far again.
 ///
 /// The result is stationary for vector and shift together: lambda is the smallest eigenvector of
 /// the energy X of rho + gamma, with gamma its own quotient. Therefore rho and rho + c have the
@@ -82,6 +87,13 @@ class Dirac_branch {
   bool turns_off(const Branch_point& from, const Quaternion_vector<double>& before,
                  const Branch_point& to) const;
 
+  /// \brief whether the present vector and its eigenvalue are those that the span predicted.
+  ///
+  /// Where the span contains the branch, it predicts eigenvalues up to the square of its error.
+  /// \param before vector at `from`
+  bool is_as_predicted(const Branch_point& from, const Quaternion_vector<double>& before,
+                       const Branch_point& predicted, const Branch_point& to) const;
+
   /// adds a vector to the span, unless it is in it
   bool add(Quaternion_vector<double> v);
 
@@ -100,8 +112,8 @@ class Dirac_branch {
   /// eigenvalue.
   ///
   /// The shift has to be the quotient of its own eigenvector. It follows the quotient of the
-  /// iterates (`follow_quotient()`), which gains three digits a move on fine meshes; where that is
-  /// slow, the secant method finds it.
+  /// iterates (`follow_quotient()`) by the secant method, which goes on from one eigenvector to the
+  /// next where the iterates do not suffice.
   void refine(Branch_point& p, double tolerance);
 
   /// the eigenvalue of lambda less the shift of X, at.gamma
@@ -126,11 +138,11 @@ class Dirac_branch {
   /// the smallest eigenvector of X, which is assembled, from s.lambda
   void smallest(Branch_point& at, double tolerance);
 
-  /// \brief moves the shift to the quotient of an iterate and assembles X there; returns whether it
-  /// has.
+  /// \brief moves the shift towards the quotient of an iterate and assembles X there; returns
+  /// whether it has.
   ///
-  /// Ends when a change is more than half of the one before: on coarse meshes the quotient runs
-  /// ahead of the shift, and a matrix that keeps moving would only delay the eigenvector.
+  /// Ends when a change is not smaller than the one before: a matrix that keeps moving would only
+  /// delay the eigenvector.
   bool follow_quotient(Branch_point& at, double tolerance, const Eigensolver_progress& iterate);
 
   void conclude(const Branch_point& p);
@@ -144,7 +156,9 @@ class Dirac_branch {
   Vectors m_span;     // orthonormal with respect to the vertex areas
   Dirac_gram m_gram;  // of the span, without the vectors added since the last prediction
   Branch_point m_pole;
-  double m_last_change = 0;  // of the quotient, when the shift followed it; 0: it does not any more
+  Shift_secant m_secant;
+  bool m_follows_quotient = false;
+  bool m_may_settle = true;  // no stage that relied on it has been rejected
 };
 
 }  // namespace internal

@@ -7,9 +7,9 @@
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/spin/Dirac_branch.h>
+#include <Conformal_geometry_processing/spin/Dirac_branch_refinement_templates.h>
 #include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
 #include <Conformal_geometry_processing/spin/follow_branch.h>
 
@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -51,13 +50,18 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::solve()
     next = predict(at, end);
     if (!is_near_pole(next)) place_pole(next.t, next.gamma);
     const Quaternion_vector<double> before = m_s.lambda;
-    const Quaternion_vector<double> predicted = combination(m_span, Vectors(next.c)).col(0);
-    m_s.lambda = predicted;
+    const Branch_point predicted = next;
+    m_s.lambda = combination(m_span, Vectors(next.c)).col(0);
     refine(next, next.t < 1 ? 1e-3 : m_options.tolerance);
     if (m_s.cancelled || (!m_s.converged && m_s.iterations >= m_options.max_iterations)) break;
-    if (m_system.overlap(m_s.lambda, predicted) < same_vector || turns_off(at, before, next)) {
-      end = (at.t + next.t) / 2;
+    if (!is_as_predicted(at, before, predicted, next)) {
       m_s.lambda = before;
+      if (predicted.is_settled) {  // a stage that is tried again with less trust does not count
+        m_may_settle = false;
+        --m_s.substeps;
+      } else {
+        end = (at.t + next.t) / 2;
+      }
       continue;
     }
     at = next;
@@ -128,6 +132,19 @@ bool Dirac_branch<SolverTraits, EigensolverTraits>::turns_off(
 }
 
 template <class SolverTraits, class EigensolverTraits>
+bool Dirac_branch<SolverTraits, EigensolverTraits>::is_as_predicted(
+    const Branch_point& from, const Quaternion_vector<double>& before,
+    const Branch_point& predicted, const Branch_point& to) const
+{
+  const Quaternion_vector<double> expected = combination(m_span, Vectors(predicted.c)).col(0);
+  if (m_system.overlap(m_s.lambda, expected) < same_vector) return false;
+  const double greatest_error = 0.2;
+  return predicted.is_settled
+             ? std::abs(to.gamma - predicted.gamma) <= greatest_error * to.least_gap
+             : !turns_off(from, before, to);
+}
+
+template <class SolverTraits, class EigensolverTraits>
 bool Dirac_branch<SolverTraits, EigensolverTraits>::add(Quaternion_vector<double> v)
 {
   const double length = std::sqrt(m_system.squared_norm(v)), rounding = 1e-12;
@@ -181,87 +198,15 @@ Branch_point Dirac_branch<SolverTraits, EigensolverTraits>::predict(Branch_point
     first.c = gram_matrix(m_span, block_operator(m_system.areas())(Vectors(m_s.lambda))).col(0);
     components(first.c) /= components(first.c).norm();
     p = follow_branch(m_gram, first, end, least_overlap);
+    if (p.t < end && m_may_settle) {
+      const Branch_point settled = follow_settled_branch(m_gram, first, end);
+      if (settled.t > p.t) p = settled;
+    }
     m_s.seconds.eigenvectors += watch.lap();
     if (p.t == end) return p;
   }
   if (p.t == first.t) p.t = (std::min)(end, first.t + step);
   return p;
-}
-
-template <class SolverTraits, class EigensolverTraits>
-void Dirac_branch<SolverTraits, EigensolverTraits>::refine(Branch_point& p, double tolerance)
-{
-  const int max_passes = 12;
-  const double slowest = -0.05;
-  Branch_point at = p;  // gamma is the shift of X
-  double last_sigma = 0, last_change = 0;
-  m_last_change = std::numeric_limits<double>::infinity();
-  for (int pass = 0; pass < max_passes; ++pass) {
-    m_system.assemble(potential(at.t, at.gamma), m_s.seconds);
-    iterate(at, tolerance);
-    const double sigma = at.gamma, change = quotient_change(at, m_s.lambda);
-    p.gamma = sigma + change;
-    m_s.converged = m_s.residual <= tolerance && std::abs(change) <= stationary(tolerance);
-    if (m_s.converged || m_s.cancelled || m_s.iterations >= m_options.max_iterations) return;
-    const bool has_moved = pass > 0 && sigma != last_sigma;
-    if (pass > 1 && !has_moved) return;  // rounding errors keep the residual above the tolerance
-    const double slope = has_moved ? (change - last_change) / (sigma - last_sigma) : -1;
-    last_sigma = sigma;
-    last_change = change;
-    move(at, -change / (std::min)(slope, slowest));
-  }
-}
-
-template <class SolverTraits, class EigensolverTraits>
-void Dirac_branch<SolverTraits, EigensolverTraits>::iterate(Branch_point& at, double tolerance)
-{
-  smallest(at, tolerance);
-  const bool is_pole = m_pole.t == at.t && m_pole.gamma == at.gamma;
-  if (m_s.residual <= tolerance || m_s.cancelled || is_pole) return;
-  place_pole(at.t, at.gamma);
-  smallest(at, tolerance);
-}
-
-template <class SolverTraits, class EigensolverTraits>
-bool Dirac_branch<SolverTraits, EigensolverTraits>::follow_quotient(
-    Branch_point& at, double tolerance, const Eigensolver_progress& iterate)
-{
-  const double settled = 1e-2;  // before, the iterate may not be on the branch yet
-  if (iterate.estimate > settled || m_last_change == 0) return false;
-  const double change = quotient_change(at, iterate.vectors->col(0)), size = std::abs(change);
-  if (size <= stationary(tolerance)) return false;
-  const bool is_halved = size <= m_last_change / 2;
-  m_last_change = is_halved ? size : 0;
-  if (!is_halved) return false;
-  move(at, change);
-  m_system.assemble(potential(at.t, at.gamma), m_s.seconds);
-  return true;
-}
-
-template <class SolverTraits, class EigensolverTraits>
-void Dirac_branch<SolverTraits, EigensolverTraits>::smallest(Branch_point& at, double tolerance)
-{
-  Stopwatch watch;
-  const double assembly = m_s.seconds.assembly;
-  Eigensolver_options options;
-  options.tolerance = tolerance;
-  options.max_iterations = (std::max)(m_options.max_iterations - m_s.iterations, 0);
-  options.scale = std::sqrt(m_system.unit());
-  options.adapt = [&](const auto& iterate) { return follow_quotient(at, tolerance, iterate); };
-  const auto go_further = [this, done = m_s.iterations](Eigensolver_progress p) {
-    p.iteration += done;
-    return m_go_further(p);
-  };
-  const Eigensolver_result r =
-      EigensolverTraits()(m_system.matrix(), m_system.areas(), m_system.solver(),
-                          Vectors(m_s.lambda), options, go_further);
-  m_s.lambda = r.vectors.col(0);
-  m_s.energy = r.values[0];
-  m_s.residual = r.estimates[0];
-  m_s.iterations += r.iterations;
-  m_s.solves += r.solves;
-  m_s.cancelled = r.cancelled;
-  m_s.seconds.eigenvectors += watch.lap() - (m_s.seconds.assembly - assembly);
 }
 
 template <class SolverTraits, class EigensolverTraits>

@@ -41,6 +41,9 @@ class Dirac_gram {
   /// keeps the first vector and the last `count` others
   void forget_all_but(Eigen::Index count);
 
+  /// the forms on the span without its last vector
+  Dirac_gram without_last() const;
+
   Eigen::Index size_of_vectors() const { return m_products.cols() / images; }
 
   /// V^H X V for the energy X of t rho + sigma, k x k: Hermitian, positive semidefinite
@@ -65,9 +68,11 @@ struct Branch_point {
   double t = 0;
   double gamma = 0;             ///< the eigenvalue, in 1/length
   Quaternion_vector<double> c;  ///< coefficients of the eigenvector, of norm one
+  double misfit = 0;            ///< |(D - t rho - gamma) V c|, in 1/length
   /// distance of gamma to the next eigenvalue in the span, and the least on the way to this point
   double gap = std::numeric_limits<double>::infinity();
   double least_gap = std::numeric_limits<double>::infinity();
+  bool is_settled = false;  ///< found by `follow_settled_branch()`
 };
 
 /// \ingroup PkgSpin
@@ -84,6 +89,17 @@ struct Branch_point {
 /// \pre the vectors of `gram` are orthonormal with respect to the vertex areas
 Branch_point follow_branch(const Dirac_gram& gram, const Branch_point& first, double end,
                            double least_overlap);
+
+/// \ingroup PkgSpin
+/// \brief follows a branch from a point to `end`, or as far as the span is found to contain it,
+/// however much its vector turns on the way.
+///
+/// Three conditions hold after every eighth of the way from t = 0 to 1:
+/// 1. The span without its last vector leads to the same vector: the approximation has settled.
+/// 2. The vector has turned little since the eighth before: no other branch comes near, with which
+///    errors of the span would mix it.
+/// 3. Its misfit is at most half of the gap, which bounds the sine of its error.
+Branch_point follow_settled_branch(const Dirac_gram& gram, const Branch_point& first, double end);
 
 }  // namespace internal
 

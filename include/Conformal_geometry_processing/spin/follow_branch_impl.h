@@ -82,6 +82,14 @@ CGP_INLINE void Dirac_gram::forget_all_but(Eigen::Index count)
   m_products = std::move(products);
 }
 
+CGP_INLINE Dirac_gram Dirac_gram::without_last() const
+{
+  const Eigen::Index kept = m_products.cols() - images;
+  Dirac_gram rest;
+  rest.m_products = m_products.topLeftCorner(kept, kept);
+  return rest;
+}
+
 CGP_INLINE Block<Quaternion<double>> Dirac_gram::energy(double t, double sigma) const
 {
   const Eigen::Index k = size_of_vectors();
@@ -122,8 +130,9 @@ CGP_INLINE double overlap_of(const Quaternion_vector<double>& a, const Quaternio
 /// the point at t on the branch of `from`
 CGP_INLINE Branch_point continued(const Dirac_gram& gram, const Branch_point& from, double t)
 {
-  Branch_point to{t, from.gamma + gram.quotient(t, from.c) - gram.quotient(from.t, from.c), from.c,
-                  from.gap, from.least_gap};
+  Branch_point to = from;
+  to.t = t;
+  to.gamma += gram.quotient(t, from.c) - gram.quotient(from.t, from.c);
   for (int k = 0; k < 4; ++k) {
     const auto ritz = hermitian_jacobi(gram.energy(t, to.gamma));
     Eigen::Index own = 0;
@@ -133,6 +142,7 @@ CGP_INLINE Branch_point continued(const Dirac_gram& gram, const Branch_point& fr
     to.c = ritz.vectors.col(own);
     const double before = to.gamma;
     to.gamma = gram.quotient(t, to.c);
+    to.misfit = std::sqrt((std::max)(ritz.values[own], 0.));
     if (ritz.values.size() == 1) return to;
     to.gap = std::sqrt((std::max)(ritz.values[own == 0 ? 1 : 0], 0.));
     if (std::abs(to.gamma - before) <= 1e-3 * to.gap) break;
@@ -157,6 +167,34 @@ CGP_INLINE Branch_point follow_branch(const Dirac_gram& gram, const Branch_point
     if (turn < same_branch || all < least_overlap) return at;
     at = next;
     step = (std::min)(2 * step, longest);
+  }
+  return at;
+}
+
+/// the point in the span without the last vector
+CGP_INLINE Branch_point without_last(Branch_point p)
+{
+  p.c = p.c.head(p.c.size() - 1).eval();
+  components(p.c) /= components(p.c).norm();
+  return p;
+}
+
+CGP_INLINE Branch_point follow_settled_branch(const Dirac_gram& gram, const Branch_point& first,
+                                              double end)
+{
+  const double step = 1. / 8, little = 0.97, same = 0.98;
+  const Dirac_gram smaller_gram = gram.without_last();
+  Branch_point at = first, in_smaller = without_last(first);
+  at.is_settled = true;
+  while (at.t < end) {
+    const double t = (std::min)(end, at.t + step);
+    const Branch_point next = follow_branch(gram, at, t, little);
+    in_smaller = follow_branch(smaller_gram, in_smaller, t, little);
+    const auto shared = next.c.head(in_smaller.c.size());
+    const bool has_settled =
+        next.t == t && in_smaller.t == t && norm(inner_product(in_smaller.c, shared)) >= same;
+    if (!has_settled || next.misfit > next.gap / 2) return at;
+    at = next;
   }
   return at;
 }
