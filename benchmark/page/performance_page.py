@@ -50,7 +50,8 @@ double*:
 ## First transformations
 
 The whole of `Spin_transformation` on a mesh never seen before: checks, pattern, ordering, analysis,
-both factorizations, eigenvector, positions and certificate. *Difference* is the largest distance
+factorizations, eigenvector, positions and certificate. *Factorizations* are those of X, *solves*
+those with their factors, *iterations* those of the eigensolver. *Difference* is the largest distance
 to the positions of *native, double* at tolerance 1e-12, after the best similarity, relative to
 the bounding box. The stages are shares of the total; *setup* has the checks, the ordering, the
 analysis and the factor of the Laplacian.

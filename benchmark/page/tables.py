@@ -36,7 +36,8 @@ def target_table(m):
 
 
 def transform_table(m, mesh):
-    header = ["model", "seconds", "/ P", "bytes/vertex", "iterations", "difference", *STAGES]
+    header = ["model", "seconds", "/ P", "bytes/vertex", "factorizations", "solves", "iterations",
+              "difference", *STAGES]
     rows = []
     for row in m.rows("poisson", mesh=mesh) + m.rows("transform", mesh=mesh):
         if "left_out" in row:
@@ -45,7 +46,8 @@ def transform_table(m, mesh):
         model = "P: " + row["model"] if row["table"] == "poisson" else row["model"]
         stages = [100 * row.get(f"{stage}_share", 0) for stage in STAGES]
         rows.append([model, seconds(row["seconds"]), f"{poisson_ratio(row):.2f}",
-                     f"{bytes_per_vertex(row):.0f}", number(row, "iterations", "{}"),
+                     f"{bytes_per_vertex(row):.0f}",
+                     *(number(row, key, "{}") for key in ("factorizations", "solves", "iterations")),
                      number(row, "difference", "{:.0e}"),
                      *(f"{share:.1f} %" if any(stages) else "" for share in stages)])
     return table(header, rows)

@@ -69,6 +69,7 @@ void measure_transform(const Job& job, const CGP::Mesh_view& mesh, Record& recor
     return std::move(result.positions);
   });
   record.add("iterations", report.iterations).add("substeps", report.substeps);
+  record.add("factorizations", report.factorizations).add("solves", report.solves);
   record.add("converged", report.converged ? 1 : 0);
   add_stages(report, record);
 }
