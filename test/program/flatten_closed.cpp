@@ -1,6 +1,8 @@
 // Tests examples/conformal/transform/cut_open.cpp examples/conformal/transform/cut_graph.cpp
+// examples/conformal/transform/Shortest_paths.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "conformal/transform/Shortest_paths.h"
 #include "conformal/transform/cut_graph.h"
 
 #include "program/bounded_support.h"
@@ -13,6 +15,7 @@
 #include <Conformal_geometry_processing/mesh/topology.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -58,6 +61,47 @@ TEST(Cut_graph, is_a_path_on_a_sphere_and_has_a_handle_more_edges_than_a_tree_on
     if (loops[static_cast<std::size_t>(k)])
       length += torus.vector(*torus.halfedges_begin(k)).norm();
   EXPECT_LT(length, 2 * cgp_test::pi * (1 + 4) * 1.1);
+}
+
+// The definition, one search from all tips for each
+int farthest_from(const std::vector<int>& tips, const Mesh_view& mesh)
+{
+  conformal::Shortest_paths paths(mesh, all_edges(mesh));
+  for (const int v : tips) paths.add_root(v);
+  int farthest = 0;
+  for (int v = 1; v < mesh.size_of_vertices(); ++v)
+    if (paths.distance(v) > paths.distance(farthest)) farthest = v;
+  return farthest;
+}
+
+TEST(Cut_graph, has_tips_as_far_as_possible_from_those_before_and_each_vertex_once)
+{
+  const Mesh_view mesh = cgp_test::bumpy_sphere(2);
+  const auto tips = conformal::find_tips(mesh, 100000, all_edges(mesh));
+  ASSERT_EQ(static_cast<int>(tips.size()), mesh.size_of_vertices());
+  std::vector<int> before;
+  for (const int v : tips) {
+    if (!before.empty()) {
+      ASSERT_EQ(v, farthest_from(before, mesh));
+    }
+    before.push_back(v);
+  }
+  std::sort(before.begin(), before.end());
+  EXPECT_EQ(std::adjacent_find(before.begin(), before.end()), before.end());
+}
+
+// Each new tip shortens the paths of its neighbourhood, which shrinks: n / k vertices for tip k.
+// From all tips anew they would be n^2.
+TEST(Cut_graph, looks_at_about_n_log_n_vertices_for_all_tips)
+{
+  for (const int level : {2, 3, 4}) {
+    const Mesh_view mesh = cgp_test::icosphere(level);
+    conformal::Shortest_paths paths(mesh, all_edges(mesh));
+    paths.add_root(0);
+    for (int k = 1; k < mesh.size_of_vertices(); ++k) paths.add_root(paths.farthest_vertex());
+    const double n = mesh.size_of_vertices();
+    EXPECT_LT(static_cast<double>(paths.size_of_steps()), 2 * n * std::log(n));
+  }
 }
 
 TEST_F(Flatten_closed, is_refused_unless_it_is_cut)

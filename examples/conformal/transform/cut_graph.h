@@ -3,18 +3,16 @@
 #ifndef CONFORMAL_TRANSFORM_CUT_GRAPH_H
 #define CONFORMAL_TRANSFORM_CUT_GRAPH_H
 
+#include "Shortest_paths.h"
+
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <vector>
 
 namespace conformal {
 
-namespace CGP = Conformal_geometry_processing;
-
-/// Which edges of a mesh, by their numbers
-using Edge_set = std::vector<char>;
-
 /// vertices at the tips of a connected mesh: each is as far as possible from those before it
+/// \param count how many, at most all vertices
 /// \param ways the edges along which distances are measured
 std::vector<int> find_tips(const CGP::Mesh_view& mesh, int count, const Edge_set& ways);
 

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "Shortest_paths.h"
+
+#include "conformal/process/at.h"
+
+#include <cmath>
+
+namespace conformal {
+
+double length(const CGP::Mesh_view& mesh, int k)
+{
+  return mesh.vector(*mesh.halfedges_begin(k)).norm();
+}
+
+Shortest_paths::Shortest_paths(const CGP::Mesh_view& mesh, const Edge_set& ways)
+    : m_mesh(mesh),
+      m_edges(at(mesh.size_of_vertices())),
+      m_distance(m_edges.size(), HUGE_VAL),
+      m_first_edge(m_edges.size(), -1)
+{
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
+    if (ways[at(k)])
+      for (const int v : mesh.ends(k)) m_edges[at(v)].push_back(k);
+}
+
+void Shortest_paths::add_root(int root)
+{
+  reach(root, 0, -1);
+  while (!m_nearest.empty()) {
+    const auto [distance, v] = m_nearest.top();
+    m_nearest.pop();
+    if (-distance > m_distance[at(v)]) continue;
+    m_farthest.emplace(-distance, -v);
+    ++m_steps;
+    for (const int k : m_edges[at(v)]) reach(other_end(k, v), length(m_mesh, k) - distance, k);
+  }
+}
+
+double Shortest_paths::distance(int v) const
+{
+  return m_distance[at(v)];
+}
+
+bool Shortest_paths::has(int k) const
+{
+  const auto& ends = m_mesh.ends(k);
+  return m_first_edge[at(ends[0])] == k || m_first_edge[at(ends[1])] == k;
+}
+
+int Shortest_paths::farthest_vertex()
+{
+  const auto is_outdated = [this](const std::pair<double, int>& entry) {
+    return entry.first > m_distance[at(-entry.second)];
+  };
+  while (is_outdated(m_farthest.top())) m_farthest.pop();
+  return -m_farthest.top().second;
+}
+
+void Shortest_paths::add_path(int v, Edge_set& edges) const
+{
+  for (int k = m_first_edge[at(v)]; k >= 0 && !edges[at(k)]; k = m_first_edge[at(v)]) {
+    edges[at(k)] = 1;
+    v = other_end(k, v);
+  }
+}
+
+int Shortest_paths::other_end(int k, int v) const
+{
+  const auto& ends = m_mesh.ends(k);
+  return ends[0] == v ? ends[1] : ends[0];
+}
+
+void Shortest_paths::reach(int v, double distance, int by)
+{
+  if (distance >= m_distance[at(v)]) return;
+  m_distance[at(v)] = distance;
+  m_first_edge[at(v)] = by;
+  m_nearest.emplace(-distance, v);
+}
+
+}  // namespace conformal
