@@ -87,8 +87,12 @@ else()
   message(STATUS "No test of Debian packages; on Debian: apt-get install dpkg-dev")
 endif()
 foreach(way IN LISTS ways)
+  set(compiler ${CMAKE_CXX_COMPILER})
+  if(way STREQUAL "subdirectory" AND CGP_CLANG)
+    set(compiler ${CGP_CLANG})
+  endif()
   add_test(NAME downstream.${way} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_downstream.sh
-           ${way} ${PROJECT_BINARY_DIR} ${CMAKE_CXX_COMPILER} ${CMAKE_GENERATOR})
+           ${way} ${PROJECT_BINARY_DIR} ${compiler} ${CMAKE_GENERATOR})
   # To make packages is to ask whether all is built.
   set_tests_properties(downstream.${way} PROPERTIES TIMEOUT 600 RESOURCE_LOCK build_tree)
 endforeach()

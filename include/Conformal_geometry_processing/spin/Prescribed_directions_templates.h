@@ -76,7 +76,7 @@ void internal::Prescribed_directions<SolverTraits>::update()
     rotors.insert(rotors.end(), section.begin(), section.end());
     first = end;
   }
-  m_basis = {m_surface.size_of_vertices(), m_frames.vertices, planes};
+  m_basis = Reduced_basis<double>(m_surface.size_of_vertices(), m_frames.vertices, planes);
   m_guide = m_basis.project(harmonic_extension(rotors)).col(0);
 }
 

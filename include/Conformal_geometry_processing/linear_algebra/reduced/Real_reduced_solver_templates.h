@@ -16,7 +16,7 @@ Solver_status internal::Real_reduced_solver<RealSolver>::analyze(const Sparse_pa
                                                                  const internal::Ordering& order)
 {
   return internal::guarded([&] {
-    m_rows = {};
+    m_rows = Reduced_rows();
     m_is_factorized = false;
     if (pattern.size() == 0 || rows.size() != pattern.size() ||
         order.size() != pattern.offsets.size() - 1 || inverse_permutation(order).empty())
