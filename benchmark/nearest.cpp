@@ -27,6 +27,14 @@ using namespace cgp_benchmark;
 
 const double angle = std::acos(-1.) / 3;
 
+/// the least distance of a vertex from the middle of the bounding box by the largest: 1 for spheres
+double roundness(const CGP::Points& p)
+{
+  const Eigen::Vector3d middle = (p.rowwise().minCoeff() + p.rowwise().maxCoeff()) / 2;
+  const Eigen::RowVectorXd distances = (p.colwise() - middle).colwise().norm();
+  return distances.minCoeff() / distances.maxCoeff();
+}
+
 /// bends a surface towards its second longest extent, or twists it about its longest one, by 60
 /// degrees from end to end
 CGP::Points moved(const CGP::Mesh_view& mesh, bool is_bend)
@@ -91,6 +99,7 @@ void survey(const std::string& path)
     record.add("mesh", path.substr(path.find_last_of('/') + 1))
         .add("faces", mesh.size_of_faces())
         .add("genus", 1 - chi / 2)
+        .add("roundness", roundness(mesh.positions()))
         .add("motion", is_bend ? "bend" : "twist")
         .add("target_Q", CGP::quasi_conformal_error(mesh, target).mean)
         .add("source_distance", found.source_distance);

@@ -14,13 +14,10 @@
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 
-#include <functional>
 #include <utility>
 
 namespace conformal {
 namespace {
-
-using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
 
 template <class SolverTraits>
 CGP::Spin_result transformed(const CGP::Mesh_view& mesh, const Spin_problem& problem,

@@ -22,6 +22,9 @@ namespace conformal {
 
 namespace CGP = Conformal_geometry_processing;
 
+/// whether to go on, asked after each iteration of the eigensolver
+using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
+
 /// Result of the library: new positions, lambda and the certificate
 struct Spin_solution {
   CGP::Points positions;
@@ -46,7 +49,7 @@ struct Spin_problem {
 /// the options name. This is the one place that compiles it.
 Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
                          const Spin_options& options, const Common_options& common,
-                         const std::function<bool(const CGP::Eigensolver_progress&)>& go_further);
+                         const Go_further& go_further);
 
 }  // namespace conformal
 

@@ -12,8 +12,6 @@
 
 namespace conformal {
 
-using Go_further = std::function<bool(const CGP::Eigensolver_progress&)>;
-
 /// \brief Solves under a line of progress, unless a signal comes.
 /// \param words said before those of progress
 /// \throws Failure if one has come, and what `solve` throws

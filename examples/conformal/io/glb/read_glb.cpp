@@ -49,7 +49,7 @@ class Glb_reader {
     const Json& json = m_content.json();
     if (json.contains("scenes") && !json["scenes"].empty()) {
       for (const Json& node :
-           json["scenes"].at(json.value("scene", 0)).value("nodes", Json::array()))
+           json["scenes"].at(json.value("scene", std::size_t{0})).value("nodes", Json::array()))
         read_node(node.get<std::size_t>(), Eigen::Affine3d::Identity());
     } else if (json.contains("meshes")) {
       for (const Json& mesh : json["meshes"]) read_mesh(mesh, Eigen::Affine3d::Identity());

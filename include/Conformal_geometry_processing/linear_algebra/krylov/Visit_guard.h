@@ -43,7 +43,7 @@ class Visit_guard {
   auto guarded(const GoFurther& go_further)
   {
     return [this, &go_further](const auto& progress) {
-      return during([&] { return go_further(progress); });
+      return this->during([&] { return go_further(progress); });
     };
   }
 
