@@ -154,6 +154,48 @@ TEST(Conformal_class, needs_no_more_steps_than_the_tolerance_asks_for)
   EXPECT_FALSE(Conformal_class(mesh).snap(f, options).converged);
 }
 
+// A factor of a surface that is far away takes as long to be tried as one that serves.
+TEST(Conformal_class, is_reached_without_the_last_factor_from_a_surface_unlike_the_last)
+{
+  const Mesh_view mesh = bumpy_sphere(3);
+  Conformal_class conformal_class(mesh);
+  CGP::internal::Snap_options options;
+  Points first = perturbed(mesh, .01).positions(), f = stretched(mesh, 1.5), g = f;
+  (void)conformal_class.snap(first, options);
+  const auto fresh = conformal_class.snap(f, options);
+  (void)conformal_class.snap(first = perturbed(mesh, .01).positions(), options);
+  options.keep_factor = true;
+  const auto again = conformal_class.snap(g, options);
+  EXPECT_EQ(again.iterations, fresh.iterations);
+  EXPECT_EQ(f, g);
+}
+
+TEST(Conformal_class, is_given_up_after_one_factorization_where_only_near_surfaces_are_wanted)
+{
+  const Mesh_view mesh = bumpy_sphere(3);
+  CGP::internal::Snap_options options;
+  options.only_near = true;
+  const Mesh_view long_one(stretched(mesh, 6), mesh.corners());
+  Points near_by = stretched(mesh, 1.05), far_away = perturbed(long_one, .2).positions();
+  EXPECT_TRUE(Conformal_class(mesh).snap(near_by, options).converged);
+  const auto report = Conformal_class(mesh).snap(far_away, options);
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.factorizations, 1);
+}
+
+TEST(Conformal_class, is_reached_as_well_as_suffices_where_the_tolerance_cannot_be_had)
+{
+  const Mesh_view mesh = bumpy_sphere(3);
+  CGP::internal::Snap_options options;
+  options.tolerance = 0;
+  options.sufficient = 1e-3;
+  Points f = stretched(mesh, 1.1);
+  const auto report = Conformal_class(mesh).snap(f, options);
+  EXPECT_TRUE(report.converged);
+  EXPECT_LT(report.residual, 1e-6);
+  EXPECT_LE(report.iterations, 9);
+}
+
 // So far from the origin, coordinates are rounded by 1e-10, nearly 1e-9 of an edge.
 TEST(Conformal_class, is_approached_by_few_factorizations_as_far_as_rounding_allows)
 {

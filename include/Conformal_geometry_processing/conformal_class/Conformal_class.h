@@ -26,12 +26,17 @@ struct Snap_options {
   /// whether to begin with the factor of the last snap, which suffices near its surface; the result
   /// then depends on the calls before
   bool keep_factor = false;
+  /// a residual that is enough; from there, few iterations more are made towards the tolerance
+  double sufficient = 0;
+  /// whether to give up where the first step with a new factor leaves a large part of the
+  /// residuals: the way is long then, and leads to a surface that has little to do with this one
+  bool only_near = false;
 };
 
 /// \ingroup PkgConformalClass
 /// The numbers that verify a snap
 struct Snap_report {
-  bool converged = false;                     ///< `residual` is within the tolerance
+  bool converged = false;                     ///< `residual` is within the tolerance, or enough
   double initial_residual = 0, residual = 0;  ///< the largest, absolute
   int iterations = 0, factorizations = 0;
 };
@@ -77,6 +82,10 @@ class Conformal_class {
   };
 
   Conformal_class(const Mesh_view& mesh, const std::shared_ptr<const Sparse_pattern>& graph);
+
+  /// \brief Makes a new factor.
+  /// \returns false if that fails and is not needed
+  bool factorize(const Points& f, bool is_needed);
 
   /// \brief Takes a step with the last factor, of which at most `halvings` halves are tried.
   /// \returns whether the norm of the residuals fell below the multiple `factor` of itself; the

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/conformal_class/Conformal_class.h>
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <Eigen/Core>
@@ -55,30 +56,54 @@ CGP_INLINE bool internal::Conformal_class::advance(State& state, double factor, 
   return false;
 }
 
+CGP_INLINE bool internal::Conformal_class::factorize(const Points& f, bool is_needed)
+{
+  try {
+    m_equations.factorize(f);
+    return true;
+  } catch (const Solver_error& error) {
+    if (is_needed || is_out_of_memory(error)) throw;
+    return false;
+  }
+}
+
+// Newton's method has a basin: outside of it, the first step takes little away. The next factor
+// would serve as badly as the first where that has taken little.
 CGP_INLINE internal::Snap_report internal::Conformal_class::snap(Points& f,
                                                                  const Snap_options& options)
 {
-  const double fast = .2;       // a step with an old factor has to gain so much
+  const double fast = .2;      // a step with an old factor leaves at most so much of the residuals,
+  const double good = .15;     // the first with one that is to be used again so much,
+  const double outside = .37;  // and one outside of the basin more than that
   const double is_near = 1e-6;  // a new factor that gains less there is damped too much
+  const int few = 5;
   const double damping = m_equations.damping();
   State state{f, m_scales.nearest_scales(f), {}};
   state.residuals = residuals(f, state.u);
   Snap_report report;
   report.initial_residual = report.residual = state.residuals.lpNorm<Eigen::Infinity>();
-  bool has_factor = options.keep_factor && m_equations.resume();
-  while (report.residual > options.tolerance && report.iterations < options.max_iterations) {
-    const bool is_new = !has_factor;
+  const double enough = (std::max)(options.tolerance, options.sufficient);
+  bool has_factor = options.keep_factor && m_equations.resume(f);
+  for (int left = options.max_iterations; report.residual > options.tolerance && left > 0; --left) {
+    const bool is_new = !has_factor, was_enough = report.residual <= enough;
+    if (was_enough) left = (std::min)(left, few);
     if (is_new && report.residual < is_near && report.residual < m_scales.rounding(state.f)) break;
-    if (is_new) m_equations.factorize(state.f), ++report.factorizations;
+    if (is_new && !factorize(state.f, !was_enough)) break;
+    report.factorizations += is_new;
     ++report.iterations;
+    const double norm = state.residuals.norm();
     has_factor = is_new ? advance(state, 1, 8) : advance(state, fast, 0);
     if (is_new && !has_factor && !m_equations.damp()) break;
     const double before = std::exchange(report.residual, state.residuals.lpNorm<Eigen::Infinity>());
-    if (is_new && report.residual < is_near && report.residual > fast * before)
+    if (!is_new) continue;
+    const double rest = state.residuals.norm() / norm;
+    if (options.only_near && rest > outside && report.residual > enough) break;
+    has_factor = has_factor && rest < good;
+    if (report.residual < is_near && report.residual > fast * before)
       m_equations.undamp(), has_factor = false;
   }
   m_equations.set_damping((std::max)(damping, m_equations.damping()));
-  report.converged = report.residual <= options.tolerance;
+  report.converged = report.residual <= enough;
   f = std::move(state.f);
   return report;
 }

@@ -56,10 +56,11 @@ class Snap_equations {
   /// \throw Solver_error if that fails, or an edge has no length
   void factorize(const Points& f);
 
-  /// \brief Takes up the last factor: computes it again if a state with another one was set.
-  /// \returns whether there is one
+  /// \brief Takes up the last factor if it serves at f: edges have changed since by less than a
+  /// fifth of their lengths, in the mean. Computes it again if a state with another one was set.
+  /// \returns whether there is one that serves
   /// \throw Solver_error if that fails
-  bool resume();
+  bool resume(const Points& f);
 
   const State& state() const { return m_state; }
   void set_state(State state) { m_state = std::move(state); }
@@ -84,6 +85,7 @@ class Snap_equations {
  private:
   using Row = Eigen::Vector4d;  // what an end of an edge has in a row of J: three for f, one for u
 
+  bool serves(const Linearization& at, const Points& f) const;
   Solver_status factorize(const Linearization& at);
   void assemble(const Linearization& at);
   void add_rim_row(const Rim_directions::Row& row);

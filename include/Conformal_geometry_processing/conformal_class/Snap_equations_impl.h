@@ -113,13 +113,25 @@ CGP_INLINE void internal::Snap_equations::factorize(const Points& f)
   m_state.last = m_factorized = std::make_shared<const Linearization>(std::move(at));
 }
 
-CGP_INLINE bool internal::Snap_equations::resume()
+CGP_INLINE bool internal::Snap_equations::resume(const Points& f)
 {
-  if (m_state.last && m_state.last != m_factorized) {
+  if (!m_state.last || !serves(*m_state.last, f)) return false;
+  if (m_state.last != m_factorized) {
     require_snap(factorize(*m_state.last));
     m_factorized = m_state.last;
   }
-  return m_state.last != nullptr;
+  return true;
+}
+
+CGP_INLINE bool internal::Snap_equations::serves(const Linearization& at, const Points& f) const
+{
+  const double largest = .2;  // root mean square
+  double squares = 0;
+  for (const auto& [i, j] : m_ends) {
+    const Eigen::Vector3d before = at.f.col(j) - at.f.col(i), after = f.col(j) - f.col(i);
+    squares += (after - before).squaredNorm() / before.squaredNorm();
+  }
+  return squares < largest * largest * static_cast<double>(m_ends.size());
 }
 
 CGP_INLINE Solver_status internal::Snap_equations::factorize(const Linearization& at)

@@ -81,10 +81,10 @@ class Class_keeper {
   /// sets the directions to be kept at the boundary: those of positions in the frame
   void keep_directions(const Points& f);
   /// a snap that keeps the directions set last
-  bool snap_to_kept(Points& f);
+  bool snap_to_kept(Points& f, bool only_near);
   void take(Points moved, Points& f) const;
-  bool try_smoothing(const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better,
-                     Points& f);
+  bool try_smoothing(const Mesh_view& mesh, bool only_near,
+                     const std::function<bool(const Points&)>& is_better, Points& f);
 
   double m_unit;        // of a frame, so that logarithms of lengths do not depend on the scale
   Mesh_view m_initial;  // in the frame, as the class

@@ -51,20 +51,21 @@ CGP_INLINE void internal::Class_keeper::keep_directions(const Points& f)
 CGP_INLINE bool internal::Class_keeper::snap(Points& f)
 {
   keep_directions(f / m_unit);
-  return snap_to_kept(f);
+  return snap_to_kept(f, true);
 }
 
 // Length cross-ratios sum four residuals. Energies are compared by
 // `Flow_options::energy_tolerance`, 1e-4: what a surface gains within a wide band around the class
 // would be taken for a descent, and the flow would not settle. Where limbs are thin, a few steps
 // more do not lead into the narrow band. The factor of the last snap is kept: late in a flow its
-// steps converge without another one.
-CGP_INLINE bool internal::Class_keeper::snap_to_kept(Points& f)
+// steps converge without another one. Of trials that come to the class from far away, nearly all
+// have more energy then: they are refused before that, if another one follows.
+CGP_INLINE bool internal::Class_keeper::snap_to_kept(Points& f, bool only_near)
 {
   const double wide_band = 1e-3, narrow_band = 1e-5;
   Points moved = f / m_unit;
-  if (!m_class.snap(moved, {wide_band / 4, 12, true}).converged) return false;
-  (void)m_class.snap(moved, {narrow_band / 4, 3, true});
+  const Snap_options options{narrow_band / 4, 17, true, wide_band / 4, only_near};
+  if (!m_class.snap(moved, options).converged) return false;
   take(std::move(moved), f);
   return true;
 }
@@ -89,9 +90,10 @@ CGP_INLINE std::optional<Points> internal::Class_keeper::smoothed(
     const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better)
 {
   const double weakest = 2.5e-3;
+  const int trials = 3;
   Points f;
-  for (int trial = 0; trial < 3; ++trial) {
-    if (try_smoothing(mesh, is_better, f)) {
+  for (int trial = 1; trial <= trials; ++trial) {
+    if (try_smoothing(mesh, trial < trials, is_better, f)) {
       m_smoothing.succeed();
       return f;
     }
@@ -109,14 +111,15 @@ CGP_INLINE void internal::Class_keeper::set_state(const State& state)
 }
 
 CGP_INLINE bool internal::Class_keeper::try_smoothing(
-    const Mesh_view& mesh, const std::function<bool(const Points&)>& is_better, Points& f)
+    const Mesh_view& mesh, bool only_near, const std::function<bool(const Points&)>& is_better,
+    Points& f)
 {
   try {
     Mesh_view present = m_initial;
     present.set_positions(mesh.positions() / m_unit);
     keep_directions(present.positions());
     f = m_unit * m_fairing(present, m_smoothing.strength);
-    return snap_to_kept(f) && is_better(f);
+    return snap_to_kept(f, only_near) && is_better(f);
   } catch (const Solver_error& error) {
     if (is_out_of_memory(error)) throw;
     return false;

@@ -44,7 +44,8 @@ struct Flow_options {
   int max_steps = 100;          ///< of one `run()`
 
   /// whether a step that increases the energy, distorts too much, or does not close up, is repeated
-  /// with half of tau; after a success tau grows by half, up to `time_step`
+  /// with half of tau; after a success tau grows by half, up to `time_step`; where that has failed,
+  /// it waits for more of them
   bool backtracking = true;
   /// mean quasi-conformal error of one step; none: 1.15 on the exact conformal class, which is
   /// reached only from nearby, otherwise 1.5
@@ -68,7 +69,7 @@ struct Flow_options {
 
   /// mean quasi-conformal error of the map from the initial surface up to which surfaces on the
   /// exact class are transformed; beyond it they are smoothed only, which distorts them less
-  double max_spin_distortion = 1.3;
+  double max_spin_distortion = 1.25;
 
   /// what the map from the initial surface must not exceed: the flow stops at the last step within
   /// the limits

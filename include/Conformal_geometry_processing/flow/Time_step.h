@@ -3,8 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FLOW_TIME_STEP_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_TIME_STEP_H
 
-#include <algorithm>
-
 namespace Conformal_geometry_processing {
 
 namespace internal {
@@ -12,8 +10,9 @@ namespace internal {
 /// \ingroup PkgFlow
 /// \brief the time step of a flow with backtracking: shrinks after failures and grows again.
 ///
-/// Growth by a smaller factor than halving undoes prevents a flow
-/// with a limited step from failing in every other trial.
+/// Growth by a smaller factor than halving undoes, and only after successes without it, prevents a
+/// flow with a limited step from failing in every other trial: each time that growth fails, it
+/// waits for twice as many of them.
 class Time_step {
  public:
   /// \param first tried first
@@ -26,10 +25,12 @@ class Time_step {
   bool halve();
 
   /// call after a successful step
-  void grow() { m_value = (std::min)(1.5 * m_value, m_largest); }
+  void grow();
 
  private:
   double m_largest, m_smallest, m_value;
+  int m_waiting = 0, m_next_waiting = 1;  // successes without growth
+  bool m_has_grown = false;               // by the last success
 };
 
 }  // namespace internal
