@@ -40,6 +40,7 @@ std::vector<Row> all_rows()
   add_other_factors(rows);
   add_native_factors(rows);
   add_native_transforms(rows);
+  add_strengths(rows);
   add_multigrid(rows);
   add_other_transforms(rows);
   add_flows(rows);

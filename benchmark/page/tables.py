@@ -53,6 +53,25 @@ def transform_table(m, mesh):
     return table(header, rows)
 
 
+def strength_table(m):
+    """A row a mesh: time / P, factorizations and solves for each amplitude; * refused."""
+    rows = m.measured("strength")
+    amplitudes = sorted({row["amplitude"] for row in rows})
+    header = ["mesh", "faces", *(f"{what}, {a:g}" for a in amplitudes
+                                 for what in ("/ P", "factorizations", "solves"))]
+    lines = []
+    for mesh, faces, _ in m.meshes():
+        found = {row["amplitude"]: row for row in rows if row["mesh"] == mesh}
+        if not found:
+            continue
+        lines.append([mesh, f"{faces:,}"])
+        for a in amplitudes:
+            row = found[a]
+            lines[-1] += [f"{poisson_ratio(row):.1f}" + ("" if row["fault"] == "none" else " *"),
+                          f"{row['factorizations']}", f"{row['solves']}"]
+    return table(header, lines) if lines else "Not measured."
+
+
 def factor_table(m, mesh):
     header = ["model", "ordering", "symbolic", "numeric", "again", "/ scalar", "solve",
               "/ scalar", "bytes/vertex", "residual"]

@@ -99,6 +99,26 @@ def poisson_iterations(m):
             if row["model"].startswith("lagged")]
 
 
+def of_strength(amplitudes, value):
+    """Where an edit of such a strength comes out: what is refused is no answer."""
+    return lambda m: [(f"{row['mesh']}, {row['model']}", value(row))
+                      for row in m.measured("strength")
+                      if row["amplitude"] in amplitudes and row["fault"] == "none"]
+
+
+def mean(values):
+    def mean_of(m):
+        found = [value for _, value in values(m)]
+        return [("", sum(found) / len(found))] if found else []
+    return mean_of
+
+
+def share_with_few_factorizations(m):
+    rows = m.measured("strength")
+    few = [row for row in rows if row["factorizations"] <= 3]
+    return [("", 100 * len(few) / len(rows))] if rows else []
+
+
 def speedup(model):
     return lambda m: [(row["mesh"], row["wall_1"] / row["wall_2"])
                       for row in m.measured("threads", model)]
@@ -139,6 +159,14 @@ TARGETS = [
            of_transform(FLOAT, bytes_per_vertex, 2.2e6), at_most=2000, form="{:.0f}"),
     Target("memory above the mesh, multigrid: bytes per vertex",
            of_transform("multigrid", bytes_per_vertex, 2.2e6), at_most=1000, form="{:.0f}"),
+    Target("scans, amplitude 0.5 and 1: mean of time / P",
+           mean(of_strength((0.5, 1), poisson_ratio)), at_most=3.0),
+    Target("scans, amplitude 0.5 and 1: time / P",
+           of_strength((0.5, 1), poisson_ratio), at_most=4.5),
+    Target("scans, amplitude 2: time / P", of_strength((2,), poisson_ratio), at_most=6),
+    Target("scans, amplitude 4: time / P", of_strength((4,), poisson_ratio), at_most=10),
+    Target("scans, all four amplitudes: percent with at most 3 factorizations",
+           share_with_few_factorizations, at_least=95, form="{:.0f}"),
     Target("later step of a flow, double, factor kept: time / P",
            later_step("lagged, double", poisson_ratio), at_most=1.6),
     Target("later step of a flow, float factor, kept: time / P",

@@ -70,7 +70,7 @@ void measure_transform(const Job& job, const CGP::Mesh_view& mesh, Record& recor
   });
   record.add("iterations", report.iterations).add("substeps", report.substeps);
   record.add("factorizations", report.factorizations).add("solves", report.solves);
-  record.add("converged", report.converged ? 1 : 0);
+  record.add("converged", report.converged ? 1 : 0).add("fault", to_string(report.fault()));
   add_stages(report, record);
 }
 

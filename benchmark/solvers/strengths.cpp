@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// What edits of several strengths cost: factorizations, solves, time, and whether they come out.
+
+#include "transforms.h"
+
+namespace cgp_benchmark {
+
+template <int hundredths>
+static void measure_strength(const Job& job, const CGP::Mesh_view& mesh, Record& record)
+{
+  Job stronger = job;
+  stronger.amplitude = hundredths / 100.;
+  record.add("amplitude", stronger.amplitude);
+  measure_transform<CGP::Default_solver_traits>(stronger, mesh, record);
+}
+
+void add_strengths(std::vector<Row>& rows)
+{
+  rows.push_back({"strength", "0.5", measure_strength<50>});
+  rows.push_back({"strength", "1", measure_strength<100>});
+  rows.push_back({"strength", "2", measure_strength<200>});
+  rows.push_back({"strength", "4", measure_strength<400>});
+}
+
+}  // namespace cgp_benchmark
