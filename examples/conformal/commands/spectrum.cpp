@@ -6,6 +6,7 @@
 #include "conformal/io/file/Temporary_file.h"
 #include "conformal/io/file/numbers.h"
 #include "conformal/process/Failure.h"
+#include "conformal/process/Progress.h"
 #include "conformal/process/interruption.h"
 #include "conformal/process/text.h"
 #include "conformal/transform/each_component.h"
@@ -76,8 +77,9 @@ Files files(const Spectrum_options& spectrum)
 }
 
 CGP::internal::Dirac_spectrum find(const Surface_input& input, const Spectrum_options& options,
-                                   const Common_options& common)
+                                   const Session& session)
 {
+  const Common_options& common = session.options();
   const CGP::Mesh_view& mesh = input.mesh;
   if (options.count > mesh.size_of_vertices())
     throw Failure(Exit_code::usage, "--count " + std::to_string(options.count) + ": " +
@@ -87,12 +89,18 @@ CGP::internal::Dirac_spectrum find(const Surface_input& input, const Spectrum_op
   o.shift = options.shift;
   o.tolerance = common.tolerance;
   o.random_seed = common.seed;
+  Progress progress(common.quiet);
+  const auto go_further = [&](const CGP::internal::Krylov_progress& p) {
+    progress.show(session.part() + std::to_string(p.converged) + " converged, round " +
+                      std::to_string(p.restart + 1),
+                  static_cast<double>(p.vectors) / p.capacity);
+    return signal_received() == 0;
+  };
   const auto condition = CGP::boundary_loops(mesh).empty() ? CGP::Boundary_condition::free()
                                                            : CGP::Boundary_condition::binormals();
   CGP::internal::Dirac_spectrum s =
       CGP::internal::Dirac_spectral_problem<>(mesh, condition, "spectrum")
-          .find(CGP::no_potential(mesh), options.count, o,
-                [](const CGP::internal::Krylov_progress&) { return signal_received() == 0; });
+          .find(CGP::no_potential(mesh), options.count, o, go_further);
   throw_if_interrupted();
   if (!s.converged)
     throw Failure(Exit_code::failed, options.input +
@@ -209,7 +217,7 @@ void spectrum(const Spectrum_options& options, Session& session)
   CGP::internal::Dirac_spectrum last;
   each_component(input, session, [&](const Component& component, Session& own) {
     const std::string before = has_parts ? std::to_string(number++) + ',' : "";
-    const auto s = find(component.input, options, own.options());
+    const auto s = find(component.input, options, own);
     own.end_stage("solve");
     table += csv_rows(s, before);
     tell(s, options, own.report());

@@ -155,6 +155,31 @@ TEST(Krylov_schur, tells_when_restarts_were_too_few_and_stops_when_told)
   EXPECT_FALSE(stopped.converged);
 }
 
+// Many vectors cost seconds until the first restart.
+TEST(Krylov_schur, tells_after_every_block_and_stops_there)
+{
+  const Spectral_problem problem(reciprocals(120));
+  CGP::internal::Pencil pencil = pencil_of(problem);
+  const auto K = pencil.K;
+  int blocks = 0, told = 0, vectors = 0;
+  pencil.K = [&, K](const Block& x) {
+    ++blocks;
+    return K(x);
+  };
+  const auto r = CGP::krylov_schur(pencil, 120, noise(120), wanting(20),
+                                   [&](const CGP::internal::Krylov_progress& p) {
+                                     EXPECT_EQ(p.restart, 0);
+                                     EXPECT_EQ(++told, blocks);
+                                     EXPECT_GT(p.vectors, vectors);
+                                     EXPECT_LE(p.vectors, p.capacity);
+                                     vectors = p.vectors;
+                                     return told < 3;
+                                   });
+  EXPECT_TRUE(r.cancelled);
+  EXPECT_FALSE(r.converged);
+  EXPECT_EQ(told, 3);
+}
+
 TEST(Krylov_schur, is_deterministic)
 {
   const Spectral_problem problem(reciprocals(60));

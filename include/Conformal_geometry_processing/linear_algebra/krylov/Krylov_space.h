@@ -9,7 +9,6 @@
 #include <Eigen/Core>
 
 #include <functional>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -38,6 +37,7 @@ class Krylov_space {
   Krylov_space(const Pencil& pencil, Eigen::Index rows, Eigen::Index capacity);
 
   Eigen::Index size() const { return m_V.size(); }
+  Eigen::Index capacity() const { return m_V.capacity(); }
   bool has_next() const { return m_next.cols() > 0; }
   bool has_room() const { return size() + m_next.cols() <= m_V.capacity(); }
   Eigen::Index rows() const { return m_V.rows(); }
@@ -48,7 +48,7 @@ class Krylov_space {
 
   /// \brief Continues with other vectors, after orthogonalization against V.
   /// \pre V is empty, or its columns are eigenvectors
-  void begin_with(Block<Quaternion<double>> v) { orthonormalize(std::move(v)); }
+  void begin_with(Vectors v);
 
   /// \brief Appends the next block and computes the one after it: one product with K and one
   /// solution for each of its columns.
@@ -74,10 +74,17 @@ class Krylov_space {
 
   /// Sets `m_next` to an N-orthonormal basis of the components of w orthogonal to V, and
   /// `m_remainder` such that w = V * something + next * remainder.
-  void orthonormalize(Vectors w);
+  /// \param along_V V^H N w
+  void orthonormalize(Vectors w, Vectors along_V);
+
+  /// the norm of the longest column
+  double longest(const Vectors& w) const;
+
+  /// the coefficients of the components of w in V
+  Vectors along_V(const Vectors& w) const { return m_V.gram(m_pencil.N(w), m_pencil.coefficients); }
 
   const Pencil& m_pencil;
-  Row_major_multivector m_V, m_NV;
+  Row_major_multivector m_V;
   Vectors m_projection;  // capacity x capacity
   Vectors m_next, m_remainder;
   Eigen::Index m_last = 0;  // the first column of the last block

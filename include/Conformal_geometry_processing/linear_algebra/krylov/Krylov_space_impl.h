@@ -20,7 +20,6 @@ CGP_INLINE Krylov_space::Krylov_space(const Pencil& pencil, Eigen::Index rows,
                                       Eigen::Index capacity)
     : m_pencil(pencil),
       m_V(rows, capacity),
-      m_NV(rows, capacity),
       m_projection(Vectors::Constant(capacity, capacity, {})),
       m_next(rows, 0)
 {}
@@ -29,24 +28,28 @@ CGP_INLINE void Krylov_space::adopt(const Vectors& eigenvectors, const Vector<do
 {
   if (theta.size() == 0) return;
   m_V.append(eigenvectors);
-  m_NV.append(m_pencil.N(eigenvectors));
   set_projection(theta);
+}
+
+CGP_INLINE void Krylov_space::begin_with(Vectors v)
+{
+  Vectors components = along_V(v);
+  orthonormalize(std::move(v), std::move(components));
 }
 
 CGP_INLINE void Krylov_space::extend()
 {
   const Eigen::Index first = size(), count = m_next.cols();
   m_V.append(m_next);
-  m_NV.append(m_pencil.N(m_next));
   const Vectors image = m_pencil.K(m_next);
-  const Vectors column = m_V.gram(image, m_pencil.coefficients);
+  Vectors column = m_V.gram(image, m_pencil.coefficients);
   for (Eigen::Index j = 0; j < count; ++j)
     for (Eigen::Index i = 0; i < size(); ++i) {
       m_projection(first + j, i) = conjugate(column(i, j));
       m_projection(i, first + j) = column(i, j);
     }
   m_last = first;
-  orthonormalize(m_pencil.solve(image));
+  orthonormalize(m_pencil.solve(image), std::move(column));  // V^H N (N^-1 K v)
 }
 
 CGP_INLINE Vector<double> Krylov_space::residuals(const Vectors& y) const
@@ -63,7 +66,6 @@ CGP_INLINE Vector<double> Krylov_space::residuals(const Vectors& y) const
 CGP_INLINE void Krylov_space::restart(const Vectors& y, const Vector<double>& theta)
 {
   m_V.combine(y);
-  m_NV.combine(y);
   set_projection(theta);
 }
 
@@ -74,20 +76,25 @@ CGP_INLINE void Krylov_space::set_projection(const Vector<double>& theta)
       m_projection(i, j) = {i == j ? theta[j] : 0., 0, 0, 0};
 }
 
-CGP_INLINE void Krylov_space::orthonormalize(Vectors w)
+CGP_INLINE double Krylov_space::longest(const Vectors& w) const
 {
-  const double lost = 1e-10;  // relative to the longest column: below it, mostly rounding errors
-  double longest = 0;
+  const Vectors Nw = m_pencil.N(w);
+  double square = 0;
+  for (Eigen::Index j = 0; j < w.cols(); ++j)
+    square = (std::max)(square, inner_product(w.col(j), Nw.col(j)).w);
+  return std::sqrt(square);
+}
+
+CGP_INLINE void Krylov_space::orthonormalize(Vectors w, Vectors along_V)
+{
+  const double lost = 1e-10 * longest(w);  // below it, mostly rounding errors
   for (int pass = 0; pass < 2; ++pass) {
-    const Vectors Nw = m_pencil.N(w);
-    const Vectors before = gram_matrix(w, Nw, m_pencil.coefficients);
-    for (Eigen::Index j = 0; pass == 0 && j < w.cols(); ++j)
-      longest = (std::max)(longest, std::sqrt((std::max)(before(j, j).w, 0.)));
-    if (size() > 0) w -= m_V.combination(m_NV.gram(w, m_pencil.coefficients));
+    if (pass > 0) along_V = this->along_V(w);
+    if (size() > 0) w -= m_V.combination(along_V);
     const auto gram = hermitian_jacobi(gram_matrix(w, m_pencil.N(w), m_pencil.coefficients));
     Eigen::Index rank = 0;
-    while (rank < w.cols() && std::sqrt((std::max)(gram.values[w.cols() - 1 - rank], 0.)) >
-                                  (pass == 0 ? lost * longest : 0.5))
+    while (rank < w.cols() &&
+           std::sqrt((std::max)(gram.values[w.cols() - 1 - rank], 0.)) > (pass == 0 ? lost : 0.5))
       ++rank;
     Vectors basis = gram.vectors.rightCols(rank), R(rank, w.cols());
     for (Eigen::Index j = 0; j < rank; ++j) {

@@ -23,10 +23,12 @@ struct Krylov_options {
 };
 
 /// \ingroup PkgLinearAlgebra
-/// Progress reported before every restart
+/// Progress reported after every block of vectors, and before every restart
 struct Krylov_progress {
-  int restart;    ///< restarts done
-  int converged;  ///< eigenpairs found
+  int restart = 0;    ///< restarts done
+  int converged = 0;  ///< eigenpairs found before the last restart
+  int vectors = 0;    ///< in the space
+  int capacity = 0;   ///< of the space: a restart comes when it is full
 };
 
 /// \ingroup PkgLinearAlgebra
@@ -53,12 +55,12 @@ struct Krylov_result {
 /// `noise` is.
 ///
 /// Costs one K, one solution and about 100 (wanted + 6 sqrt(wanted)) n operations for each of the
-/// vectors; the memory of 3 wanted + 12 sqrt(wanted) of them.
+/// vectors; the memory of 2 wanted + 10 sqrt(wanted) of them.
 ///
 /// \param rows n
 /// \param noise called with a number of columns: returns that many vectors in the space, new ones
 /// each time
-/// \param go_further called with `Krylov_progress` before every restart; false cancels
+/// \param go_further called with `Krylov_progress` after every block; false cancels
 /// \param known eigenpairs of the same pencil, such as those of a run that wanted fewer: they are
 /// kept and not computed again
 /// \pre `known` are at most as many as are wanted

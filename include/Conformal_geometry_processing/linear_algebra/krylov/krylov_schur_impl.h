@@ -71,6 +71,19 @@ CGP_INLINE Vector<double> true_residuals(const Pencil& pencil, const Block<Quate
   return norms;
 }
 
+/// \brief Adds blocks as long as there is room. \return whether it may go further
+CGP_INLINE bool fill(Krylov_space& space,
+                     const std::function<bool(const Krylov_progress&)>& go_further,
+                     Krylov_progress progress)
+{
+  while (space.has_next() && space.has_room()) {
+    space.extend();
+    progress.vectors = static_cast<int>(space.size());
+    if (go_further && !go_further(progress)) return false;
+  }
+  return true;
+}
+
 }  // namespace internal
 
 CGP_INLINE internal::Krylov_result krylov_schur(
@@ -88,8 +101,10 @@ CGP_INLINE internal::Krylov_result krylov_schur(
   internal::Krylov_result result;
   space.adopt(known.vectors, known.values);
   space.begin_with(noise(block));
+  internal::Krylov_progress progress{0, 0, 0, static_cast<int>(space.capacity())};
   for (Vector<double> before;; ++result.restarts) {  // the values when all converged the last time
-    while (space.has_next() && space.has_room()) space.extend();
+    progress.restart = result.restarts;
+    result.cancelled = !internal::fill(space, go_further, progress);
     const auto pairs = internal::dominant_first(quaternionic_householder(space.projection()));
     const Eigen::Index found = (std::min)(pairs.values.size(), wanted);
     const Eigen::Index converged = internal::converged_pairs(
@@ -98,7 +113,9 @@ CGP_INLINE internal::Krylov_result krylov_schur(
     const bool have_all_converged = converged == found;
     result.converged = converged == wanted && internal::has_nothing_new(pairs.values.head(found),
                                                                         before, options.tolerance);
-    result.cancelled = go_further && !go_further({result.restarts, static_cast<int>(converged)});
+    progress.converged = static_cast<int>(converged);
+    progress.vectors = static_cast<int>(space.size());
+    result.cancelled = result.cancelled || (go_further && !go_further(progress));
     if (result.converged || result.cancelled || result.restarts == options.max_restarts) {
       result.values = pairs.values.head(found);
       result.vectors = space.combination(pairs.vectors.leftCols(found));
