@@ -139,6 +139,22 @@ TEST(Flow_on_class, takes_noise_away_that_the_plain_flow_leaves)
   EXPECT_LT(faired.energy() - 4 * pi, .5 * (unfaired.energy() - 4 * pi));
 }
 
+TEST(Flow_on_class, leaves_nothing_to_be_smoothed_where_it_settles)
+{
+  for (const Mesh_view& mesh : surfaces()) {
+    CGP::Flow_options options;
+    Flow flow(mesh, options);
+    ASSERT_EQ(flow.run().stop, Stop::energy_settled);
+    CGP::internal::Class_keeper keeper(CGP::internal::simple_delaunay(mesh));
+    double energy = flow.energy();
+    const auto smoother = keeper.smoothed(flow.mesh(), [&](const CGP::Points& f) {
+      energy = CGP::willmore_energy(Mesh_view(f, flow.mesh().corners()));
+      return energy < flow.energy();
+    });
+    EXPECT_TRUE(!smoother || energy > (1 - options.energy_tolerance) * flow.energy());
+  }
+}
+
 TEST(Flow_on_class, lowers_the_energy_of_surfaces_of_higher_genus)
 {
   for (const int genus : {2, 3}) {
