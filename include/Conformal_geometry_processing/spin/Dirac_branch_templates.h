@@ -52,7 +52,11 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::solve()
     const Quaternion_vector<double> before = m_s.lambda;
     const Branch_point predicted = next;
     m_s.lambda = combination(m_span, Vectors(next.c)).col(0);
-    refine(next, next.t < 1 ? 1e-3 : m_options.tolerance);
+    // Where the end of the branch is predicted from afar, it is looked at before it is computed.
+    const bool is_sure = m_s.substeps == 1 && !predicted.is_settled;
+    refine(next, next.t == 1 && is_sure ? m_options.tolerance : 1e-3);
+    if (next.t == 1 && !is_sure && is_as_predicted(at, before, predicted, next))
+      refine(next, m_options.tolerance);
     if (m_s.cancelled || (!m_s.converged && m_s.iterations >= m_options.max_iterations)) break;
     if (!is_as_predicted(at, before, predicted, next)) {
       m_s.lambda = before;
