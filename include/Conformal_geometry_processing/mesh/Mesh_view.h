@@ -106,12 +106,15 @@ class Mesh_view {
   void number_edges();
   void pair_halfedges();
 
+  void measure_areas();
+
   Points m_positions;                      // 3 x |V|
   Corners m_corners;                       // |F|
   std::vector<int> m_halfedges;            // all of them, sorted by edge
   std::vector<int> m_first;                // |E| + 1: where an edge begins in m_halfedges
   std::vector<std::array<int, 2>> m_ends;  // |E|
   std::vector<int> m_edges, m_twins;       // 3 |F|
+  std::vector<double> m_areas;             // |F|: sheets are asked for more often than moved
 };
 
 }  // namespace Conformal_geometry_processing

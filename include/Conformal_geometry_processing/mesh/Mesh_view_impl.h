@@ -27,6 +27,7 @@ CGP_INLINE Mesh_view::Mesh_view(Points positions, Corners corners)
 {
   check_corners();
   find_edges();
+  measure_areas();
 }
 
 CGP_INLINE void Mesh_view::set_positions(Points positions)
@@ -36,6 +37,14 @@ CGP_INLINE void Mesh_view::set_positions(Points positions)
                              std::to_string(positions.cols()) + " positions for " +
                                  std::to_string(m_positions.cols()) + " vertices");
   m_positions = std::move(positions);
+  measure_areas();
+}
+
+CGP_INLINE void Mesh_view::measure_areas()
+{
+  m_areas.resize(m_corners.size());
+  for (int f = 0; f < size_of_faces(); ++f)
+    m_areas[index(f)] = stable_norm(double_area_vector(f)) / 2;
 }
 
 // Everything below reads and writes arrays at these indices.
@@ -64,9 +73,10 @@ CGP_INLINE Sheet Mesh_view::sheet(int f) const
   sheet.corners = corners(f);
   sheet.edges = {edge(3 * f), edge(3 * f + 1), edge(3 * f + 2)};
   sheet.triangle = sheet.face = f;
-  for (int c = 0; c < 3; ++c) sheet.vectors.col(c) = vector(3 * f + c);
-  const Eigen::Vector3d e = sheet.vectors.col(0);
-  sheet.area = stable_norm(e.cross(sheet.vectors.col(1))) / 2;
+  const Eigen::Vector3d p = position(sheet.corners[0]), q = position(sheet.corners[1]),
+                        r = position(sheet.corners[2]);
+  sheet.vectors << r - q, p - r, q - p;
+  sheet.area = m_areas[index(f)];
   sheet.share = 1;
   return sheet;
 }

@@ -9,6 +9,8 @@
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
+
+#include <array>
 #include <string>
 #include <utility>
 
@@ -29,7 +31,12 @@ struct Curvature_potential {
   static Curvature_potential on_faces(Eigen::VectorXd rho) { return {On::faces, std::move(rho)}; }
 
   /// its values at the three corners of a sheet
-  Eigen::Vector3d at_corners(const Sheet& sheet) const;
+  Eigen::Vector3d at_corners(const Sheet& sheet) const
+  {
+    if (on == On::faces) return Eigen::Vector3d::Constant(values[sheet.face]);
+    const std::array<int, 3>& v = sheet.corners;
+    return {values[v[0]], values[v[1]], values[v[2]]};
+  }
 };
 
 /// \ingroup PkgOperators

@@ -21,13 +21,6 @@ CGP_INLINE Curvature_potential Curvature_potential::on_vertices(Eigen::VectorXd 
   return {On::vertices, std::move(rho)};
 }
 
-CGP_INLINE Eigen::Vector3d Curvature_potential::at_corners(const Sheet& sheet) const
-{
-  if (on == On::faces) return Eigen::Vector3d::Constant(values[sheet.face]);
-  const std::array<int, 3>& v = sheet.corners;
-  return {values[v[0]], values[v[1]], values[v[2]]};
-}
-
 CGP_INLINE Curvature_potential no_potential(const Surface_ref& surface)
 {
   return Curvature_potential::on_vertices(Eigen::VectorXd::Zero(surface.size_of_vertices()));

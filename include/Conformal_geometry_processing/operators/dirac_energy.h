@@ -55,7 +55,11 @@ struct Dirac_forms {
 
 /// \ingroup PkgOperators
 /// row c of M (D - R) on a sheet, divided by its share; r: rho at the corners
-Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3d& r, int c);
+inline Quaternion<double> dirac_row(const Sheet& sheet, const Eigen::Vector3d& r, int c)
+{
+  const auto e = sheet.vectors.col(c);
+  return {-sheet.area * r[c] / 3, e[0] / -2, e[1] / -2, e[2] / -2};
+}
 
 }  // namespace internal
 

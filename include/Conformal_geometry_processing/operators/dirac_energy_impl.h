@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -21,11 +22,14 @@ CGP_INLINE void assemble_dirac_energy(const Surface_ref& surface, const Curvatur
   for (int s = 0; s < surface.size_of_sheets(); ++s) {
     const Sheet sheet = surface.sheet(s);
     const Eigen::Vector3d r = rho.at_corners(sheet);
-    Quaternion<double> e[3];
-    for (int c = 0; c < 3; ++c) e[c] = imaginary(sheet.vectors.col(c).eval());
+    const Eigen::Matrix3d& e = sheet.vectors;
+    const double scale = 1 / (4 * sheet.area), mass = sheet.area / 9;
+    const Eigen::Vector3d n = scale * e.col(0).cross(e.col(1));  // the same for other edges
     const auto entry = [&](int i, int j) {
-      Quaternion<double> x = (r[i] * e[j] - r[j] * e[i]) / 6. - e[i] * e[j] / (4 * sheet.area);
-      x.w += sheet.area * r[i] * r[j] / 9;
+      Eigen::Vector3d v = (r[i] * e.col(j) - r[j] * e.col(i)) / 6;
+      if (i != j) v -= (i + 1) % 3 == j ? n : -n;
+      Quaternion<double> x = imaginary(v);
+      x.w = scale * e.col(i).dot(e.col(j)) + mass * r[i] * r[j];
       return x * sheet.share;
     };
     internal::add_sheet(sheet, entry, X);
@@ -56,15 +60,6 @@ CGP_INLINE Hermitian_sparse_matrix<Quaternion<double>> dirac_form(const Surface_
     internal::add_sheet(sheet, entry, K);
   }
   return K;
-}
-
-CGP_INLINE Quaternion<double> internal::dirac_row(const Sheet& sheet, const Eigen::Vector3d& r,
-                                                  int c)
-{
-  const Eigen::Vector3d e = sheet.vectors.col(c) / -2;
-  Quaternion<double> q = imaginary(e);
-  q.w = -sheet.area * r[c] / 3;
-  return q;
 }
 
 CGP_INLINE internal::Dirac_forms dirac_forms(const Surface_ref& surface,
