@@ -23,11 +23,14 @@ namespace internal {
 template <class SolverTraits, class EigensolverTraits>
 auto Potential_search<SolverTraits, EigensolverTraits>::best_step() -> std::optional<Step>
 {
+  Stopwatch watch;
+  std::optional<Step> step;
   try {
-    return best_step(derivative());
+    step = best_step(derivative());
   } catch (const No_derivative&) {
-    return std::nullopt;
   }
+  m_costs.seconds.eigenvectors += watch.lap();
+  return step;
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -42,7 +45,6 @@ auto Potential_search<SolverTraits, EigensolverTraits>::derivative() const -> De
 template <class SolverTraits, class EigensolverTraits>
 auto Potential_search<SolverTraits, EigensolverTraits>::best_step(const Derivative& S) -> Step
 {
-  Stopwatch watch;
   const Eigen::MatrixXd gradients =
       S.apply_transpose(gradients_of(m_constraints, S.lambda().size()));
   const Linear_constraints& constraints =
@@ -62,7 +64,6 @@ auto Potential_search<SolverTraits, EigensolverTraits>::best_step(const Derivati
   const double reduction = m_now.constraints.norm() - left.norm();
   if (reduction > 0) m_penalty = (std::max)(m_penalty, 2 * rise / reduction);
   m_costs.solves += S.number_of_solves();
-  m_costs.seconds.eigenvectors += watch.lap();
   return step;
 }
 
@@ -82,7 +83,11 @@ Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::improvement(
   const Block<double> b = constraints.project_gradient(slope);
   Block<double> d;
   Conjugate_gradients_options options;
-  options.tolerance = tolerance;
+  // K bounds K + S^T S from below, and thereby what is left to gain from above: it ends at a fifth
+  // of the least.
+  precondition(b, d);
+  const double left = b.col(0).dot(d.col(0)) / m_now.sum;
+  options.tolerance = (std::max)(tolerance, std::sqrt(least_gain / 5 / left));
   conjugate_gradients(hessian, precondition, b, d, options);
   if (b.col(0).dot(d.col(0)) <= least_gain * m_now.sum) return {};
   return d.col(0);

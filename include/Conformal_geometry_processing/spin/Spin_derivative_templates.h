@@ -88,13 +88,13 @@ auto Spin_derivative<SolverTraits>::solve(Vectors b) const -> Vectors
   const auto matrix = [this](const Vectors& x, Vectors& y) { apply_matrix(x, y); };
   const auto precondition = [this](const Vectors& r, Vectors& z) {
     z = m_system.precondition(r);
+    m_solves += static_cast<int>(r.cols());
     remove_gauge(z, false);
   };
   Conjugate_gradients_options options;
   options.tolerance = m_tolerance;
   Vectors x;
   const auto result = conjugate_gradients(matrix, precondition, b, x, options);
-  m_solves += static_cast<int>(b.cols()) * (result.iterations + 1);
   const double worst_error = 1e-3;  // of rounding, with slivers
   if (!result.converged && !(result.estimates.maxCoeff() <= worst_error))
     throw No_derivative("Spin_derivative", "the iterations do not converge");
