@@ -193,7 +193,7 @@ template <class SolverTraits>
 auto internal::Dirac_system<SolverTraits>::response(const Vectors& c) const -> Vectors
 {
   if (!m_is_closed) return solve(c);
-  const Eigen::Index at_once = 8;  // columns per solve: the iterations hold five such blocks
+  const Eigen::Index at_once = 2;  // columns: the iterations hold eight such blocks
   Vectors y(c.rows(), c.cols());
   for (Eigen::Index first = 0; first < c.cols(); first += at_once) {
     const Eigen::Index count = (std::min)(at_once, c.cols() - first);
