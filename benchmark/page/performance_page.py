@@ -73,6 +73,12 @@ of scale.
 
 {strengths}
 
+The same with control of scale, `scale_bound(2)`, as the program does it: the nearest rho whose factors
+of lengths are within [1/2, 2] on 98 % of the area. *Kept* is its norm relative to that of rho. Most of the time goes
+into the products with the derivative, two solves each, of which a step takes 5 to 20.
+
+{bounded}
+
 ## Later steps of a flow
 
 Willmore flow with rho = -0.3 H on the vertices: the mean of the steps 2 to 5, from curvature to
@@ -118,6 +124,7 @@ def page(m, machine):
         original=tables.original_table(m),
         transforms=headed(m, tables.transform_table, "transform"), flows=tables.flow_table(m),
         strengths=tables.strength_table(m),
+        bounded=tables.strength_table(m, "bounded"),
         threads=tables.thread_table(m),
         factors=headed(m, tables.factor_table, "factor"))
 

@@ -53,12 +53,14 @@ def transform_table(m, mesh):
     return table(header, rows)
 
 
-def strength_table(m):
-    """A row a mesh: time / P, factorizations and solves for each amplitude; * refused."""
-    rows = m.measured("strength")
+def strength_table(m, name="strength"):
+    """A row a mesh: time / P, factorizations and solves for each amplitude, and with a bound what
+    is kept of rho; * refused."""
+    rows = m.measured(name)
     amplitudes = sorted({row["amplitude"] for row in rows})
+    kept = ["kept"] if any("kept" in row for row in rows) else []
     header = ["mesh", "faces", *(f"{what}, {a:g}" for a in amplitudes
-                                 for what in ("/ P", "factorizations", "solves"))]
+                                 for what in ("/ P", "factorizations", "solves", *kept))]
     lines = []
     for mesh, faces, _ in m.meshes():
         found = {row["amplitude"]: row for row in rows if row["mesh"] == mesh}
@@ -68,7 +70,8 @@ def strength_table(m):
         for a in amplitudes:
             row = found[a]
             lines[-1] += [f"{poisson_ratio(row):.1f}" + ("" if row["fault"] == "none" else " *"),
-                          f"{row['factorizations']}", f"{row['solves']}"]
+                          f"{row['factorizations']}", f"{row['solves']}",
+                          *(f"{row[key]:.2f}" for key in kept)]
     return table(header, lines) if lines else "Not measured."
 
 

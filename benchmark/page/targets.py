@@ -99,10 +99,10 @@ def poisson_iterations(m):
             if row["model"].startswith("lagged")]
 
 
-def of_strength(amplitudes, value):
+def of_strength(amplitudes, value, table="strength"):
     """Where an edit of such a strength comes out: what is refused is no answer."""
     return lambda m: [(f"{row['mesh']}, {row['model']}", value(row))
-                      for row in m.measured("strength")
+                      for row in m.measured(table)
                       if row["amplitude"] in amplitudes and row["fault"] == "none"]
 
 
@@ -165,6 +165,10 @@ TARGETS = [
            of_strength((0.5, 1), poisson_ratio), at_most=4.5),
     Target("scans, amplitude 2: time / P", of_strength((2,), poisson_ratio), at_most=6),
     Target("scans, amplitude 4: time / P", of_strength((4,), poisson_ratio), at_most=10),
+    Target("scans, lengths bounded by 2, amplitude 1.5: time / P",
+           of_strength((1.5,), poisson_ratio, "bounded"), at_most=12),
+    Target("scans, lengths bounded by 2, amplitude 3: time / P",
+           of_strength((3,), poisson_ratio, "bounded"), at_most=25),
     Target("scans, all four amplitudes: percent with at most 3 factorizations",
            share_with_few_factorizations, at_least=95, form="{:.0f}"),
     Target("later step of a flow, double, factor kept: time / P",

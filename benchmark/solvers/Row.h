@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ namespace CGP = Conformal_geometry_processing;
 
 /// how to measure a row
 struct Job {
-  double amplitude = 1;  ///< of rho, see `smooth_potential()`
+  double amplitude = 1;                        ///< of rho, see `smooth_potential()`
+  std::optional<double> bound = std::nullopt;  ///< of the factors of lengths
   double tolerance = 1e-6;
   int runs = 5;           ///< the best counts
   double seconds = 20;    ///< no further run begins after as many seconds of the processor

@@ -59,18 +59,22 @@ template <class SolverTraits, class EigensolverTraits = CGP::Lobpcg_eigensolver_
 void measure_transform(const Job& job, const CGP::Mesh_view& mesh, Record& record)
 {
   const CGP::Curvature_potential rho = smooth_potential(mesh, job.amplitude);
+  CGP::Spin_transformation_options control;
+  control.scales.bound = job.bound;
   CGP::Dirac_options options;
   options.tolerance = job.tolerance;
   CGP::Spin_report report;
   measure_whole(job, mesh, record, [&] {
     CGP::Spin_result result =
-        CGP::Spin_transformation<SolverTraits, EigensolverTraits>(mesh).transform(rho, options);
+        CGP::Spin_transformation<SolverTraits, EigensolverTraits>(mesh, control)
+            .transform(rho, options);
     report = result.report;
     return std::move(result.positions);
   });
   record.add("iterations", report.iterations).add("substeps", report.substeps);
   record.add("factorizations", report.factorizations).add("solves", report.solves);
   record.add("converged", report.converged ? 1 : 0).add("fault", to_string(report.fault()));
+  if (job.bound) record.add("kept", report.scales.kept_norm);
   add_stages(report, record);
 }
 
