@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -31,6 +32,8 @@ struct Snap_options {
   /// whether to give up where the first step with a new factor leaves a large part of the
   /// residuals: the way is long then, and leads to a surface that has little to do with this one
   bool only_near = false;
+
+  double enough() const { return (std::max)(tolerance, sufficient); }
 };
 
 /// \ingroup PkgConformalClass
@@ -79,6 +82,7 @@ class Conformal_class {
   struct State {
     Points f;
     Eigen::VectorXd u, residuals;
+    bool has_factor = false;  ///< the last factor is to be used again
   };
 
   Conformal_class(const Mesh_view& mesh, const std::shared_ptr<const Sparse_pattern>& graph);
@@ -91,6 +95,10 @@ class Conformal_class {
   /// \returns whether the norm of the residuals fell below the multiple `factor` of itself; the
   /// state is unchanged otherwise
   bool advance(State& state, double factor, int halvings) const;
+
+  /// \brief One iteration of `snap()`: a step with the last factor, or a new one.
+  /// \returns false where no further one is of use
+  bool iterate(State& state, const Snap_options& options, Snap_report& report);
 
   /// of the edges, and of the rim
   Eigen::VectorXd residuals(const Points& f, const Eigen::VectorXd& u) const;

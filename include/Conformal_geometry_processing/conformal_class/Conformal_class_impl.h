@@ -69,41 +69,48 @@ CGP_INLINE bool internal::Conformal_class::factorize(const Points& f, bool is_ne
 
 // Newton's method has a basin: outside of it, the first step takes little away. The next factor
 // would serve as badly as the first where that has taken little.
-CGP_INLINE internal::Snap_report internal::Conformal_class::snap(Points& f,
-                                                                 const Snap_options& options)
+CGP_INLINE bool internal::Conformal_class::iterate(State& state, const Snap_options& options,
+                                                   Snap_report& report)
 {
   const double fast = .2;      // a step with an old factor leaves at most so much of the residuals,
   const double good = .15;     // the first with one that is to be used again so much,
   const double outside = .37;  // and one outside of the basin more than that
   const double is_near = 1e-6;  // a new factor that gains less there is damped too much
+  const bool is_new = !state.has_factor;
+  if (is_new && report.residual < is_near && report.residual < m_scales.rounding(state.f))
+    return false;
+  if (is_new && !factorize(state.f, report.residual > options.enough())) return false;
+  report.factorizations += is_new;
+  ++report.iterations;
+  const double norm = state.residuals.norm();
+  state.has_factor = is_new ? advance(state, 1, 8) : advance(state, fast, 0);
+  if (is_new && !state.has_factor && !m_equations.damp()) return false;
+  const double before = std::exchange(report.residual, state.residuals.lpNorm<Eigen::Infinity>());
+  if (!is_new) return true;
+  const double rest = state.residuals.norm() / norm;
+  if (options.only_near && rest > outside && report.residual > options.enough()) return false;
+  state.has_factor = state.has_factor && rest < good;
+  if (report.residual < is_near && report.residual > fast * before)
+    m_equations.undamp(), state.has_factor = false;
+  return true;
+}
+
+CGP_INLINE internal::Snap_report internal::Conformal_class::snap(Points& f,
+                                                                 const Snap_options& options)
+{
   const int few = 5;
   const double damping = m_equations.damping();
   State state{f, m_scales.nearest_scales(f), {}};
   state.residuals = residuals(f, state.u);
   Snap_report report;
   report.initial_residual = report.residual = state.residuals.lpNorm<Eigen::Infinity>();
-  const double enough = (std::max)(options.tolerance, options.sufficient);
-  bool has_factor = options.keep_factor && m_equations.resume(f);
+  state.has_factor = options.keep_factor && m_equations.resume(f);
   for (int left = options.max_iterations; report.residual > options.tolerance && left > 0; --left) {
-    const bool is_new = !has_factor, was_enough = report.residual <= enough;
-    if (was_enough) left = (std::min)(left, few);
-    if (is_new && report.residual < is_near && report.residual < m_scales.rounding(state.f)) break;
-    if (is_new && !factorize(state.f, !was_enough)) break;
-    report.factorizations += is_new;
-    ++report.iterations;
-    const double norm = state.residuals.norm();
-    has_factor = is_new ? advance(state, 1, 8) : advance(state, fast, 0);
-    if (is_new && !has_factor && !m_equations.damp()) break;
-    const double before = std::exchange(report.residual, state.residuals.lpNorm<Eigen::Infinity>());
-    if (!is_new) continue;
-    const double rest = state.residuals.norm() / norm;
-    if (options.only_near && rest > outside && report.residual > enough) break;
-    has_factor = has_factor && rest < good;
-    if (report.residual < is_near && report.residual > fast * before)
-      m_equations.undamp(), has_factor = false;
+    if (report.residual <= options.enough()) left = (std::min)(left, few);
+    if (!iterate(state, options, report)) break;
   }
   m_equations.set_damping((std::max)(damping, m_equations.damping()));
-  report.converged = report.residual <= enough;
+  report.converged = report.residual <= options.enough();
   f = std::move(state.f);
   return report;
 }
