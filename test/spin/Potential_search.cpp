@@ -94,6 +94,26 @@ TEST(Potential_search, recovers_rho_from_scales)
   EXPECT_LT(norm(error, areas), .02 * norm(u, areas));
 }
 
+// A search over weights asks at each of them. The gradient costs four solves, and products with the
+// matrix four each: those that K shows to be of no use are not made.
+TEST(Potential_search, knows_a_minimum_at_little_cost)
+{
+  for (const double weight : {1., 30.}) {
+    const Mesh_view mesh = perturbed(icosphere(3), .02);
+    CGP::internal::Dirac_system<> system(mesh);
+    Scale_residual scales(system.areas(), Eigen::VectorXd::Zero(system.areas().size()));
+    scales.set_weight(weight);
+    Search search(system, waves(mesh, 1), {&scales});
+    ASSERT_TRUE(search.minimize({}, always, 0));
+    const Eigen::VectorXd rho = search.present().rho.values;
+    search.reset_costs();
+    ASSERT_TRUE(search.minimize({}, always, 0));
+    EXPECT_EQ(search.present().rho.values, rho);
+    EXPECT_EQ(search.costs().factorizations, 0);
+    EXPECT_LE(search.costs().solves, 8);
+  }
+}
+
 // Stationary: the gradient of the sum, by differences of transformations.
 TEST(Potential_search, ends_where_the_sum_is_smallest)
 {
