@@ -22,7 +22,7 @@ namespace internal {
 /// a transformation [CGP 4.5.2].
 struct Exactness_constraints {
   Curvature_potential::On on = Curvature_potential::On::vertices;  ///< where the values of rho are
-  Harmonic_basis forms;       ///< of the surface, without fields; none on spheres and disks
+  Harmonic_basis forms;       ///< of the surface; none on spheres and disks
   Eigen::VectorXd weights;    ///< `cotan_weights()`, |E|
   Eigen::VectorXd areas;      ///< `curvature_areas()`, |V| or |F|
   Eigen::MatrixXd functions;  ///< `exactness_functions()`, three for each form; |V| or |F| rows

@@ -29,15 +29,11 @@ internal::Exactness_constraints exactness_constraints(
   if (generators.cols() == 0) return c;
   c.weights = cotan_weights(surface);
   c.forms = Hodge_decomposition<SolverTraits>(surface, generators, laplacian).harmonic_basis();
-  const Exactness kind =
-      system.is_closed() ? version.value_or(Exactness::adjoint) : Exactness::adjoint;
-  if (kind == Exactness::adjoint) c.forms.fields.clear();  // a sixth of the factor that comes next
   if (!version) return c;
   system.prepare_response();
   c.functions = exactness_functions(
       surface, c.forms, [&](const Block<Quaternion<double>>& b) { return system.response(b); }, on,
-      system.coefficients(), kind);
-  c.forms.fields.clear();
+      system.coefficients(), system.is_closed() ? *version : Exactness::adjoint);
   return c;
 }
 
