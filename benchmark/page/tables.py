@@ -3,7 +3,7 @@
 """The tables of doc/performance.md, in Markdown."""
 
 from page import targets
-from page.measurements import bytes_per_vertex, exponent, is_sphere, poisson_ratio
+from page.measurements import bytes_per_vertex, exponent, is_sphere, poisson_ratio, title
 
 STAGES = ["setup", "assembly", "factorization", "eigenvectors", "reconstruction", "certificate"]
 
@@ -51,6 +51,19 @@ def transform_table(m, mesh):
                      number(row, "difference", "{:.0e}"),
                      *(f"{share:.1f} %" if any(stages) else "" for share in stages)])
     return table(header, rows)
+
+
+def cost_table(m):
+    """Microseconds per vertex of P and of the stages of *native, double*: a row a mesh."""
+    lines = []
+    for mesh, faces, vertices in m.meshes():
+        row = m.row("transform", "native, double", mesh)
+        if row is None:
+            continue
+        cost = 1e6 * row["seconds"] / vertices
+        lines.append([title(mesh), f"{faces:,}", f"{1e6 * row['poisson'] / vertices:.2f}",
+                      f"{cost:.2f}", *(f"{row.get(f'{stage}_share', 0) * cost:.2f}" for stage in STAGES)])
+    return table(["mesh", "faces", "P", "whole", *STAGES], lines)
 
 
 def strength_table(m, name="strength"):
