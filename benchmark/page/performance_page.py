@@ -37,23 +37,26 @@ Microseconds per vertex of *native, double* with amplitude 1, and of its yardsti
 
 {costs}
 
-- **P is cheap on limbs.** Where a surface branches into limbs, such as bull, CHOLMOD's factor has little fill,
-  and P costs a third of what it does on a sphere; reading the mesh, checks and ordering
-  (*setup*), positions and certificate cost the same everywhere, and on such a surface are worth 2 P.
+- **P is cheap on limbs.** Where a surface branches into limbs, such as bull, CHOLMOD's factor has
+  little fill, and P costs less than half of what it does on a sphere of as many vertices; checks and
+  ordering (*setup*), positions and certificate cost about the same everywhere, and on bull are worth
+  nearly 2 P.
 - **Rho that is strong for the surface.** Along a limb lambda grows exponentially with rho: one
   vector does not become the other by small corrections, so the branch is followed in stages, a
   factorization and a few solves each. A result that collapses is refused at its end: that a stage
   on the way exceeds a limit does not prove that the end will.
-- **With a bound on lengths** the spins are computed for six to forty rho', and each step solves a linear
-  system in rho whose products take four solves. That is what the derivative costs; a
-  coarser one was tried, and fails where limbs are long.
+- **With a bound on lengths** the spins are computed for many rho', a factorization each, and each step
+  solves a linear system in rho whose products take about four solves. Products of one solve each
+  were tried: they take a quarter less time, but on a dumbbell with a thin neck the search then ends
+  far from the bound.
 - **A later step of a flow** factors X and the Laplacian anew, measures the surface and certifies
   it; only ordering and analysis are saved.
-- **Surfaces with handles** need a second quaternionic factor, of X for rho = 0, and two solves for each
-  period; the factors do not serve each other without loss of digits.
-- **Two threads**: factorization, a sixth to a quarter of the whole on scans, is what is divided between them.
-- **Multigrid** wins on large spheres only: on scans lambda varies over limbs of a few triangles around,
-  which aggregates do not follow. It is therefore never chosen automatically.
+- **Surfaces with handles** need a second quaternionic factor, of X for rho = 0, and its solves for
+  each period.
+- **Two threads**: only the factorization is divided between them, an eighth to a third of the whole
+  on scans.
+- **Multigrid** wins on large spheres only: on every scan it takes many times the iterations, and
+  more time than the direct solver. It is therefore never chosen automatically.
 
 ## Time and memory
 
@@ -98,8 +101,7 @@ of scale.
 {strengths}
 
 The same with control of scale, `scale_bound(2)`, as the program does it: the nearest rho whose factors
-of lengths are within [1/2, 2] on 98 % of the area. *Kept* is its norm relative to that of rho. Most of the time goes
-into the products with the derivative, two solves each, of which a step takes 5 to 20.
+of lengths are within [1/2, 2] on 98 % of the area. *Kept* is its norm relative to that of rho.
 
 {bounded}
 
@@ -144,7 +146,8 @@ def page(m, machine):
     targets, met, measured = tables.target_table(m)
     return TEXT.format(
         machine=machine, targets=targets, met=met, measured=measured,
-        all=len(tables.targets.TARGETS), exponents=tables.exponent_table(m), costs=tables.cost_table(m),
+        all=len(tables.targets.TARGETS), exponents=tables.exponent_table(m),
+        costs=tables.cost_table(m),
         original=tables.original_table(m),
         transforms=headed(m, tables.transform_table, "transform"), flows=tables.flow_table(m),
         strengths=tables.strength_table(m),

@@ -61,8 +61,9 @@ def cost_table(m):
         if row is None:
             continue
         cost = 1e6 * row["seconds"] / vertices
+        stages = [row.get(f"{stage}_share", 0) * cost for stage in STAGES]
         lines.append([title(mesh), f"{faces:,}", f"{1e6 * row['poisson'] / vertices:.2f}",
-                      f"{cost:.2f}", *(f"{row.get(f'{stage}_share', 0) * cost:.2f}" for stage in STAGES)])
+                      *(f"{part:.2f}" for part in (cost, *stages))])
     return table(["mesh", "faces", "P", "whole", *STAGES], lines)
 
 

@@ -105,7 +105,6 @@ class Mesh_view {
   void find_edges();
   void number_edges();
   void pair_halfedges();
-
   void measure_areas();
 
   Points m_positions;                      // 3 x |V|
@@ -114,7 +113,7 @@ class Mesh_view {
   std::vector<int> m_first;                // |E| + 1: where an edge begins in m_halfedges
   std::vector<std::array<int, 2>> m_ends;  // |E|
   std::vector<int> m_edges, m_twins;       // 3 |F|
-  std::vector<double> m_areas;             // |F|: sheets are asked for more often than moved
+  std::vector<double> m_areas;             // |F|: sheets are read in every loop
 };
 
 }  // namespace Conformal_geometry_processing

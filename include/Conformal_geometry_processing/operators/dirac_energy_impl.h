@@ -24,7 +24,8 @@ CGP_INLINE void assemble_dirac_energy(const Surface_ref& surface, const Curvatur
     const Eigen::Vector3d r = rho.at_corners(sheet);
     const Eigen::Matrix3d& e = sheet.vectors;
     const double scale = 1 / (4 * sheet.area), mass = sheet.area / 9;
-    const Eigen::Vector3d n = scale * e.col(0).cross(e.col(1));  // the same for other edges
+    const Eigen::Vector3d n =
+        scale * e.col(0).cross(e.col(1));  // the same for e_1, e_2 and e_2, e_0
     const auto entry = [&](int i, int j) {
       Eigen::Vector3d v = (r[i] * e.col(j) - r[j] * e.col(i)) / 6;
       if (i != j) v -= (i + 1) % 3 == j ? n : -n;

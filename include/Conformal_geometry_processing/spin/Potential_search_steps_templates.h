@@ -28,6 +28,7 @@ auto Potential_search<SolverTraits, EigensolverTraits>::best_step() -> std::opti
   try {
     step = best_step(derivative());
   } catch (const No_derivative&) {
+    // none, then
   }
   m_costs.seconds.eigenvectors += watch.lap();
   return step;
