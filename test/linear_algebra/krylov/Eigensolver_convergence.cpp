@@ -34,7 +34,7 @@ class Iteration {
     return last;
   }
 
-  bool has_adapted(double theta) { return m_convergence.has_adapted(panel(theta)); }
+  bool has_adapted(double theta) { return m_convergence.has_adapted(panel(theta).v); }
 
   CGP::Eigensolver_result result() { return m_convergence.result(); }
 

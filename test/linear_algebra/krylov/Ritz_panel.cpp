@@ -80,9 +80,8 @@ TEST_F(Ritz_panel, becomes_an_orthonormal_basis_of_the_same_span)
   ASSERT_EQ(basis.size(), 4);
   expect_consistent(basis);
   EXPECT_LE(distance_to_identity(CGP::gram_matrix(basis.v, basis.nv)), 1e-13);
-  auto rest = p;
-  CGP::project_out(rest, basis);
-  EXPECT_LE(real_columns(rest.v).norm(), 1e-13);
+  const auto inside = CGP::combination(basis.v, CGP::gram_matrix(basis.nv, p.v));
+  EXPECT_LE((real_columns(p.v) - real_columns(inside)).norm(), 1e-13);
 }
 
 TEST_F(Ritz_panel, loses_directions_that_depend_on_others)
@@ -102,17 +101,26 @@ TEST_F(Ritz_panel, loses_directions_that_depend_on_others)
   EXPECT_EQ(zero.size(), 0);
 }
 
-TEST_F(Ritz_panel, is_orthogonal_to_what_was_projected_out)
+TEST(Orthonormal_combinations, depend_on_the_vectors_before_only)
 {
-  auto base = panel(random_block<Q>(n, 2, 11));
-  CGP::orthonormalize(base);
-  CGP::Block<Q> v = base.v.leftCols(1);
-  const auto other = random_block<Q>(n, 1, 12);
-  for (int i = 0; i < n; ++i) v(i, 0) += 1e-9 * other(i, 0);
-  auto p = panel(v);
-  CGP::project_out(p, base);
-  EXPECT_LE(real_columns(CGP::gram_matrix(base.nv, p.v)).norm(), 1e-16);
-  EXPECT_GT(real_columns(p.v).norm(), 1e-10);
+  const auto V = random_block<Q>(n, 4, 11);
+  const auto G = CGP::gram_matrix(V, V), C = CGP::internal::orthonormal_combinations(G);
+  ASSERT_EQ(C.cols(), 4);
+  EXPECT_LE(distance_to_identity(CGP::gram_matrix(C, CGP::combination(G, C))), 1e-13);
+  for (int j = 0; j < 4; ++j)
+    for (int i = j + 1; i < 4; ++i) EXPECT_EQ(CGP::norm(C(i, j)), 0);
+}
+
+TEST(Orthonormal_combinations, are_the_same_for_vectors_of_other_lengths)
+{
+  const auto V = random_block<Q>(n, 3, 11);
+  auto W = V;
+  const double lengths[] = {1e-150, 1, 1e100};
+  for (int j = 0; j < 3; ++j) CGP::scale_column(W, j, lengths[j]);
+  const auto of = [](const CGP::Block<Q>& v) {
+    return CGP::combination(v, CGP::internal::orthonormal_combinations(CGP::gram_matrix(v, v)));
+  };
+  EXPECT_LE((real_columns(of(V)) - real_columns(of(W))).norm(), 1e-13);
 }
 
 TEST_F(Ritz_panel, over_the_reals_keeps_what_differs_by_a_quaternion)
@@ -130,19 +138,4 @@ TEST_F(Ritz_panel, over_the_reals_keeps_what_differs_by_a_quaternion)
   const Eigen::MatrixXd gram = real_columns(p.v).transpose() * real_columns(p.nv);
   EXPECT_LE((gram - Eigen::MatrixXd::Identity(2, 2)).norm(), 1e-13);
   EXPECT_LE(distance_to_identity(p.gram(p.v, p.nv)), 1e-13);
-}
-
-TEST_F(Ritz_panel, over_the_reals_is_projected_along_real_multiples_only)
-{
-  auto base = CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N),
-                              random_block<Q>(n, 2, 11), CGP::internal::Coefficients::reals);
-  CGP::orthonormalize(base);
-  CGP::Block<Q> v = random_block<Q>(n, 2, 12);
-  for (int i = 0; i < n; ++i) v(i, 1) = base.v(i, 0) * Q{0, 0, 1, 0};
-  auto p = CGP::make_panel(CGP::block_operator(K), CGP::block_operator(N), v,
-                           CGP::internal::Coefficients::reals);
-  CGP::project_out(p, base);
-  const Eigen::MatrixXd shadow = real_columns(base.nv).transpose() * real_columns(p.v);
-  EXPECT_LE(shadow.norm(), 1e-14);
-  EXPECT_GT(real_columns(p.v).col(1).norm(), 0.1);
 }

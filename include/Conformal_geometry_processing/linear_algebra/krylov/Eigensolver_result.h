@@ -99,18 +99,18 @@ class Eigensolver_convergence {
   bool is_last(const Ritz_panel& x, const Block<Quaternion<double>>& r,
                const Block<Quaternion<double>>& Tr, GoFurther&& go_further)
   {
-    const Vector<double> estimates = error_estimates(x, r, Tr);
+    const Vector<double> values = x.values(), estimates = error_estimates(x, r, Tr);
     const double estimate = m_estimate = estimates.head(m_options.wanted).maxCoeff();
+    m_value = values[0];
     if (!std::isfinite(estimate))
       throw Solver_error(m_function, "iteration " + std::to_string(m_result.iterations) +
                                          " gives values that are not finite");
-    note_progress(x, estimates, estimate);
+    note_progress(x.v, values, estimates, estimate);
     m_result.converged = estimate <= m_options.tolerance;
     if (m_result.converged) return true;
     m_result.stagnated = m_idle >= 3;
     if (m_result.stagnated || m_iterations >= m_options.max_iterations) return true;
-    m_result.cancelled =
-        !go_further(Eigensolver_progress{m_iterations, x.value(0), estimate, &x.v});
+    m_result.cancelled = !go_further(Eigensolver_progress{m_iterations, m_value, estimate, &x.v});
     return m_result.cancelled;
   }
 
@@ -118,7 +118,8 @@ class Eigensolver_convergence {
 
   /// \brief Asks whether the matrix of x changes; if it does, the iterates so far do not count, as
   /// those of different matrices cannot be compared.
-  bool has_adapted(const Ritz_panel& x);
+  /// \param vectors the iterates after the last ones that were recorded
+  bool has_adapted(const Block<Quaternion<double>>& vectors);
 
   void count_solve() { ++m_result.solves; }
 
@@ -134,12 +135,13 @@ class Eigensolver_convergence {
  private:
   Vector<double> error_estimates(const Ritz_panel& x, const Block<Quaternion<double>>& r,
                                  const Block<Quaternion<double>>& Tr) const;
-  void note_progress(const Ritz_panel& x, const Vector<double>& estimates, double estimate);
+  void note_progress(const Block<Quaternion<double>>& vectors, const Vector<double>& values,
+                     const Vector<double>& estimates, double estimate);
 
   std::string m_function;
   Eigensolver_options m_options;
   Eigensolver_result m_result;
-  double m_estimate = 0;  // of the last iterate
+  double m_value = 0, m_estimate = 0;  // of the last iterate
   double m_best = std::numeric_limits<double>::infinity();
   double m_lowest = std::numeric_limits<double>::infinity();
   double m_next = std::numeric_limits<double>::infinity();

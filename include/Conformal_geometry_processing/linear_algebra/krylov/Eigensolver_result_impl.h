@@ -46,10 +46,11 @@ CGP_INLINE Eigensolver_result internal::Eigensolver_convergence::result()
   return std::move(m_result);
 }
 
-CGP_INLINE bool internal::Eigensolver_convergence::has_adapted(const internal::Ritz_panel& x)
+CGP_INLINE bool internal::Eigensolver_convergence::has_adapted(
+    const Block<Quaternion<double>>& vectors)
 {
   if (!m_options.adapt ||
-      !m_options.adapt(Eigensolver_progress{m_iterations, x.value(0), m_estimate, &x.v}))
+      !m_options.adapt(Eigensolver_progress{m_iterations, m_value, m_estimate, &vectors}))
     return false;
   m_best = m_lowest = m_next = std::numeric_limits<double>::infinity();
   m_idle = 0;
@@ -74,21 +75,20 @@ CGP_INLINE Vector<double> internal::Eigensolver_convergence::error_estimates(
   return estimates;
 }
 
-CGP_INLINE void internal::Eigensolver_convergence::note_progress(const internal::Ritz_panel& x,
-                                                                 const Vector<double>& estimates,
-                                                                 double estimate)
+CGP_INLINE void internal::Eigensolver_convergence::note_progress(
+    const Block<Quaternion<double>>& vectors, const Vector<double>& values,
+    const Vector<double>& estimates, double estimate)
 {
-  const double value = x.value(0);
-  const double rounding = 1e-14 * (std::max)(std::abs(value), m_options.scale * m_options.scale);
-  const bool lower = value < m_lowest - rounding, better = estimate < m_best;
+  const double rounding =
+      1e-14 * (std::max)(std::abs(values[0]), m_options.scale * m_options.scale);
+  const bool lower = values[0] < m_lowest - rounding, better = estimate < m_best;
   m_idle = lower || better ? 0 : m_idle + 1;
-  m_lowest = (std::min)(m_lowest, value);
+  m_lowest = (std::min)(m_lowest, values[0]);
   if (!better) return;
   m_best = estimate;
-  m_result.vectors = x.v;
+  m_result.vectors = vectors;
   m_result.estimates = estimates;
-  m_result.values.resize(x.size());
-  for (Eigen::Index j = 0; j < x.size(); ++j) m_result.values[j] = x.value(j);
+  m_result.values = values;
 }
 
 }  // namespace Conformal_geometry_processing

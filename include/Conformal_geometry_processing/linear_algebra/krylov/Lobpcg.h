@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_LOBPCG_H
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Ritz_panel.h>
 
@@ -18,29 +17,24 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-// The search space of the iteration, [x, w, p] with N-orthonormal columns. All iterations use the
-// same memory.
+// The search space of the iteration, the span of S = [x, w, p]. All iterations use the same memory.
+//
+// Only x has N-orthonormal columns. A basis of the span is found among the combinations of S by
+// S^H N S: to orthonormalize w and p themselves would read and write each of them many times.
 struct Lobpcg_space {
   using Vectors = Block<Quaternion<double>>;
+
+  // S^H N S and S^H K S
+  struct Forms {
+    Vectors n, k;
+  };
 
   Ritz_panel x, w, p;  // iterates; preconditioned residuals; previous steps
 
   std::array<const Ritz_panel*, 3> panels() const { return {&x, &w, &p}; }
-  Eigen::Index size_of_directions() const { return w.size() + p.size(); }
+  Eigen::Index size() const { return x.size() + w.size() + p.size(); }
 
-  // Orthonormalizes w and p against x and each other.
-  template <class K, class N>
-  void orthonormalize_directions(const K& apply_k, const N& apply_n)
-  {
-    for (int pass = 0; pass < 2; ++pass) add_combination(w.v, x.v, Vectors(-x.gram(x.nv, w.v)));
-    apply_operators(apply_k, apply_n, w);
-    orthonormalize(w);
-    project_out(p, x);
-    project_out(p, w);
-    orthonormalize(p);
-  }
-
-  Vectors projection() const;
+  Forms forms() const;
   void advance(const Vectors& C);
 };
 

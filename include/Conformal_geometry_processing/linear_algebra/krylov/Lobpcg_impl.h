@@ -4,36 +4,54 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_LOBPCG_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
 namespace Conformal_geometry_processing {
 namespace internal {
 
-// S^H K S for S = [x, w, p].
-CGP_INLINE Lobpcg_space::Vectors Lobpcg_space::projection() const
+/// Fills a Hermitian form by its upper triangle, in the type of the coefficients
+CGP_INLINE void complete_hermitian(Coefficients coefficients, Lobpcg_space::Vectors& form)
 {
-  Vectors G(x.size() + size_of_directions(), x.size() + size_of_directions());
-  Eigen::Index column = 0;
-  for (const Ritz_panel* b : panels()) {
-    Eigen::Index row = 0;
-    for (const Ritz_panel* a : panels()) {
-      if (row <= column) G.block(row, column, a->size(), b->size()) = x.gram(a->v, b->kv);
-      row += a->size();
+  for (Eigen::Index j = 0; j < form.cols(); ++j)
+    for (Eigen::Index i = 0; i <= j; ++i) {
+      form(i, j) = reduced_to(coefficients, form(i, j));
+      if (i < j) form(j, i) = conjugate(form(i, j));
     }
-    column += b->size();
-  }
-  for (Eigen::Index j = 0; j < G.cols(); ++j)
-    for (Eigen::Index i = j + 1; i < G.rows(); ++i) G(i, j) = conjugate(G(j, i));
-  return G;
 }
 
-// Moves x to [x, w, p] C. Updates only the vectors of x: K and N are applied to them again.
+// Some rows at a time, so that every vector is read once.
+CGP_INLINE Lobpcg_space::Forms Lobpcg_space::forms() const
+{
+  const Vectors zero = Vectors::Constant(size(), size(), {});
+  Forms sum{zero, zero};
+  const Eigen::Index most = 256;
+  for (Eigen::Index first = 0; first < x.v.rows(); first += most) {
+    const Eigen::Index count = (std::min)(most, x.v.rows() - first);
+    Eigen::Index column = 0;
+    for (const Ritz_panel* b : panels())
+      for (Eigen::Index j = 0; j < b->size(); ++j, ++column) {
+        Eigen::Index row = 0;
+        for (const Ritz_panel* a : panels())
+          for (Eigen::Index i = 0; i < a->size() && row <= column; ++i, ++row) {
+            const auto v = a->v.col(i).segment(first, count);
+            sum.n(row, column) += inner_product(v, b->nv.col(j).segment(first, count));
+            sum.k(row, column) += inner_product(v, b->kv.col(j).segment(first, count));
+          }
+      }
+  }
+  for (Vectors* form : {&sum.n, &sum.k}) complete_hermitian(x.coefficients, *form);
+  return sum;
+}
+
+// Moves x to S C. Updates only the vectors of x: K and N are applied to them again.
 CGP_INLINE void Lobpcg_space::advance(const Vectors& C)
 {
   const Vectors c_x = C.topRows(x.size()), c_w = C.middleRows(x.size(), w.size()),
@@ -65,16 +83,21 @@ lobpcg(const Block_function& apply_k, const Block_function& apply_n,
     convergence.count_solve();
     if (convergence.is_last(x, r, w.v, go_further)) break;
 
-    space.orthonormalize_directions(apply_k, apply_n);
-    if (space.size_of_directions() == 0) {
+    // A nearly singular K makes the component of w along x, which consists of rounding errors,
+    // large.
+    add_combination(w.v, x.v, Vectors(-x.gram(x.nv, w.v)));
+    apply_operators(apply_k, apply_n, w);
+    const auto forms = space.forms();
+    const Vectors basis = orthonormal_combinations(forms.n);
+    if (basis.cols() <= x.size()) {
       convergence.stop();
       break;
     }
-    const auto ritz = hermitian_jacobi(space.projection());
+    const auto ritz = hermitian_jacobi(x.gram(basis, combination(forms.k, basis)));
     convergence.note_next_value(ritz.values[x.size()]);
-    space.advance(ritz.vectors.leftCols(x.size()));
+    space.advance(combination(basis, Vectors(ritz.vectors.leftCols(x.size()))));
     convergence.count_iteration();
-    const bool has_adapted = convergence.has_adapted(x);
+    const bool has_adapted = convergence.has_adapted(x.v);
     // Applied anew, so that the residual is the true one and not that of accumulated combinations.
     apply_operators(apply_k, apply_n, x);
     if (has_adapted) apply_operator(apply_k, p.v, p.kv);

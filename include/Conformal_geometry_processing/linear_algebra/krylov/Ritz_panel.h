@@ -30,8 +30,8 @@ struct Ritz_panel {
 
   std::array<Block<Quaternion<double>>*, 3> parts() { return {&v, &kv, &nv}; }
 
-  /// Rayleigh quotient of column j
-  double value(Eigen::Index j) const;
+  /// the Rayleigh quotients of the columns
+  Vector<double> values() const;
 
   /// Sets the columns of r to K x - N x theta, with theta the Rayleigh quotient of x
   void residual(Block<Quaternion<double>>& r) const;
@@ -65,17 +65,23 @@ internal::Ritz_panel make_panel(
 void replace_by_combination(internal::Ritz_panel& p, const Block<Quaternion<double>>& C,
                             const internal::Ritz_panel& q, const Block<Quaternion<double>>& D);
 
-/// \ingroup PkgLinearAlgebra
-/// \brief Projects p to the N-orthogonal complement of the N-orthonormal columns of `base`.
-///
-/// Projects twice, because rounding errors of the first pass may dominate the rest of p.
-void project_out(internal::Ritz_panel& p, const internal::Ritz_panel& base);
+namespace internal {
 
 /// \ingroup PkgLinearAlgebra
-/// \brief Makes the columns of p N-orthonormal by the Gram-Schmidt process.
+/// \brief Returns a basis of the span of some vectors V, as combinations V C with C^H G C = 1.
 ///
-/// Drops columns that depend on the previous ones, with a squared sine below 1e-11 to their span.
-/// Below this, a direction consists mostly of rounding errors and may lead to another eigenpair.
+/// The Gram-Schmidt process on coefficients. Leaves out vectors that depend on the previous ones,
+/// with a squared sine below 1e-11 to their span: such a direction consists mostly of rounding
+/// errors and may lead to another eigenpair.
+/// \param G the Gram matrix of V, d x d
+/// \returns d x r, r <= d; columns are triangular up to those left out
+Block<Quaternion<double>> orthonormal_combinations(const Block<Quaternion<double>>& G);
+
+}  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
+/// \brief Makes the columns of p N-orthonormal, without those that `orthonormal_combinations()`
+/// leaves out.
 void orthonormalize(internal::Ritz_panel& p);
 
 }  // namespace Conformal_geometry_processing

@@ -18,16 +18,19 @@ CGP_INLINE Block<Quaternion<double>> internal::Ritz_panel::gram(
   return gram_matrix(A, B, coefficients);
 }
 
-CGP_INLINE double internal::Ritz_panel::value(Eigen::Index j) const
+CGP_INLINE Vector<double> internal::Ritz_panel::values() const
 {
-  return inner_product(v.col(j), kv.col(j)).w / inner_product(v.col(j), nv.col(j)).w;
+  Vector<double> theta(size());
+  for (Eigen::Index j = 0; j < size(); ++j)
+    theta[j] = inner_product(v.col(j), kv.col(j)).w / inner_product(v.col(j), nv.col(j)).w;
+  return theta;
 }
 
 CGP_INLINE void internal::Ritz_panel::residual(Block<Quaternion<double>>& r) const
 {
-  r = kv;
-  for (Eigen::Index j = 0; j < size(); ++j)
-    add_multiple(r.col(j), nv.col(j), Quaternion<double>{-value(j), 0, 0, 0});
+  const Vector<double> theta = values();
+  r.resize(v.rows(), size());
+  for (Eigen::Index j = 0; j < size(); ++j) r.col(j) = kv.col(j) - theta[j] * nv.col(j);
 }
 
 CGP_INLINE void replace_by_combination(internal::Ritz_panel& p, const Block<Quaternion<double>>& C,
@@ -39,52 +42,31 @@ CGP_INLINE void replace_by_combination(internal::Ritz_panel& p, const Block<Quat
   replace_by_combination(p.nv, C, q.nv, D);
 }
 
-CGP_INLINE void project_out(internal::Ritz_panel& p, const internal::Ritz_panel& base)
+CGP_INLINE Block<Quaternion<double>> internal::orthonormal_combinations(
+    const Block<Quaternion<double>>& G)
 {
-  if (p.size() == 0 || base.size() == 0) return;
-  for (int pass = 0; pass < 2; ++pass) {
-    const Block<Quaternion<double>> shadow = -base.gram(base.nv, p.v);
-    add_combination(p.v, base.v, shadow);
-    add_combination(p.kv, base.kv, shadow);
-    add_combination(p.nv, base.nv, shadow);
+  using Vectors = Block<Quaternion<double>>;
+  const double degenerate = 1e-11;
+  const Eigen::Index d = G.cols();
+  Vectors C(d, 0);
+  for (Eigen::Index j = 0; j < d; ++j) {
+    Vectors c = Vectors::Constant(d, 1, {});
+    c(j, 0).w = 1 / std::sqrt(G(j, j).w);
+    for (int pass = 0; pass < 2; ++pass)
+      add_combination(c, C, Vectors(-gram_matrix(C, combination(G, c))));
+    const double rest = inner_product(c.col(0), combination(G, c).col(0)).w;
+    if (!(rest > degenerate) || !std::isfinite(rest)) continue;
+    C.conservativeResize(d, C.cols() + 1);
+    C.rightCols(1) = c;
+    scale_column(C, C.cols() - 1, 1 / std::sqrt(rest));
   }
+  return C;
 }
-
-namespace internal {
-
-CGP_INLINE double column_norm(const Ritz_panel& p, Eigen::Index j)
-{
-  return std::sqrt(inner_product(p.v.col(j), p.nv.col(j)).w);
-}
-
-CGP_INLINE void project_column(Ritz_panel& p, Eigen::Index j)
-{
-  for (int pass = 0; pass < 2; ++pass)
-    for (Eigen::Index i = 0; i < j; ++i) {
-      const Quaternion<double> shadow =
-          -reduced_to(p.coefficients, inner_product(p.nv.col(i), p.v.col(j)));
-      for (auto* part : p.parts()) add_multiple(part->col(j), part->col(i), shadow);
-    }
-}
-
-}  // namespace internal
 
 CGP_INLINE void orthonormalize(internal::Ritz_panel& p)
 {
-  const double degenerate = 1e-11;
-  Eigen::Index kept = 0;
-  for (Eigen::Index j = 0; j < p.size(); ++j) {
-    if (kept < j)
-      for (auto* part : p.parts()) part->col(kept) = part->col(j);
-    const double length = internal::column_norm(p, kept);
-    internal::project_column(p, kept);
-    const double rest = internal::column_norm(p, kept);
-    if (!(rest * rest > degenerate * length * length) || !std::isfinite(1 / rest)) continue;
-    for (auto* part : p.parts()) scale_column(*part, kept, 1 / rest);
-    ++kept;
-  }
-  if (kept < p.size())
-    for (auto* part : p.parts()) part->conservativeResize(Eigen::NoChange, kept);
+  const auto C = internal::orthonormal_combinations(p.gram(p.v, p.nv));
+  for (auto* part : p.parts()) *part = combination(*part, C);
 }
 
 }  // namespace Conformal_geometry_processing
