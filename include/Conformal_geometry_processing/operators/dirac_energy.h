@@ -85,6 +85,12 @@ double dirac_quotient(const Surface_ref& surface, const Curvature_potential& rho
                       const Quaternion_vector<double>& lambda);
 
 /// \ingroup PkgOperators
+/// \brief Re <B lambda, M_F R lambda> / <B lambda, M_F B lambda>: a mean of rho, in 1/length, by
+/// which `dirac_quotient()` is less than without rho. O(sheets).
+double potential_quotient(const Surface_ref& surface, const Curvature_potential& rho,
+                          const Quaternion_vector<double>& lambda);
+
+/// \ingroup PkgOperators
 /// \brief |(D - R) lambda| / |lambda|, in 1/length: the root of the Rayleigh quotient of X and the
 /// vertex areas. Accurate to all digits even if it is zero up to rounding, because no terms cancel.
 /// O(sheets), without assembling a matrix.

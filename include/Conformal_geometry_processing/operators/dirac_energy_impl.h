@@ -135,6 +135,25 @@ CGP_INLINE double dirac_quotient(const Surface_ref& surface, const Curvature_pot
   return 3 * form / mass;
 }
 
+CGP_INLINE double potential_quotient(const Surface_ref& surface, const Curvature_potential& rho,
+                                     const Quaternion_vector<double>& lambda)
+{
+  double form = 0, mass = 0;
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    const Eigen::Vector3d r = rho.at_corners(sheet);
+    Quaternion<double> average, image;  // 3 B lambda and 3 R lambda there
+    for (int c = 0; c < 3; ++c) {
+      const Quaternion<double>& l = lambda[sheet.corners[static_cast<std::size_t>(c)]];
+      average += l;
+      image += r[c] * l;
+    }
+    form += sheet.share * sheet.area * dot(average, image);
+    mass += sheet.share * sheet.area * squared_norm(average);
+  }
+  return form / mass;
+}
+
 CGP_INLINE double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
                                const Quaternion_vector<double>& lambda)
 {

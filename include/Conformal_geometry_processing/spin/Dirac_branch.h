@@ -75,11 +75,8 @@ class Dirac_branch {
   /// whether the factor at hand is a good preconditioner at the point
   bool is_near_pole(const Branch_point& p) const;
 
-  /// the derivative of the eigenvalue of lambda with respect to t, minus a mean of rho
-  double slope(const Quaternion_vector<double>& lambda) const;
-
   /// \brief whether a stage seems to have left its branch: the eigenvalue at its end is not what
-  /// its derivatives at both ends lead to.
+  /// its derivatives at both ends, which are means of -rho, lead to.
   ///
   /// A rough span couples branches that cross, and may turn off without a jump of its vectors.
   /// Short stages count as right, because branches that repel each other do bend.

@@ -118,20 +118,15 @@ bool Dirac_branch<SolverTraits, EigensolverTraits>::is_near_pole(const Branch_po
 }
 
 template <class SolverTraits, class EigensolverTraits>
-double Dirac_branch<SolverTraits, EigensolverTraits>::slope(
-    const Quaternion_vector<double>& lambda) const
-{
-  return dirac_quotient(m_system.surface(), potential(1, 0), lambda) -
-         dirac_quotient(m_system.surface(), potential(0, 0), lambda);
-}
-
-template <class SolverTraits, class EigensolverTraits>
 bool Dirac_branch<SolverTraits, EigensolverTraits>::turns_off(
     const Branch_point& from, const Quaternion_vector<double>& before, const Branch_point& to) const
 {
   const double shortest = 1. / 16, greatest_bend = 0.2, step = to.t - from.t;
   if (step <= shortest) return false;
-  const double expected = step * (slope(before) + slope(m_s.lambda)) / 2;
+  const auto mean = [&](const Quaternion_vector<double>& lambda) {
+    return potential_quotient(m_system.surface(), m_rho, lambda);
+  };
+  const double expected = -step * (mean(before) + mean(m_s.lambda)) / 2;
   return std::abs(to.gamma - from.gamma - expected) > greatest_bend * to.least_gap;
 }
 

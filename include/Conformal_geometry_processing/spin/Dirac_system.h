@@ -81,7 +81,7 @@ class Dirac_system {
   /// 4 pi / area: the order of magnitude of the low eigenvalues of X
   double unit() const;
 
-  /// assembles X for rho without factoring it
+  /// assembles X for rho without factoring it, unless it is that of rho already
   void assemble(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds);
 
   /// \brief assembles X for rho and factors it, shifted by a multiple of `unit()` M_V.
@@ -165,6 +165,7 @@ class Dirac_system {
   bool m_is_closed, m_is_self_adjoint;
   Eigen::VectorXd m_areas;  // |V|
   Matrix m_X;
+  std::optional<Curvature_potential> m_rho;  // of m_X
   Solver m_solver;
   std::optional<Reduced_hermitian_solver> m_reduced;  // where directions are prescribed
   std::unique_ptr<Directions> m_directions;

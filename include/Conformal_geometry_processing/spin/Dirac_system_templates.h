@@ -103,6 +103,7 @@ template <class SolverTraits>
 void internal::Dirac_system<SolverTraits>::update_geometry()
 {
   ++m_changes;
+  m_rho.reset();
   m_areas = vertex_areas(m_surface);
   if (m_directions) m_directions->update_geometry();
 }
@@ -126,7 +127,9 @@ void internal::Dirac_system<SolverTraits>::assemble(const Curvature_potential& r
 {
   internal::Stopwatch watch;
   ++m_changes;
-  assemble_dirac_energy(m_surface, rho, m_X);
+  const bool is_assembled = m_rho && m_rho->on == rho.on && m_rho->values == rho.values;
+  if (!is_assembled) assemble_dirac_energy(m_surface, rho, m_X);
+  m_rho = rho;
   seconds.assembly += watch.lap();
 }
 
@@ -135,10 +138,8 @@ void internal::Dirac_system<SolverTraits>::set_potential(const Curvature_potenti
                                                          internal::Dirac_evidence::Seconds& seconds,
                                                          double least)
 {
+  assemble(rho, seconds);
   internal::Stopwatch watch;
-  ++m_changes;
-  assemble_dirac_energy(m_surface, rho, m_X);
-  seconds.assembly += watch.lap();
   m_shift = least * unit();
   Solver_status status = factorize(m_shift * m_areas);
   for (const double share : {1e-6, 1e-3, 1e-2}) {

@@ -18,27 +18,40 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-/// Row r of the images: those on a sheet, times the root of its area and share, as four real
-/// columns for each quaternion.
-CGP_INLINE void add_images(const Sheet& sheet, const Eigen::Vector3d& rho,
-                           const Block<Quaternion<double>>& vectors, Eigen::Index r,
-                           Eigen::MatrixXd& images)
+using Row_major = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// the matrix of v -> e v for components (w, x, y, z) and imaginary e
+CGP_INLINE Eigen::Matrix4d left_factor(const Eigen::Vector3d& e)
 {
-  const Eigen::Index k = vectors.cols();
+  Eigen::Matrix4d L;
+  L << 0, -e[0], -e[1], -e[2],  //
+      e[0], 0, -e[2], e[1],     //
+      e[1], e[2], 0, -e[0],     //
+      e[2], -e[1], e[0], 0;
+  return L;
+}
+
+/// The images on a sheet, times the root of its area and share: four real numbers for each of D v,
+/// R v and B v, for each vector v.
+CGP_INLINE void add_images(const Sheet& sheet, const Eigen::Vector3d& rho,
+                           const Block<Quaternion<double>>& vectors, double* images)
+{
+  using Four = Eigen::Vector4d;
   const double root = std::sqrt(sheet.share / sheet.area), third = root * sheet.area / 3;
-  for (Eigen::Index a = 0; a < k; ++a) {
-    std::array<Quaternion<double>, 3> image;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Eigen::Vector3d edge = root / -2 * sheet.vectors.col(static_cast<Eigen::Index>(c));
-      const Quaternion<double>& v = vectors(sheet.corners[c], a);
-      image[0] += imaginary(edge) * v;
-      image[1] += (third * rho[static_cast<Eigen::Index>(c)]) * v;
-      image[2] += third * v;
+  std::array<Eigen::Matrix4d, 3> row;
+  for (int c = 0; c < 3; ++c)
+    row[static_cast<std::size_t>(c)] = left_factor(root / -2 * sheet.vectors.col(c));
+  for (Eigen::Index a = 0; a < vectors.cols(); ++a, images += 12) {
+    Four dirac = Four::Zero(), potential = Four::Zero(), average = Four::Zero();
+    for (int c = 0; c < 3; ++c) {
+      const Eigen::Map<const Four> v(&vectors(sheet.corners[static_cast<std::size_t>(c)], a).w);
+      dirac += row[static_cast<std::size_t>(c)] * v;
+      potential += rho[c] * v;
+      average += v;
     }
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      const Quaternion<double>& q = image[static_cast<std::size_t>(i)];
-      images.row(r).segment<4>(4 * (3 * a + i)) << q.w, q.x, q.y, q.z;
-    }
+    Eigen::Map<Four>{images} = dirac;
+    Eigen::Map<Four>{images + 4} = third * potential;
+    Eigen::Map<Four>{images + 8} = third * average;
   }
 }
 
@@ -55,12 +68,13 @@ CGP_INLINE void Dirac_gram::extend(const Surface_ref& surface, const Curvature_p
 {
   const Eigen::Index old = m_products.cols(), all = images * vectors.cols(), added = all - old;
   const int sheets = surface.size_of_sheets(), most = 256;  // images of so many fit the cache
-  Eigen::MatrixXd part(most, 4 * all), sums = Eigen::MatrixXd::Zero(4 * all, 4 * added);
+  Row_major part(most, 4 * all);
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(4 * all, 4 * added);
   for (int first = 0; first < sheets && added > 0; first += most) {
     const int count = (std::min)(most, sheets - first);
     for (int i = 0; i < count; ++i) {
       const Sheet sheet = surface.sheet(first + i);
-      add_images(sheet, rho.at_corners(sheet), vectors, i, part);
+      add_images(sheet, rho.at_corners(sheet), vectors, &part(i, 0));
     }
     sums.noalias() += part.topRows(count).transpose() * part.topRows(count).rightCols(4 * added);
   }
