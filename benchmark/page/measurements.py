@@ -29,6 +29,10 @@ class Measurements:
             key = (row["table"], row["mesh"], row["model"])
             self.by_name[key] = row
 
+    def lines(self):
+        """The rows as lines, without those that were replaced."""
+        return [json.dumps(row) for row in self.by_name.values()]
+
     def rows(self, table, model=None, mesh=None):
         """Those that were measured, or left out, in the order of the run."""
         return [row for (t, m, o), row in self.by_name.items()

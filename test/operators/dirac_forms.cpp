@@ -144,3 +144,15 @@ TEST(Dirac_misfit, has_all_digits_where_nothing_is_left)
   const auto none = Curvature_potential::on_faces(Eigen::VectorXd::Zero(bumps.size_of_faces()));
   EXPECT_LT(CGP::dirac_misfit(bumps, none, one), 1e-14);
 }
+
+TEST(Potential_quotient, is_what_rho_takes_from_the_dirac_quotient)
+{
+  const Quaternion_vector<double> lambda = random_columns(1);
+  const auto none = CGP::no_potential(bumps);
+  for (const auto& rho :
+       {Curvature_potential::on_faces(random_numbers(bumps.size_of_faces(), 3)),
+        Curvature_potential::on_vertices(random_numbers(bumps.size_of_vertices(), 3))})
+    EXPECT_NEAR(CGP::potential_quotient(bumps, rho, lambda),
+                CGP::dirac_quotient(bumps, none, lambda) - CGP::dirac_quotient(bumps, rho, lambda),
+                1e-12);
+}
