@@ -145,6 +145,21 @@ TEST(Dirac_misfit, has_all_digits_where_nothing_is_left)
   EXPECT_LT(CGP::dirac_misfit(bumps, none, one), 1e-14);
 }
 
+TEST(Potential_quotient, is_a_mean_of_rho_by_the_squares_of_averages)
+{
+  const Quaternion_vector<double> lambda = random_columns(1);
+  const auto rho = Curvature_potential::on_faces(random_numbers(bumps.size_of_faces(), 3));
+  double sum = 0, mass = 0;
+  for (int f = 0; f < bumps.size_of_faces(); ++f) {
+    const auto& v = bumps.corners(f);
+    const double weight = bumps.double_area_vector(f).norm() *
+                          CGP::squared_norm(lambda[v[0]] + lambda[v[1]] + lambda[v[2]]);
+    sum += weight * rho.values[f];
+    mass += weight;
+  }
+  EXPECT_NEAR(CGP::potential_quotient(bumps, rho, lambda), sum / mass, 1e-13);
+}
+
 TEST(Potential_quotient, is_what_rho_takes_from_the_dirac_quotient)
 {
   const Quaternion_vector<double> lambda = random_columns(1);

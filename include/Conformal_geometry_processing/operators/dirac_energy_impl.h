@@ -116,42 +116,48 @@ CGP_INLINE Quaternion_vector<double> apply_dirac_form(const Surface_ref& surface
   return result;
 }
 
-CGP_INLINE double dirac_quotient(const Surface_ref& surface, const Curvature_potential& rho,
-                                 const Quaternion_vector<double>& lambda)
+namespace internal {
+
+/// Re <B lambda, M_F D lambda>, Re <B lambda, M_F R lambda> and <B lambda, M_F B lambda>
+struct Quotient_terms {
+  double dirac = 0, potential = 0, mass = 0;
+};
+
+CGP_INLINE Quotient_terms quotient_terms(const Surface_ref& surface, const Curvature_potential& rho,
+                                         const Quaternion_vector<double>& lambda)
 {
-  double form = 0, mass = 0;
+  Quotient_terms sum;
   for (int s = 0; s < surface.size_of_sheets(); ++s) {
     const Sheet sheet = surface.sheet(s);
     const Eigen::Vector3d r = rho.at_corners(sheet);
-    Quaternion<double> average, image;  // 3 B lambda and M (D - R) lambda there
+    Quaternion<double> average, dirac, potential;  // 3 B lambda, M D lambda and 3 R lambda there
     for (int c = 0; c < 3; ++c) {
       const Quaternion<double>& l = lambda[sheet.corners[static_cast<std::size_t>(c)]];
       average += l;
-      image += internal::dirac_row(sheet, r, c) * l;
+      dirac += dirac_row(sheet, Eigen::Vector3d::Zero(), c) * l;
+      potential += r[c] * l;
     }
-    form += sheet.share * dot(average, image);
-    mass += sheet.share * sheet.area * squared_norm(average);
+    sum.dirac += sheet.share / 3 * dot(average, dirac);
+    sum.potential += sheet.share * sheet.area / 9 * dot(average, potential);
+    sum.mass += sheet.share * sheet.area / 9 * squared_norm(average);
   }
-  return 3 * form / mass;
+  return sum;
+}
+
+}  // namespace internal
+
+CGP_INLINE double dirac_quotient(const Surface_ref& surface, const Curvature_potential& rho,
+                                 const Quaternion_vector<double>& lambda)
+{
+  const auto terms = internal::quotient_terms(surface, rho, lambda);
+  return (terms.dirac - terms.potential) / terms.mass;
 }
 
 CGP_INLINE double potential_quotient(const Surface_ref& surface, const Curvature_potential& rho,
                                      const Quaternion_vector<double>& lambda)
 {
-  double form = 0, mass = 0;
-  for (int s = 0; s < surface.size_of_sheets(); ++s) {
-    const Sheet sheet = surface.sheet(s);
-    const Eigen::Vector3d r = rho.at_corners(sheet);
-    Quaternion<double> average, image;  // 3 B lambda and 3 R lambda there
-    for (int c = 0; c < 3; ++c) {
-      const Quaternion<double>& l = lambda[sheet.corners[static_cast<std::size_t>(c)]];
-      average += l;
-      image += r[c] * l;
-    }
-    form += sheet.share * sheet.area * dot(average, image);
-    mass += sheet.share * sheet.area * squared_norm(average);
-  }
-  return form / mass;
+  const auto terms = internal::quotient_terms(surface, rho, lambda);
+  return terms.potential / terms.mass;
 }
 
 CGP_INLINE double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,

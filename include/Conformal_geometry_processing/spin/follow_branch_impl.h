@@ -18,8 +18,6 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-using Row_major = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 /// the matrix of v -> e v for components (w, x, y, z) and imaginary e
 CGP_INLINE Eigen::Matrix4d left_factor(const Eigen::Vector3d& e)
 {
@@ -68,7 +66,7 @@ CGP_INLINE void Dirac_gram::extend(const Surface_ref& surface, const Curvature_p
 {
   const Eigen::Index old = m_products.cols(), all = images * vectors.cols(), added = all - old;
   const int sheets = surface.size_of_sheets(), most = 256;  // images of so many fit the cache
-  Row_major part(most, 4 * all);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> part(most, 4 * all);
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(4 * all, 4 * added);
   for (int first = 0; first < sheets && added > 0; first += most) {
     const int count = (std::min)(most, sheets - first);
