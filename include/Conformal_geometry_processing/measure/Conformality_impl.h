@@ -7,7 +7,6 @@
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 namespace Conformal_geometry_processing {
 
@@ -42,13 +41,12 @@ namespace internal {
 CGP_INLINE Conformality measured_conformality(const Mesh_view& mesh, const Points& positions,
                                               const Points& expected_normals)
 {
-  const Eigen::VectorXd Q = quasi_conformal_errors(mesh, positions), areas = face_areas(mesh);
-  const Eigen::VectorXd new_areas = areas.array() * length_scales(mesh, positions).array().square();
+  const Face_maps maps(mesh, positions);
   Conformality c;
-  c.quasi_conformal = distribution(Q, areas);
-  c.quasi_conformal_of_new_area = Q.dot(new_areas) / new_areas.sum();
+  c.quasi_conformal = distribution(maps.quasi_conformal, maps.areas);
+  c.quasi_conformal_of_new_area = maps.quasi_conformal.dot(maps.new_areas) / maps.new_areas.sum();
   c.length_cross_ratio = length_cross_ratio_change(mesh, positions);
-  c.scale = area_distortion(mesh, positions);
+  c.scale = area_distortion(maps);
   c.flipped_faces = flipped_faces(mesh, positions, expected_normals);
   c.flipped_share = double(c.flipped_faces) / mesh.size_of_faces();
   return c;

@@ -20,7 +20,7 @@ struct Distribution {
 }  // namespace internal
 
 /// \ingroup PkgMeasure
-/// Returns statistics of values with positive weights, usually areas; O(n log n)
+/// Returns statistics of values with positive weights, usually areas; O(n)
 internal::Distribution distribution(const Eigen::VectorXd& values, const Eigen::VectorXd& weights);
 
 /// \ingroup PkgMeasure

@@ -15,24 +15,39 @@
 
 namespace Conformal_geometry_processing {
 
+namespace internal {
+
+/// the least value with at least a share of the weight at or below it; O(n)
+CGP_INLINE double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,
+                                    double share)
+{
+  std::vector<int> order(static_cast<std::size_t>(values.size()));
+  std::iota(order.begin(), order.end(), 0);
+  const double wanted = share * weights.sum();
+  double below = 0;  // the weight before `first`; the quantile is in [first, last)
+  for (auto first = order.begin(), last = order.end();;) {
+    if (last - first == 1) return values[*first];
+    const auto middle = first + (last - first) / 2;
+    std::nth_element(first, middle, last, [&](int a, int b) { return values[a] < values[b]; });
+    const double half =
+        std::accumulate(first, middle, 0., [&](double sum, int i) { return sum + weights[i]; });
+    if (below + half >= wanted) {
+      last = middle;
+    } else {
+      below += half;
+      first = middle;
+    }
+  }
+}
+
+}  // namespace internal
+
 CGP_INLINE internal::Distribution distribution(const Eigen::VectorXd& values,
                                                const Eigen::VectorXd& weights)
 {
   if (values.size() == 0) return {};
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return values[a] < values[b]; });
-  const double total = weights.sum();
-  internal::Distribution d;
-  d.mean = values.dot(weights) / total;
-  d.max = values[order.back()];
-  double below = 0;
-  for (Eigen::Index i : order) {
-    below += weights[i];
-    d.p99 = values[i];
-    if (below >= 0.99 * total) break;
-  }
-  return d;
+  return {values.dot(weights) / weights.sum(), internal::weighted_quantile(values, weights, 0.99),
+          values.maxCoeff()};
 }
 
 CGP_INLINE Eigen::VectorXd histogram(const Eigen::VectorXd& values, const Eigen::VectorXd& weights,

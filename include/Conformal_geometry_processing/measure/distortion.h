@@ -7,18 +7,22 @@
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 
 #include <Eigen/Core>
-#include <array>
 
 namespace Conformal_geometry_processing {
 
 namespace internal {
 
-/// A triangle laid out in the plane, at (0, 0), (length, 0) and (x, y), y >= 0
-struct Flat_triangle {
-  double length, x, y;
-};
+/// \ingroup PkgMeasure
+/// \brief the linear maps of the faces to their images, measured in one pass.
+struct Face_maps {
+  Eigen::VectorXd quasi_conformal;   ///< `quasi_conformal_errors()`
+  Eigen::VectorXd areas, new_areas;  ///< of the faces
 
-Flat_triangle flattened(const Points& positions, const std::array<int, 3>& corners);
+  /// \param positions the new ones, 3 x |V|
+  Face_maps(const Mesh_view& mesh, const Points& positions);
+
+  Eigen::VectorXd length_scales() const;  ///< sqrt(new area / old area)
+};
 
 }  // namespace internal
 
@@ -43,7 +47,7 @@ Eigen::VectorXd length_scales(const Mesh_view& mesh, const Points& positions);
 namespace internal {
 
 /// \ingroup PkgMeasure
-/// Measures of the area distortion of a map
+/// measures of the area distortion of a map
 struct Area_distortion {
   double min_scale = 1, max_scale = 1;  ///< range of `length_scales()`
   double log_deviation = 0;  ///< standard deviation of the log of the scale, weighted by area
@@ -58,6 +62,8 @@ struct Area_distortion {
   using Shares = Eigen::Matrix<double, 16, 1, Eigen::DontAlign>;
   Shares histogram = Shares::Zero();
 };
+
+Area_distortion area_distortion(const Face_maps& maps);
 
 }  // namespace internal
 

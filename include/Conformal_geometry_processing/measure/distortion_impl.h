@@ -19,104 +19,145 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-CGP_INLINE Flat_triangle flattened(const Points& positions, const std::array<int, 3>& corners)
+/// a triangle laid out in the plane, at (0, 0), (length, 0) and (x, y), y >= 0
+struct Flat_triangle {
+  double length, x, y, area;
+
+  Flat_triangle(const Points& positions, const std::array<int, 3>& corners)
+  {
+    const Eigen::Vector3d u = positions.col(corners[1]) - positions.col(corners[0]);
+    const Eigen::Vector3d v = positions.col(corners[2]) - positions.col(corners[0]);
+    const double parallelogram = u.cross(v).norm();
+    length = u.norm();
+    x = u.dot(v) / length;
+    y = parallelogram / length;
+    area = parallelogram / 2;
+  }
+};
+
+/// the ratio of the singular values of the linear map between two triangles
+CGP_INLINE double quasi_conformal_error(const Flat_triangle& s, const Flat_triangle& t)
 {
-  const Eigen::Vector3d u = positions.col(corners[1]) - positions.col(corners[0]);
-  const Eigen::Vector3d v = positions.col(corners[2]) - positions.col(corners[0]);
-  const double length = u.norm();
-  return {length, u.dot(v) / length, u.cross(v).norm() / length};
+  // The map is the upper triangular matrix (a b; 0 d).
+  const double a = t.length / s.length, b = (t.x - a * s.x) / s.y, d = t.y / s.y;
+  const double sum = a + d, difference = a - d;
+  const double largest =
+      (std::sqrt(sum * sum + b * b) + std::sqrt(difference * difference + b * b)) / 2;
+  const double Q = largest / (a * d / largest);  // the smaller one from the determinant: no
+                                                 // cancellation
+  return std::isnan(Q) ? HUGE_VAL : Q;
+}
+
+CGP_INLINE Face_maps::Face_maps(const Mesh_view& mesh, const Points& positions)
+    : quasi_conformal(mesh.size_of_faces()),
+      areas(mesh.size_of_faces()),
+      new_areas(mesh.size_of_faces())
+{
+  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+    const Flat_triangle s(mesh.positions(), mesh.corners(f)), t(positions, mesh.corners(f));
+    quasi_conformal[f] = quasi_conformal_error(s, t);
+    areas[f] = s.area;
+    new_areas[f] = t.area;
+  }
+}
+
+CGP_INLINE Eigen::VectorXd Face_maps::length_scales() const
+{
+  return new_areas.cwiseQuotient(areas).cwiseSqrt();
 }
 
 }  // namespace internal
 
 CGP_INLINE Eigen::VectorXd quasi_conformal_errors(const Mesh_view& mesh, const Points& positions)
 {
-  Eigen::VectorXd Q(mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
-    const auto s = internal::flattened(mesh.positions(), mesh.corners(f));
-    const auto t = internal::flattened(positions, mesh.corners(f));
-    // The map is the upper triangular matrix (a b; 0 d).
-    const double a = t.length / s.length, b = (t.x - a * s.x) / s.y, d = t.y / s.y;
-    const double largest = (std::hypot(a + d, b) + std::hypot(a - d, b)) / 2;
-    Q[f] = largest / (a * d / largest);  // the smaller one from the determinant: no cancellation
-    if (std::isnan(Q[f])) Q[f] = HUGE_VAL;
-  }
-  return Q;
+  return internal::Face_maps(mesh, positions).quasi_conformal;
 }
 
 CGP_INLINE internal::Distribution quasi_conformal_error(const Mesh_view& mesh,
                                                         const Points& positions)
 {
-  return distribution(quasi_conformal_errors(mesh, positions), face_areas(mesh));
+  const internal::Face_maps maps(mesh, positions);
+  return distribution(maps.quasi_conformal, maps.areas);
 }
 
 CGP_INLINE Eigen::VectorXd length_scales(const Mesh_view& mesh, const Points& positions)
 {
-  Eigen::VectorXd scale(mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f)
-    scale[f] =
-        std::sqrt(mesh.double_area_vector(f, positions).norm() / mesh.double_area_vector(f).norm());
-  return scale;
+  return internal::Face_maps(mesh, positions).length_scales();
 }
 
 namespace internal {
 
-/// the root mean square, which keeps the total area
-CGP_INLINE double usual_scale(const Eigen::VectorXd& scale, const Eigen::VectorXd& areas)
+CGP_INLINE double collapsed_share(const Eigen::VectorXd& octaves, const Face_maps& maps)
 {
-  return std::sqrt(areas.dot(scale.cwiseAbs2()) / areas.sum());
+  const double limit = std::log2(10.);
+  const auto shrank = octaves.array() < -limit;
+  const auto grew = octaves.array() > limit;
+  return (std::max)(shrank.select(maps.areas.array(), 0).sum() / maps.areas.sum(),
+                    grew.select(maps.new_areas.array(), 0).sum() / maps.new_areas.sum());
 }
 
-CGP_INLINE double collapsed_share(const Eigen::VectorXd& scale, const Eigen::VectorXd& areas)
+CGP_INLINE Area_distortion area_distortion(const Face_maps& maps)
 {
-  const Eigen::VectorXd new_areas = areas.cwiseProduct(scale.cwiseAbs2());
-  const double usual = usual_scale(scale, areas);
-  const auto shrank = scale.array() < usual / 10;
-  const auto grew = scale.array() > usual * 10;
-  return (std::max)(shrank.select(areas.array(), 0).sum() / areas.sum(),
-                    grew.select(new_areas.array(), 0).sum() / new_areas.sum());
+  const Eigen::VectorXd scale = maps.length_scales(), u = scale.array().log();
+  const Eigen::VectorXd& areas = maps.areas;
+  const double mean = areas.dot(u) / areas.sum();
+  const double variance = areas.dot((u.array() - mean).square().matrix()) / areas.sum();
+  // the root mean square, which keeps the total area
+  const double usual = std::log(maps.new_areas.sum() / areas.sum()) / 2;
+  const Eigen::VectorXd octaves = (u.array() - usual) / std::log(2.);
+  Area_distortion d{scale.minCoeff(), scale.maxCoeff(), std::sqrt(variance),
+                    collapsed_share(octaves, maps)};
+  d.histogram =
+      histogram(octaves, areas, static_cast<int>(d.histogram.size()), -d.octaves, d.octaves);
+  return d;
+}
+
+/// of the logarithms of the lengths of edges
+CGP_INLINE Eigen::VectorXd log_cross_ratios(const Mesh_view& mesh, const Eigen::VectorXd& lengths)
+{
+  Eigen::VectorXd ratio = Eigen::VectorXd::Zero(mesh.size_of_edges());
+  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
+    if (mesh.twin(h) >= 0)  // both sides contribute the same quotient l_jk / l_ki
+      ratio[mesh.edge(h)] += lengths[mesh.edge(Mesh_view::next_in_face(h))] -
+                             lengths[mesh.edge(Mesh_view::previous_in_face(h))];
+  return ratio;
+}
+
+CGP_INLINE double squared_length(const Mesh_view& mesh, const Points& positions, int edge)
+{
+  const auto [i, j] = mesh.ends(edge);
+  return (positions.col(j) - positions.col(i)).squaredNorm();
 }
 
 }  // namespace internal
 
 CGP_INLINE internal::Area_distortion area_distortion(const Mesh_view& mesh, const Points& positions)
 {
-  const Eigen::VectorXd scale = length_scales(mesh, positions), areas = face_areas(mesh);
-  const Eigen::VectorXd u = scale.array().log();
-  const double mean = areas.dot(u) / areas.sum();
-  const double variance = areas.dot((u.array() - mean).square().matrix()) / areas.sum();
-  internal::Area_distortion d{scale.minCoeff(), scale.maxCoeff(), std::sqrt(variance),
-                              internal::collapsed_share(scale, areas)};
-  const Eigen::VectorXd octave =
-      (scale / internal::usual_scale(scale, areas)).array().log() / std::log(2.);
-  d.histogram =
-      histogram(octave, areas, static_cast<int>(d.histogram.size()), -d.octaves, d.octaves);
-  return d;
+  return internal::area_distortion(internal::Face_maps(mesh, positions));
 }
 
 CGP_INLINE Eigen::VectorXd log_length_cross_ratios(const Mesh_view& mesh, const Points& positions)
 {
   Eigen::VectorXd log_length(mesh.size_of_edges());
   for (int k = 0; k < mesh.size_of_edges(); ++k)
-    log_length[k] =
-        std::log((positions.col(mesh.ends(k)[1]) - positions.col(mesh.ends(k)[0])).norm());
-  Eigen::VectorXd ratio = Eigen::VectorXd::Zero(mesh.size_of_edges());
-  for (int h = 0; h < mesh.size_of_halfedges(); ++h)
-    if (mesh.twin(h) >= 0)  // both sides contribute the same quotient l_jk / l_ki
-      ratio[mesh.edge(h)] += log_length[mesh.edge(Mesh_view::next_in_face(h))] -
-                             log_length[mesh.edge(Mesh_view::previous_in_face(h))];
-  return ratio;
+    log_length[k] = std::log(internal::squared_length(mesh, positions, k)) / 2;
+  return internal::log_cross_ratios(mesh, log_length);
 }
 
+// The logarithm of the ratio of both cross-ratios is the cross-ratio of the stretched lengths.
 CGP_INLINE internal::Length_cross_ratio_change length_cross_ratio_change(const Mesh_view& mesh,
                                                                          const Points& positions)
 {
-  const Eigen::VectorXd change =
-      log_length_cross_ratios(mesh, positions) - log_length_cross_ratios(mesh, mesh.positions());
+  Eigen::VectorXd log_stretch(mesh.size_of_edges());
   int interior = 0;
-  for (int k = 0; k < mesh.size_of_edges(); ++k)
+  for (int k = 0; k < mesh.size_of_edges(); ++k) {
+    log_stretch[k] = std::log(internal::squared_length(mesh, positions, k) /
+                              internal::squared_length(mesh, mesh.positions(), k)) /
+                     2;
     interior += mesh.halfedges_end(k) - mesh.halfedges_begin(k) == 2;
+  }
   if (interior == 0) return {};
+  const Eigen::VectorXd change = internal::log_cross_ratios(mesh, log_stretch);
   return {change.norm() / std::sqrt(interior), change.cwiseAbs().maxCoeff()};
 }
 
