@@ -70,3 +70,14 @@ TEST(Shift_secant, tells_whether_changes_become_smaller)
   EXPECT_TRUE(secant.is_nearer(-.09));
   EXPECT_FALSE(secant.is_nearer(-.11));
 }
+
+TEST(Shift_secant, keeps_its_derivative_when_it_begins_again)
+{
+  const double slope = -.2, zero = 3;
+  Shift_secant secant;
+  double shift = 0;
+  for (int k = 0; k < 2; ++k) shift += secant.step(shift, slope * (shift - zero), 1e-9);
+  secant.restart();
+  EXPECT_TRUE(secant.is_nearer(1e6));
+  EXPECT_NEAR(secant.step(1, slope * (1 - zero), 1e-9), zero - 1, 1e-12);
+}

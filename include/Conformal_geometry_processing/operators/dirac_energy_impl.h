@@ -27,9 +27,8 @@ CGP_INLINE void assemble_dirac_energy(const Surface_ref& surface, const Curvatur
     const Eigen::Vector3d n =
         scale * e.col(0).cross(e.col(1));  // the same for e_1, e_2 and e_2, e_0
     const auto entry = [&](int i, int j) {
-      Eigen::Vector3d v = (r[i] * e.col(j) - r[j] * e.col(i)) / 6;
-      if (i != j) v -= (i + 1) % 3 == j ? n : -n;
-      Quaternion<double> x = imaginary(v);
+      Quaternion<double> x;
+      if (i != j) x = imaginary((r[i] * e.col(j) - r[j] * e.col(i)) / 6 - n);
       x.w = scale * e.col(i).dot(e.col(j)) + mass * r[i] * r[j];
       return x * sheet.share;
     };

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 
@@ -17,7 +18,10 @@ namespace Conformal_geometry_processing {
 std::shared_ptr<const Sparse_pattern> vertex_graph(const Surface_ref& surface);
 
 /// the position of the diagonal entry (i, i) in a `vertex_graph()`
-int diagonal_position(const Sparse_pattern& pattern, int i);
+inline int diagonal_position(const Sparse_pattern& pattern, int i)
+{
+  return pattern.offsets[static_cast<std::size_t>(i)];
+}
 
 namespace internal {
 
@@ -35,20 +39,25 @@ inline int entry_position(const Sparse_pattern& pattern, int row, int column, in
 
 /// \brief adds the contribution of a sheet to a matrix.
 /// \param A on `vertex_graph()` of the surface
-/// \param entry the value for corners (i, j), Hermitian: entry(j, i) is the conjugate
+/// \param entry the value for corners (i, i) and (i, i + 1), Hermitian: that for (i + 1, i) is the
+/// conjugate
 template <class Scalar, class Entry>
 void add_sheet(const Sheet& sheet, Entry entry, Hermitian_sparse_matrix<Scalar>& A)
 {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      const int row = sheet.corners[static_cast<std::size_t>(i)],
-                column = sheet.corners[static_cast<std::size_t>(j)];
-      if (row == column)
-        A.value(diagonal_position(A.pattern(), row)) += entry(i, j);
-      else if (row > column)
-        A.value(entry_position(A.pattern(), row, column,
-                               sheet.edges[static_cast<std::size_t>(3 - i - j)])) += entry(i, j);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, from = sheet.corners[static_cast<std::size_t>(i)],
+              to = sheet.corners[static_cast<std::size_t>(j)];
+    const Scalar diagonal = entry(i, i), forward = entry(i, j), backward = conjugate(forward);
+    Scalar& at_from = A.value(diagonal_position(A.pattern(), from));
+    at_from += diagonal;
+    if (from == to) {
+      at_from += forward + backward;
+      continue;
     }
+    const int edge = sheet.edges[static_cast<std::size_t>(3 - i - j)];
+    const auto [column, row] = std::minmax(from, to);
+    A.value(entry_position(A.pattern(), row, column, edge)) += from > to ? forward : backward;
+  }
 }
 
 }  // namespace internal

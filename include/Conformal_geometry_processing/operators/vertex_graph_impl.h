@@ -19,7 +19,7 @@ CGP_INLINE std::shared_ptr<const Sparse_pattern> vertex_graph(const Surface_ref&
   std::vector<std::array<int, 2>> ends;
   for (int k = 0; k < surface.size_of_edges(); ++k)
     if (surface.ends(k)[0] != surface.ends(k)[1]) ends.push_back(surface.ends(k));
-  std::sort(ends.begin(), ends.end());
+  if (!std::is_sorted(ends.begin(), ends.end())) std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   auto pattern = std::make_shared<Sparse_pattern>();
   const int n = surface.size_of_vertices();
@@ -33,11 +33,6 @@ CGP_INLINE std::shared_ptr<const Sparse_pattern> vertex_graph(const Surface_ref&
   }
   pattern->offsets.push_back(static_cast<int>(pattern->indices.size()));
   return pattern;
-}
-
-CGP_INLINE int diagonal_position(const Sparse_pattern& pattern, int i)
-{
-  return pattern.offsets[static_cast<std::size_t>(i)];
 }
 
 }  // namespace Conformal_geometry_processing

@@ -23,7 +23,7 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::refine(Branch_point& p, doub
   const int max_passes = 12;
   Branch_point at = p;  // gamma is the shift of X
   double last_sigma = 0;
-  m_secant = {};
+  m_secant.restart();
   m_follows_quotient = true;
   for (int pass = 0; pass < max_passes; ++pass) {
     m_system.assemble(potential(at.t, at.gamma), m_s.seconds);

@@ -19,6 +19,9 @@ namespace internal {
 /// on the shift, and nearer to zero the coarser the mesh.
 class Shift_secant {
  public:
+  /// forgets the last change, but not the derivative: for another vector near by
+  void restart() { m_change = std::numeric_limits<double>::infinity(); }
+
   /// whether a change is smaller than the last one
   bool is_nearer(double change) const { return std::abs(change) < std::abs(m_change); }
 
