@@ -3,10 +3,9 @@
 #include <Conformal_geometry_processing/templates.h>
 
 #include "stage.h"
+#include "support/Double_solver_traits.h"
 #include "support/Willmore_flow.h"
 #include "support/workloads.h"
-
-#include <algorithm>
 
 namespace {
 
@@ -26,63 +25,41 @@ void later_step(benchmark::State& state, double tau)
     Willmore_flow<SolverTraits> flow(mesh);
     for (int i = 0; i < 2; ++i) (void)flow.step(tau, options);
   });
-  double least = never, iterations = 0, factorizations = 0, poisson = 0;
+  double least = never, iterations = 0, factorizations = 0;
   for (auto _ : state) {
     state.PauseTiming();
     Willmore_flow<SolverTraits> flow(mesh);
     (void)flow.step(tau, options);
-    const int before = factorizations_of(flow.eigensolver(), flow.steps());
-    iterations = poisson = 0;
+    iterations = factorizations = 0;
     state.ResumeTiming();
     keep_least(least, [&] {
       for (int i = 0; i < steps; ++i) {
         const CGP::Spin_report report = flow.step(tau, options);
         if (!report) state.SkipWithError("no convergence");
         iterations += report.iterations;
-        poisson = std::max<double>(poisson, iterations_of(flow.poisson_solver()));
+        factorizations += report.factorizations;
       }
     });
-    factorizations = factorizations_of(flow.eigensolver(), flow.steps()) - before;
   }
   state.counters["vertices"] = mesh.size_of_vertices();
   state.counters["bytes_per_vertex"] = bytes / mesh.size_of_vertices();
   state.counters["ratio"] = least / steps / yardstick;
   state.counters["eigen_iterations"] = iterations / steps;
   state.counters["factorizations"] = factorizations / steps;
-  state.counters["poisson_iterations"] = poisson;
 }
-
-using Double_traits = CGP::Supernodal_solver_traits;
-using Float_traits = CGP::Mixed_supernodal_solver_traits;
 
 }  // namespace
 
 static void flow_step(benchmark::State& state)
 {
-  later_step<Double_traits>(state, 0.3);
+  later_step<CGP::Default_solver_traits>(state, 0.3);
 }
-static void flow_step_float(benchmark::State& state)
+static void flow_step_double(benchmark::State& state)
 {
-  later_step<Float_traits>(state, 0.3);
-}
-static void flow_step_lagged(benchmark::State& state)
-{
-  later_step<CGP::Lagged_solver_traits<Double_traits>>(state, 0.3);
-}
-static void flow_step_float_lagged(benchmark::State& state)
-{
-  later_step<CGP::Lagged_solver_traits<Float_traits>>(state, 0.3);
-}
-// so small a step that the factor of the first serves them all
-static void flow_step_small_lagged(benchmark::State& state)
-{
-  later_step<CGP::Lagged_solver_traits<Double_traits>>(state, 0.03);
+  later_step<cgp_test::Double_solver_traits>(state, 0.3);
 }
 
 CGP_BENCHMARK(flow_step);
-CGP_BENCHMARK(flow_step_float);
-CGP_BENCHMARK(flow_step_lagged);
-CGP_BENCHMARK(flow_step_float_lagged);
-CGP_BENCHMARK(flow_step_small_lagged);
+CGP_BENCHMARK(flow_step_double);
 
 BENCHMARK_MAIN();

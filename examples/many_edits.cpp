@@ -34,6 +34,12 @@ struct Counting_solver : CGP::Supernodal_cholesky<Scalar> {
     ++factorizations;
     return Base::factorize(matrix, shift);
   }
+  CGP::Solver_status factorize_preconditioner(const CGP::Hermitian_sparse_matrix<Scalar>& matrix,
+                                              const CGP::Vector<double>& shift)
+  {
+    ++factorizations;
+    return Base::factorize_preconditioner(matrix, shift);
+  }
 };
 
 struct Counting_solver_traits {

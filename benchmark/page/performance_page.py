@@ -33,7 +33,7 @@ one sees, 3 a strong one. The eigenvector is computed to an error of 1e-6.
 
 ## Why targets are missed
 
-Microseconds per vertex of *native, double* with amplitude 1, and of its yardstick:
+Microseconds per vertex of *native, float*, the default, with amplitude 1, and of its yardstick:
 
 {costs}
 
@@ -83,7 +83,9 @@ to the positions of *native, double* at tolerance 1e-12, after the best similari
 the bounding box. The stages are shares of the total; *setup* has the checks, the ordering, the
 analysis and the factor of the Laplacian.
 
-*Thesis recipe* is what a careful user of other libraries writes: X in real numbers, 4n x 4n, by
+*Native, float* is the default of the library: the factor of X, which only guides iterations in
+double precision, is in single precision where that suffices; *native, double* has it in double
+precision. *Thesis recipe* is what a careful user of other libraries writes: X in real numbers, 4n x 4n, by
 triplets (lower triangle only), `Eigen::CholmodSupernodalLLT`, three steps of the inverse power
 method from lambda = 1, and the Poisson problem by the same means; no checks, no certificate, and
 an error that nobody knows. *CHOLMOD, complex 2n* and *native, inverse power method* are this
@@ -93,7 +95,7 @@ library with one part replaced.
 
 ## Edits of several strengths
 
-*Native, double* on all closed surfaces of genus 0 among CGAL's meshes with more than 5,000 faces, in
+The default solvers on all closed surfaces of genus 0 among CGAL's meshes with more than 5,000 faces, in
 units of P, with the numbers of factorizations and solves. A result that does not verify, which the
 report says, has an asterisk: so strong an edit collapses or folds these surfaces without control
 of scale.
@@ -108,10 +110,9 @@ of lengths are within [1/2, 2] on 98 % of the area. *Kept* is its norm relative 
 ## Later steps of a flow
 
 Willmore flow with rho = -0.3 H on the vertices: the mean of the steps 2 to 5, from curvature to
-certificate, on one `Spin_transformation` that is given new positions. *Native* factors both
-matrices in every step; *lagged* (`Lagged_solver_traits`) keeps a factor and iterates for as long
-as that is cheaper: that of the Laplacian serves all steps. *Factorizations* are those of X per
-step.
+certificate, on one `Spin_transformation` that is given new positions. Both matrices are factored in
+every step: a solver that kept a factor for several steps, and iterated with it, was slower on all
+meshes but the largest sphere. *Factorizations* are those of X per step.
 
 {flows}
 

@@ -54,10 +54,10 @@ def transform_table(m, mesh):
 
 
 def cost_table(m):
-    """Microseconds per vertex of P and of the stages of *native, double*: a row a mesh."""
+    """Microseconds per vertex of P and of the stages of *native, float*: a row a mesh."""
     lines = []
     for mesh, faces, vertices in m.meshes():
-        row = m.row("transform", "native, double", mesh)
+        row = m.row("transform", "native, float", mesh)
         if row is None:
             continue
         cost = 1e6 * row["seconds"] / vertices
@@ -140,10 +140,10 @@ def original_table(m):
 def flow_table(m):
     rows = [[row["mesh"], row["model"], seconds(row["seconds"]), f"{poisson_ratio(row):.2f}",
              number(row, "analyses", "{}"), number(row, "factorizations"),
-             number(row, "iterations", "{:.1f}"), number(row, "poisson_iterations", "{}")]
+             number(row, "iterations", "{:.1f}")]
             for row in m.measured("flow")]
-    return table(["mesh", "model", "seconds", "/ P", "analyses", "factorizations", "iterations",
-                  "Poisson iterations"], rows) if rows else "Not measured."
+    return table(["mesh", "model", "seconds", "/ P", "analyses", "factorizations", "iterations"],
+                 rows) if rows else "Not measured."
 
 
 def thread_table(m):

@@ -94,11 +94,6 @@ def later_step(model, value):
     return lambda m: [(row["mesh"], value(row)) for row in m.measured("flow", model)]
 
 
-def poisson_iterations(m):
-    return [(row["mesh"], row["poisson_iterations"]) for row in m.measured("flow")
-            if row["model"].startswith("lagged")]
-
-
 def of_strength(amplitudes, value, table="strength"):
     """Where an edit of such a strength comes out: what is refused is no answer."""
     return lambda m: [(f"{row['mesh']}, {row['model']}", value(row))
@@ -171,14 +166,12 @@ TARGETS = [
            of_strength((3,), poisson_ratio, "bounded"), at_most=25),
     Target("scans, all four amplitudes: percent with at most 3 factorizations",
            share_with_few_factorizations, at_least=95, form="{:.0f}"),
-    Target("later step of a flow, double, factor kept: time / P",
-           later_step("lagged, double", poisson_ratio), at_most=1.6),
-    Target("later step of a flow, float factor, kept: time / P",
-           later_step("lagged, float", poisson_ratio), at_most=1.1),
+    Target("later step of a flow, double: time / P",
+           later_step(DOUBLE, poisson_ratio), at_most=1.6),
+    Target("later step of a flow, float factor: time / P",
+           later_step(FLOAT, poisson_ratio), at_most=1.1),
     Target("later step of a flow: symbolic analyses",
            later_step(None, lambda row: row["analyses"]), at_most=0, form="{:.0f}"),
-    Target("later step of a flow: iterations of the Poisson problem with the first factor",
-           poisson_iterations, at_most=3, form="{:.0f}"),
     Target("2M faces, multigrid: time / P", huge(poisson_ratio), at_most=1.0),
     Target("multigrid from 0.5M faces: exponent of time", multigrid_exponent, at_most=1.1),
     Target("8M faces: gigabytes", largest_gigabytes, at_most=10),

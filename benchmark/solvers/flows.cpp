@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/templates.h>
 
+#include "support/Double_solver_traits.h"
 #include "support/Willmore_flow.h"
 
 #include <stdexcept>
@@ -21,7 +22,7 @@ static void measure_flow(const Job& job, const CGP::Mesh_view& mesh, Record& rec
   CGP::Dirac_options options;
   options.tolerance = job.tolerance;
   double seconds = never;
-  int iterations = 0, factorizations = 0, poisson_iterations = 0, analyses = 0;
+  int iterations = 0, factorizations = 0, analyses = 0;
   Poisson_seconds floor;
   repeat(job, [&] {
     floor.measure(mesh);
@@ -29,38 +30,32 @@ static void measure_flow(const Job& job, const CGP::Mesh_view& mesh, Record& rec
     const auto step = [&] {
       const CGP::Spin_report report = flow.step(tau, options);
       if (!report) throw std::runtime_error("no convergence");
-      return report.iterations;
+      return report;
     };
     step();
-    const auto structure = factor_of(flow.eigensolver()).structure();
-    const int before = factorizations_of(flow.eigensolver(), flow.steps());
-    iterations = poisson_iterations = analyses = 0;
+    const auto structure = flow.eigensolver().structure();
+    iterations = factorizations = analyses = 0;
     keep_least(seconds, [&] {
       for (int i = 0; i < steps; ++i) {
-        iterations += step();
-        poisson_iterations = std::max(poisson_iterations, iterations_of(flow.poisson_solver()));
-        if (factor_of(flow.eigensolver()).structure() != structure) ++analyses;
+        const CGP::Spin_report report = step();
+        iterations += report.iterations;
+        factorizations += report.factorizations;
+        if (flow.eigensolver().structure() != structure) ++analyses;
       }
     });
-    factorizations = factorizations_of(flow.eigensolver(), flow.steps()) - before;
   });
   record.add("seconds", seconds / steps).add("poisson", floor.total).add("analyses", analyses);
   record.add("factorizations", double(factorizations) / steps);
   record.add("iterations", double(iterations) / steps);
-  record.add("poisson_iterations", poisson_iterations);
 }
 
 void add_flows(std::vector<Row>& rows)
 {
-  using Double = CGP::Supernodal_solver_traits;
-  using Float = CGP::Mixed_supernodal_solver_traits;
   const auto add = [&](const char* model, Row::Measure measure) {
     rows.push_back({"flow", model, measure, 300'000, "takes minutes"});
   };
-  add("native, double", measure_flow<Double>);
-  add("native, float", measure_flow<Float>);
-  add("lagged, double", measure_flow<CGP::Lagged_solver_traits<Double>>);
-  add("lagged, float", measure_flow<CGP::Lagged_solver_traits<Float>>);
+  add("native, double", measure_flow<cgp_test::Double_solver_traits>);
+  add("native, float", measure_flow<CGP::Default_solver_traits>);
 }
 
 }  // namespace cgp_benchmark

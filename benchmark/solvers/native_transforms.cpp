@@ -3,6 +3,7 @@
 #include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
 #include <Conformal_geometry_processing/templates.h>
 
+#include "support/Double_solver_traits.h"
 #include "transforms.h"
 
 namespace cgp_benchmark {
@@ -23,9 +24,9 @@ void add_native_transforms(std::vector<Row>& rows)
 {
   rows.push_back(
       {"reference", "native, double, 1e-12", make_reference, 1'500'000, "takes minutes"});
-  rows.push_back({"transform", "native, double", measure_transform<CGP::Supernodal_solver_traits>});
   rows.push_back(
-      {"transform", "native, float", measure_transform<CGP::Mixed_supernodal_solver_traits>});
+      {"transform", "native, double", measure_transform<cgp_test::Double_solver_traits>});
+  rows.push_back({"transform", "native, float", measure_transform<CGP::Supernodal_solver_traits>});
   rows.push_back(
       {"transform", "native, inverse power method",
        measure_transform<CGP::Supernodal_solver_traits, CGP::Inverse_power_eigensolver_traits>});

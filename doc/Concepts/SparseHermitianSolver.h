@@ -21,6 +21,12 @@ using namespace Conformal_geometry_processing;
 /// scalars, `Conformal_geometry_processing::conjugate()` of `algebra/scalar.h` is the identity on
 /// numbers, and `Hermitian_sparse_matrix::diagonal()` a number.
 ///
+/// Where only a preconditioner is wanted, as by the eigensolvers, a model may save time and memory
+/// by two more members, `factorize_preconditioner(A, shift)` and `precondition(b, x)`, with the
+/// parameters of `factorize()` and `solve()`: the solution is less exact, always the same for the
+/// same b, and Hermitian positive definite as a function of b. A model with a member `release()`
+/// gives back the memory of its factor when that is called; its analysis stays.
+///
 /// `examples/Ldl_solver.h` is a model of 200 lines, with nothing of the library but the headers
 /// below. The test `test/linear_algebra/solver_laws.h` asks of a model all that this page says.
 ///
@@ -44,8 +50,7 @@ using namespace Conformal_geometry_processing;
 /// \cgalHasModels{`Conformal_geometry_processing::Supernodal_cholesky`,}
 /// \cgalHasModels{`Conformal_geometry_processing::Embedded_hermitian_solver`,}
 /// \cgalHasModels{solvers of `Conformal_geometry_processing::Multigrid_solver_traits`,}
-/// \cgalHasModels{solvers of `Conformal_geometry_processing::Petsc_hermitian_solver_traits`,}
-/// \cgalHasModels{solvers of `Conformal_geometry_processing::Lagged_solver_traits`.}
+/// \cgalHasModels{solvers of `Conformal_geometry_processing::Petsc_hermitian_solver_traits`.}
 /// \cgalHasModelsEnd
 class SparseHermitianSolver {
  public:

@@ -13,7 +13,6 @@
 #include <Conformal_geometry_processing/forms/Hodge_decomposition_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver_templates.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_cycle_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_level_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver_templates.h>

@@ -8,11 +8,12 @@
 #include <Conformal_geometry_processing/templates.h>
 
 #include "spin/solver_agreement.h"
+#include "support/Double_solver_traits.h"
 
 namespace cgp_test {
 
 using Models = testing::Types<
-    CGP::Mixed_supernodal_solver_traits, CGP::internal::Supernodal_real_solver_traits,
+    Double_solver_traits, CGP::internal::Supernodal_real_solver_traits,
     CGP::Cholmod_hermitian_solver_traits, CGP::internal::Cholmod_real_hermitian_solver_traits,
     CGP::Eigen_hermitian_solver_traits, CGP::internal::Eigen_real_hermitian_solver_traits>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Every_model, Spin_solver, Models);

@@ -7,7 +7,6 @@
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver_templates.h>
-#include <Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_cycle_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_level_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver_templates.h>
@@ -19,8 +18,6 @@ template class internal::Grounded_solver<Default_solver_traits>;
 template class internal::Dirichlet_solver<double, Default_solver_traits>;
 template class internal::Dirichlet_solver<Quaternion<double>, Default_solver_traits>;
 template class internal::Real_reduced_solver<Supernodal_cholesky<double>>;
-template class internal::Lagged_solver<Supernodal_cholesky<double>>;
-template class internal::Lagged_solver<Supernodal_cholesky<Quaternion<double>>>;
 template class internal::Multigrid_level<float>;
 template class internal::Multigrid_level<Quaternion<float>>;
 template class internal::Multigrid_cycle<float>;

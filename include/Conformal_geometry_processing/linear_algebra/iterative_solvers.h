@@ -4,9 +4,8 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_ITERATIVE_SOLVERS_H
 
 /// \file linear_algebra/iterative_solvers.h
-/// \brief Conjugate gradients, and a solver that reuses its factor as a preconditioner.
+/// \brief Conjugate gradients.
 
-#include <Conformal_geometry_processing/linear_algebra/krylov/Lagged_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 
 #endif

@@ -107,7 +107,7 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::place_pole(double t, double 
 {
   m_pole.t = t;
   m_pole.gamma = sigma;
-  m_system.set_potential(potential(t, sigma), m_s.seconds);
+  m_system.set_preconditioner(potential(t, sigma), m_s.seconds);
   ++m_s.factorizations;
 }
 

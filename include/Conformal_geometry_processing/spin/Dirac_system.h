@@ -95,6 +95,10 @@ class Dirac_system {
   void set_potential(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
                      double least = 1e-3);
 
+  /// the same for `precondition()` only: the factor may be less exact
+  void set_preconditioner(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
+                          double least = 1e-3);
+
   /// \brief assembles X for rho and factors it with a given shift of its diagonal, |V|.
   /// \throw Solver_error as above
   void set_potential(const Curvature_potential& rho, const Eigen::VectorXd& shift,
@@ -104,10 +108,11 @@ class Dirac_system {
   double shift() const { return m_shift; }
 
   /// \brief solves (X + shift) x = b in the space.
-  /// \pre `set_potential()` has been called
+  /// \pre `set_potential()` was called last
   Vectors solve(const Vectors& b) const;
 
-  /// the same as accurately as a preconditioner
+  /// \brief the same as accurately as a preconditioner.
+  /// \pre `set_potential()` or `set_preconditioner()` was called last
   Vectors precondition(const Vectors& b) const;
 
   /// \brief factors X for rho = 0, for `response()`.
@@ -159,6 +164,8 @@ class Dirac_system {
  private:
   void check(const char* step, Solver_status status) const;
   Solver_status factorize(const Eigen::VectorXd& shift);
+  template <class Factorize>
+  void factorize_shifted(double least, Factorize factorize);
 
   std::string m_function;
   Surface_ref m_surface;

@@ -140,6 +140,27 @@ void internal::Dirac_system<SolverTraits>::set_potential(const Curvature_potenti
 {
   assemble(rho, seconds);
   internal::Stopwatch watch;
+  factorize_shifted(least, [this](const Eigen::VectorXd& shift) { return factorize(shift); });
+  seconds.factorization += watch.lap();
+}
+
+template <class SolverTraits>
+void internal::Dirac_system<SolverTraits>::set_preconditioner(
+    const Curvature_potential& rho, internal::Dirac_evidence::Seconds& seconds, double least)
+{
+  if (m_reduced) return set_potential(rho, seconds, least);
+  assemble(rho, seconds);
+  internal::Stopwatch watch;
+  factorize_shifted(least, [this](const Eigen::VectorXd& shift) {
+    return factorize_preconditioner(m_solver, m_X, shift);
+  });
+  seconds.factorization += watch.lap();
+}
+
+template <class SolverTraits>
+template <class Factorize>
+void internal::Dirac_system<SolverTraits>::factorize_shifted(double least, Factorize factorize)
+{
   m_shift = least * unit();
   Solver_status status = factorize(m_shift * m_areas);
   for (const double share : {1e-6, 1e-3, 1e-2}) {
@@ -148,7 +169,6 @@ void internal::Dirac_system<SolverTraits>::set_potential(const Curvature_potenti
     status = factorize(m_shift * m_areas);
   }
   check("factorization", status);
-  seconds.factorization += watch.lap();
 }
 
 template <class SolverTraits>
@@ -184,7 +204,9 @@ void internal::Dirac_system<SolverTraits>::prepare_response()
 {
   internal::Dirac_evidence::Seconds seconds;
   const Curvature_potential none = no_potential(m_surface);
-  if (m_is_closed || m_directions)
+  if (m_is_closed)
+    set_preconditioner(none, seconds);
+  else if (m_directions)
     set_potential(none, seconds, 1e-6);
   else
     set_potential(none, nearness_weight(m_surface) * m_areas, seconds);

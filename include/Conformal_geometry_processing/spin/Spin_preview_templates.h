@@ -33,7 +33,7 @@ Spin_preview<SolverTraits, EigensolverTraits>::Spin_preview(
       Curvature_potential::on_vertices(Eigen::VectorXd::Zero(m_system.areas().size()));
   Dirac_evidence::Seconds seconds;
   if (m_system.is_closed()) {
-    m_system.set_potential(zero, seconds);
+    m_system.set_preconditioner(zero, seconds);
   } else {
     m_weights = nearness_weight(m_system.surface()) * m_system.areas();
     m_system.set_potential(zero, m_weights, seconds);

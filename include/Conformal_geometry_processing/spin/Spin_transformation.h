@@ -81,9 +81,8 @@ class Spin_transformation {
 
   /// \brief moves the mesh, as in the steps of a flow; `transform()` starts from the new positions.
   ///
-  /// Ordering and symbolic analysis are kept; `Lagged_solver_traits` also keeps the factors as long
-  /// as that pays off. With mollification, the triangulation and its pattern change, and the call
-  /// costs as much as the constructor.
+  /// Ordering and symbolic analysis are kept. With mollification, the triangulation and its pattern
+  /// change, and the call costs as much as the constructor.
   /// \param positions 3 x |V|
   /// \throw Precondition_error if their number is wrong, one is not finite or a face (with
   /// mollification: every face) has area zero, or the boundary has prescribed positions; the object

@@ -40,7 +40,7 @@ void solve_generalized_dirac(internal::Dirac_system<SolverTraits>& system,
                              internal::Dirac_solution& s, const internal::Go_further& go_further)
 {
   const double gamma = dirac_quotient(system.surface(), rho, s.lambda);
-  system.set_potential(rho, s.seconds);
+  system.set_preconditioner(rho, s.seconds);
   ++s.factorizations;
   const double mu =
       inner_product(s.lambda, system.matrix() * s.lambda).w / system.squared_norm(s.lambda);

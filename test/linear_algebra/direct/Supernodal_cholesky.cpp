@@ -59,54 +59,6 @@ Eigen::MatrixXd solution(const Solver& solver, const CGP::Block<typename Solver:
   return real_columns(x);
 }
 
-template <class Scalar>
-class Float_factor : public testing::Test {};
-using Scalars = testing::Types<double, std::complex<double>, Quaternion<double>>;
-TYPED_TEST_SUITE(Float_factor, Scalars);
-
-TYPED_TEST(Float_factor, solves_to_single_precision)
-{
-  on_every_unit([&] {
-    const Pattern pattern = grid_pattern(15, 15);
-    const auto A = random_definite<TypeParam>(pattern, 3);
-    CGP::Supernodal_cholesky<TypeParam, float> single;
-    ASSERT_EQ(single.analyze(*pattern), Solver_status::success);
-    ASSERT_EQ(single.factorize(A, {}), Solver_status::success);
-    const auto b = random_block<TypeParam>(A.size(), 2, 4);
-    const Eigen::MatrixXd expected = definite_solution(dense(A), real_columns(b));
-    EXPECT_LE((solution(single, b) - expected).norm(), 1e-5 * expected.norm());
-  });
-}
-
-TYPED_TEST(Float_factor, needs_little_more_than_half_of_the_memory)
-{
-  const Pattern pattern = grid_pattern(80, 80);
-  CGP::Supernodal_cholesky<TypeParam, float> single;
-  CGP::Supernodal_cholesky<TypeParam> full;
-  ASSERT_EQ(single.analyze(*pattern), Solver_status::success);
-  ASSERT_EQ(full.analyze(*pattern), Solver_status::success);
-  EXPECT_LT(single.statistics().bytes, 0.8 * full.statistics().bytes);
-}
-
-TYPED_TEST(Float_factor, improves_a_solution_to_double_precision_by_refinement)
-{
-  const Pattern pattern = random_pattern(80, 5);
-  const auto A = random_definite<TypeParam>(pattern, 6);
-  CGP::Supernodal_cholesky<TypeParam, float> solver;
-  ASSERT_EQ(solver.analyze(*pattern), Solver_status::success);
-  ASSERT_EQ(solver.factorize(A, {}), Solver_status::success);
-  const Eigen::MatrixXd D = dense(A);
-  const auto b = random_block<TypeParam>(80, 1, 7);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(D.rows());
-  for (int i = 0; i < 5; ++i) {
-    const Eigen::VectorXd r = real_columns(b) - D * x;
-    CGP::Block<TypeParam> residual(80, 1);
-    std::copy(r.data(), r.data() + r.size(), reinterpret_cast<double*>(residual.data()));
-    x += solution(solver, residual);
-  }
-  EXPECT_LE((D * x - real_columns(b)).norm(), 1e-13 * x.norm());
-}
-
 template <class Solver>
 class Supernodal_cholesky : public testing::Test {
  protected:

@@ -112,12 +112,35 @@ auto inverse_operator(const Solver& solver)
 namespace internal {
 
 template <class Solver, class = void>
+constexpr bool can_factorize_preconditioner = false;
+
+template <class Solver>
+constexpr bool can_factorize_preconditioner<
+    Solver, std::void_t<decltype(std::declval<Solver&>().factorize_preconditioner(
+                std::declval<const Hermitian_sparse_matrix<typename Solver::Scalar>&>(),
+                std::declval<const Vector<typename Solver::FT>&>()))>> = true;
+
+template <class Solver, class = void>
 constexpr bool can_release = false;
 
 template <class Solver>
 constexpr bool can_release<Solver, std::void_t<decltype(std::declval<Solver&>().release())>> = true;
 
 }  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
+/// \brief factorizes A + diag(shift) for `apply_inverse()` only: by the solver's
+/// `factorize_preconditioner()`, which may be less exact, if it has one.
+template <class Solver>
+Solver_status factorize_preconditioner(Solver& solver,
+                                       const Hermitian_sparse_matrix<typename Solver::Scalar>& A,
+                                       const Vector<typename Solver::FT>& shift)
+{
+  if constexpr (internal::can_factorize_preconditioner<Solver>)
+    return solver.factorize_preconditioner(A, shift);
+  else
+    return solver.factorize(A, shift);
+}
 
 /// \ingroup PkgLinearAlgebra
 /// \brief Releases the memory of the solver's factor, if the solver has a member `release()`; its

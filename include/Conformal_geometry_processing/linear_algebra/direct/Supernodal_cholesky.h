@@ -11,7 +11,6 @@
 #include <Eigen/Core>
 
 #include <memory>
-#include <type_traits>
 
 namespace Conformal_geometry_processing {
 
@@ -35,12 +34,14 @@ class Supernodal_factor;
 /// factorization. Uses up to `number_of_threads()` threads; the results are bitwise independent of
 /// their number.
 ///
-/// \tparam Scalar_ `double`, `std::complex<double>`, `Quaternion<double>`, or of `float`
-/// \tparam Real the numbers of the factor: `float` halves the memory, for a factor that is used as
-/// a preconditioner. The compiled library contains the combinations listed in
-/// Supernodal_instances.h; for other ones include Supernodal_cholesky_templates.h.
+/// A factor that serves as a preconditioner only (`factorize_preconditioner()`) is in single
+/// precision, with half of the memory and two thirds of the time, where that suffices.
+///
+/// \tparam Scalar_ `double`, `std::complex<double>`, `Quaternion<double>`, or of `float`. The
+/// compiled library contains those listed in Supernodal_instances.h; for other ones include
+/// Supernodal_cholesky_templates.h.
 /// \cgalModels{SparseHermitianSolver}
-template <class Scalar_, class Real = typename internal::Scalar_traits<Scalar_>::FT>
+template <class Scalar_>
 class Supernodal_cholesky {
  public:
   using Scalar = Scalar_;
@@ -68,9 +69,9 @@ class Supernodal_cholesky {
       std::shared_ptr<const internal::Supernodal_structure> structure);
 
   /// Shares the structure of another solver for the same pattern
-  template <class OtherScalar, class OtherReal>
+  template <class OtherScalar>
   Solver_status analyze_like(const Sparse_pattern& pattern,
-                             const Supernodal_cholesky<OtherScalar, OtherReal>& other)
+                             const Supernodal_cholesky<OtherScalar>& other)
   {
     return analyze_with_structure(pattern, other.structure());
   }
@@ -85,6 +86,11 @@ class Supernodal_cholesky {
 
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift);
 
+  /// \brief Factorizes A + diag(shift) for `precondition()` only: in single precision, or like
+  /// `factorize()`, and so from then on, where only in single precision a pivot is not positive.
+  Solver_status factorize_preconditioner(const Hermitian_sparse_matrix<Scalar>& A,
+                                         const Vector<FT>& shift);
+
   /// \brief Releases the memory of the factor; the structure stays. The next factorization
   /// allocates it anew.
   void release();
@@ -92,30 +98,51 @@ class Supernodal_cholesky {
   /// The vertex whose pivot was not positive in the last factorization, -1 if there was none
   int bad_vertex() const { return m_bad_vertex; }
 
+  /// \pre `factorize()` was the last factorization, otherwise the status is
+  /// `Solver_status::wrong_state`
   Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;
+
+  /// solves with the last factor of either precision
+  Solver_status precondition(const Block<Scalar>& b, Block<Scalar>& x) const;
 
   Solver_statistics statistics() const;
 
  private:
-  int size() const { return static_cast<int>(m_ordering.size()); }
+  template <class Number>
+  using Factor = internal::Supernodal_factor<Scalar, Number>;
 
-  template <int numbers>
-  bool substitute(const Block<Scalar>& b, Eigen::Index begin, Eigen::Index end,
-                  Block<Scalar>& x) const;
-  void pack(const Block<Scalar>& b, Eigen::Index c, int columns, Real* to) const;
-  void unpack(const Real* from, Eigen::Index c, int columns, Block<Scalar>& x) const;
+  /// what the last factorization has left
+  enum class State { no_factor, factor, rough_factor };
+
+  int size() const { return static_cast<int>(m_ordering.size()); }
+  bool matches(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift) const;
+
+  template <class Number>
+  Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift,
+                          Factor<Number>& factor, State state);
+  template <class Number>
+  Solver_status solve(const Factor<Number>& factor, const Block<Scalar>& b, Block<Scalar>& x) const;
+  template <int numbers, class Number>
+  bool substitute(const Factor<Number>& factor, const Block<Scalar>& b, Eigen::Index begin,
+                  Eigen::Index end, Block<Scalar>& x) const;
+  template <class Number>
+  void pack(const Block<Scalar>& b, Eigen::Index c, int columns, Number* to) const;
+  template <class Number>
+  void unpack(const Number* from, Eigen::Index c, int columns, Block<Scalar>& x) const;
 
   internal::Ordering m_ordering;
   int m_entries = 0;
   std::shared_ptr<const internal::Supernodal_structure> m_structure;
-  std::unique_ptr<internal::Supernodal_factor<Scalar, Real>> m_factor;
-  bool m_is_factorized = false;
+  std::unique_ptr<Factor<FT>> m_factor;
+  std::unique_ptr<Factor<float>> m_rough_factor;  // null before the first one
+  bool m_is_rough_enough = true;                  // single precision has not failed yet
+  State m_state = State::no_factor;
   int m_bad_vertex = -1;
 };
 
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#define CGP_DECLARE(Scalar, Real) extern template class Supernodal_cholesky<Scalar, Real>;
-CGP_FOR_SUPERNODAL_INSTANCES(CGP_DECLARE)
+#define CGP_DECLARE(Scalar) extern template class Supernodal_cholesky<Scalar>;
+CGP_FOR_SUPERNODAL_SCALARS(CGP_DECLARE)
 #undef CGP_DECLARE
 #endif
 
@@ -125,20 +152,6 @@ CGP_FOR_SUPERNODAL_INSTANCES(CGP_DECLARE)
 struct Supernodal_solver_traits {
   template <class Scalar>
   using Solver = Supernodal_cholesky<Scalar>;
-};
-
-/// \ingroup PkgLinearAlgebra
-/// \brief `Supernodal_solver_traits` with the quaternionic factor in single precision: half the
-/// memory and about two thirds of the time, for algorithms that use it as a preconditioner only.
-///
-/// The eigensolver does so and iterates in double precision: its vectors are as accurate, after one
-/// or two more iterations. Real matrices are factored in double precision.
-/// \cgalModels{SparseHermitianSolverTraits}
-struct Mixed_supernodal_solver_traits {
-  template <class Scalar>
-  using Solver =
-      Supernodal_cholesky<Scalar,
-                          std::conditional_t<std::is_floating_point_v<Scalar>, Scalar, float>>;
 };
 
 }  // namespace Conformal_geometry_processing

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -42,21 +43,21 @@ bool is_finite(const Aligned_array<Real>& numbers)
 
 }  // namespace internal
 
-template <class Scalar, class Real>
-Supernodal_cholesky<Scalar, Real>::Supernodal_cholesky() = default;
+template <class Scalar>
+Supernodal_cholesky<Scalar>::Supernodal_cholesky() = default;
 
-template <class Scalar, class Real>
-Supernodal_cholesky<Scalar, Real>::~Supernodal_cholesky() = default;
+template <class Scalar>
+Supernodal_cholesky<Scalar>::~Supernodal_cholesky() = default;
 
-template <class Scalar, class Real>
-Solver_status Supernodal_cholesky<Scalar, Real>::analyze(const Sparse_pattern& pattern)
+template <class Scalar>
+Solver_status Supernodal_cholesky<Scalar>::analyze(const Sparse_pattern& pattern)
 {
   return internal::guarded([&] { return analyze(pattern, amd_ordering(pattern)); });
 }
 
-template <class Scalar, class Real>
-Solver_status Supernodal_cholesky<Scalar, Real>::analyze(const Sparse_pattern& pattern,
-                                                         const internal::Ordering& order)
+template <class Scalar>
+Solver_status Supernodal_cholesky<Scalar>::analyze(const Sparse_pattern& pattern,
+                                                   const internal::Ordering& order)
 {
   return internal::guarded([&] {
     const bool fits = order.size() == static_cast<std::size_t>(pattern.size()) &&
@@ -68,9 +69,9 @@ Solver_status Supernodal_cholesky<Scalar, Real>::analyze(const Sparse_pattern& p
   });
 }
 
-template <class Scalar, class Real>
-Solver_status Supernodal_cholesky<Scalar, Real>::analyze_with_positions(
-    const Sparse_pattern& pattern, const Eigen::Matrix3Xd& positions)
+template <class Scalar>
+Solver_status Supernodal_cholesky<Scalar>::analyze_with_positions(const Sparse_pattern& pattern,
+                                                                  const Eigen::Matrix3Xd& positions)
 {
   const int factorizations = 2;  // a spin transformation often needs a second one
   return internal::guarded([&] {
@@ -80,55 +81,106 @@ Solver_status Supernodal_cholesky<Scalar, Real>::analyze_with_positions(
   });
 }
 
-template <class Scalar, class Real>
-Solver_status Supernodal_cholesky<Scalar, Real>::analyze_with_structure(
+template <class Scalar>
+Solver_status Supernodal_cholesky<Scalar>::analyze_with_structure(
     const Sparse_pattern& pattern, std::shared_ptr<const internal::Supernodal_structure> structure)
 {
   return internal::guarded([&] {
     m_factor.reset();
+    m_rough_factor.reset();
     m_structure.reset();
-    m_is_factorized = false;
+    m_state = State::no_factor;
+    m_is_rough_enough = true;
     if (!structure || structure->size_of_columns() != pattern.size())
       return Solver_status::wrong_state;
     m_entries = pattern.size_of_entries();
     m_ordering = structure->order();
     m_structure = std::move(structure);
-    m_factor = std::make_unique<internal::Supernodal_factor<Scalar, Real>>(m_structure);
+    m_factor = std::make_unique<Factor<FT>>(m_structure);
     return Solver_status::success;
   });
 }
 
-template <class Scalar, class Real>
-Solver_status Supernodal_cholesky<Scalar, Real>::factorize(const Hermitian_sparse_matrix<Scalar>& A,
-                                                           const Vector<FT>& shift)
+template <class Scalar>
+bool Supernodal_cholesky<Scalar>::matches(const Hermitian_sparse_matrix<Scalar>& A,
+                                          const Vector<FT>& shift) const
+{
+  return m_factor && A.size() == size() && A.pattern().size_of_entries() == m_entries &&
+         (shift.size() == 0 || shift.size() == A.size());
+}
+
+template <class Scalar>
+Solver_status Supernodal_cholesky<Scalar>::factorize(const Hermitian_sparse_matrix<Scalar>& A,
+                                                     const Vector<FT>& shift)
 {
   return internal::guarded([&] {
-    if (!m_factor || A.size() != size() || A.pattern().size_of_entries() != m_entries ||
-        (shift.size() != 0 && shift.size() != A.size()))
-      return Solver_status::wrong_state;
-    m_is_factorized = false;
-    if (!internal::is_finite(A) || !shift.allFinite()) return Solver_status::numerical_issue;
-    m_bad_vertex = m_factor->factorize(A, shift);
-    m_is_factorized = m_bad_vertex < 0;
-    return m_is_factorized ? Solver_status::success : Solver_status::not_positive_definite;
+    if (!matches(A, shift)) return Solver_status::wrong_state;
+    if (m_rough_factor) m_rough_factor->release();
+    return factorize(A, shift, *m_factor, State::factor);
   });
 }
 
-template <class Scalar, class Real>
-void Supernodal_cholesky<Scalar, Real>::release()
+template <class Scalar>
+Solver_status Supernodal_cholesky<Scalar>::factorize_preconditioner(
+    const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
 {
-  m_is_factorized = false;
-  if (m_factor) m_factor->release();
+  if (std::is_same_v<FT, float> || !m_is_rough_enough) return factorize(A, shift);
+  return internal::guarded([&] {
+    if (!matches(A, shift)) return Solver_status::wrong_state;
+    m_factor->release();
+    if (!m_rough_factor) m_rough_factor = std::make_unique<Factor<float>>(m_structure);
+    const Solver_status rough = factorize(A, shift, *m_rough_factor, State::rough_factor);
+    if (rough != Solver_status::not_positive_definite) return rough;
+    const Solver_status status = factorize(A, shift);
+    m_is_rough_enough = status != Solver_status::success;
+    return status;
+  });
 }
 
-template <class Scalar, class Real>
-Solver_status Supernodal_cholesky<Scalar, Real>::solve(const Block<Scalar>& b,
-                                                       Block<Scalar>& x) const
+template <class Scalar>
+template <class Number>
+Solver_status Supernodal_cholesky<Scalar>::factorize(const Hermitian_sparse_matrix<Scalar>& A,
+                                                     const Vector<FT>& shift,
+                                                     Factor<Number>& factor, State state)
+{
+  m_state = State::no_factor;
+  if (!internal::is_finite(A) || !shift.allFinite()) return Solver_status::numerical_issue;
+  m_bad_vertex = factor.factorize(A, shift);
+  if (m_bad_vertex >= 0) return Solver_status::not_positive_definite;
+  m_state = state;
+  return Solver_status::success;
+}
+
+template <class Scalar>
+void Supernodal_cholesky<Scalar>::release()
+{
+  m_state = State::no_factor;
+  if (m_factor) m_factor->release();
+  if (m_rough_factor) m_rough_factor->release();
+}
+
+template <class Scalar>
+Solver_status Supernodal_cholesky<Scalar>::solve(const Block<Scalar>& b, Block<Scalar>& x) const
+{
+  return m_state == State::factor ? solve(*m_factor, b, x) : Solver_status::wrong_state;
+}
+
+template <class Scalar>
+Solver_status Supernodal_cholesky<Scalar>::precondition(const Block<Scalar>& b,
+                                                        Block<Scalar>& x) const
+{
+  return m_state == State::rough_factor ? solve(*m_rough_factor, b, x) : solve(b, x);
+}
+
+template <class Scalar>
+template <class Number>
+Solver_status Supernodal_cholesky<Scalar>::solve(const Factor<Number>& factor,
+                                                 const Block<Scalar>& b, Block<Scalar>& x) const
 {
   // Right-hand sides per pass, in numbers: memory-bound, so twice as many cost little more.
   constexpr int narrow = 4, wide = 8, planes = internal::Scalar_planes<Scalar>::size;
   return internal::guarded([&] {
-    if (!m_is_factorized || b.rows() != size()) return Solver_status::wrong_state;
+    if (b.rows() != size()) return Solver_status::wrong_state;
     // In a single pass, the solution is written directly to an x of the right size.
     const bool is_direct =
         b.cols() <= wide / planes && x.rows() == b.rows() && x.cols() == b.cols();
@@ -138,37 +190,39 @@ Solver_status Supernodal_cholesky<Scalar, Real>::solve(const Block<Scalar>& b,
     const Eigen::Index rest = b.cols() % (wide / planes),
                        first = b.cols() - (rest <= narrow / planes ? rest : 0);
     constexpr int least = planes == 1 ? 1 : narrow;
-    const bool is_solved = substitute<wide>(b, 0, first, solution) &&
-                           (rest == 1 ? substitute<least>(b, first, b.cols(), solution)
-                                      : substitute<narrow>(b, first, b.cols(), solution));
+    const bool is_solved = substitute<wide>(factor, b, 0, first, solution) &&
+                           (rest == 1 ? substitute<least>(factor, b, first, b.cols(), solution)
+                                      : substitute<narrow>(factor, b, first, b.cols(), solution));
     if (!is_solved) return Solver_status::numerical_issue;
     if (!is_direct) x = std::move(other);
     return Solver_status::success;
   });
 }
 
-template <class Scalar, class Real>
-Solver_statistics Supernodal_cholesky<Scalar, Real>::statistics() const
+template <class Scalar>
+Solver_statistics Supernodal_cholesky<Scalar>::statistics() const
 {
   constexpr int planes = internal::Scalar_planes<Scalar>::size;
   Solver_statistics s;
   if (!m_factor) return s;
   s.factor_entries = m_factor->structure().stored_entries();
   s.flops = m_factor->structure().operations() * planes * planes;
-  s.bytes = static_cast<double>(m_factor->bytes());
+  s.bytes = static_cast<double>(m_state == State::rough_factor ? m_rough_factor->bytes()
+                                                               : m_factor->bytes());
   return s;
 }
 
 // Solves for the columns begin <= c < end; returns false if the solution is not finite.
-template <class Scalar, class Real>
-template <int numbers>
-bool Supernodal_cholesky<Scalar, Real>::substitute(const Block<Scalar>& b, Eigen::Index begin,
-                                                   Eigen::Index end, Block<Scalar>& x) const
+template <class Scalar>
+template <int numbers, class Number>
+bool Supernodal_cholesky<Scalar>::substitute(const Factor<Number>& factor, const Block<Scalar>& b,
+                                             Eigen::Index begin, Eigen::Index end,
+                                             Block<Scalar>& x) const
 {
   if (begin == end) return true;
-  internal::Supernodal_substitution<Scalar, Real, numbers> substitution(*m_factor);
-  constexpr int columns = internal::Supernodal_substitution<Scalar, Real, numbers>::columns;
-  internal::Aligned_array<Real> packed;
+  internal::Supernodal_substitution<Scalar, Number, numbers> substitution(factor);
+  constexpr int columns = internal::Supernodal_substitution<Scalar, Number, numbers>::columns;
+  internal::Aligned_array<Number> packed;
   packed.resize(static_cast<std::int64_t>(size()) * numbers);
   for (Eigen::Index c = begin; c < end; c += columns) {
     pack(b, c, columns, packed.data());
@@ -180,22 +234,24 @@ bool Supernodal_cholesky<Scalar, Real>::substitute(const Block<Scalar>& b, Eigen
 }
 
 // Packs columns of b, from c on, in elimination order; columns beyond the last one are zero.
-template <class Scalar, class Real>
-void Supernodal_cholesky<Scalar, Real>::pack(const Block<Scalar>& b, Eigen::Index c, int columns,
-                                             Real* to) const
+template <class Scalar>
+template <class Number>
+void Supernodal_cholesky<Scalar>::pack(const Block<Scalar>& b, Eigen::Index c, int columns,
+                                       Number* to) const
 {
   constexpr int planes = internal::Scalar_planes<Scalar>::size;
   for (int k : m_structure->order())
     for (int i = 0; i < columns; ++i, to += planes) {
       FT s[planes] = {};
       if (c + i < b.cols()) internal::Scalar_planes<Scalar>::get(b(k, c + i), s);
-      for (int q = 0; q < planes; ++q) to[q] = static_cast<Real>(s[q]);
+      for (int q = 0; q < planes; ++q) to[q] = static_cast<Number>(s[q]);
     }
 }
 
-template <class Scalar, class Real>
-void Supernodal_cholesky<Scalar, Real>::unpack(const Real* from, Eigen::Index c, int columns,
-                                               Block<Scalar>& x) const
+template <class Scalar>
+template <class Number>
+void Supernodal_cholesky<Scalar>::unpack(const Number* from, Eigen::Index c, int columns,
+                                         Block<Scalar>& x) const
 {
   constexpr int planes = internal::Scalar_planes<Scalar>::size;
   for (int k : m_structure->order())

@@ -16,9 +16,11 @@ namespace Conformal_geometry_processing {
 #define CGP_DEFINE(Scalar, Real)                                     \
   template class internal::Supernodal_factor<Scalar, Real>;          \
   template class internal::Supernodal_substitution<Scalar, Real, 4>; \
-  template class internal::Supernodal_substitution<Scalar, Real, 8>; \
-  template class Supernodal_cholesky<Scalar, Real>;
+  template class internal::Supernodal_substitution<Scalar, Real, 8>;
 CGP_FOR_SUPERNODAL_INSTANCES(CGP_DEFINE)
+#undef CGP_DEFINE
+#define CGP_DEFINE(Scalar) template class Supernodal_cholesky<Scalar>;
+CGP_FOR_SUPERNODAL_SCALARS(CGP_DEFINE)
 #undef CGP_DEFINE
 #define CGP_DEFINE(Scalar, Real) template class internal::Supernodal_substitution<Scalar, Real, 1>;
 CGP_FOR_REAL_SUPERNODAL_INSTANCES(CGP_DEFINE)

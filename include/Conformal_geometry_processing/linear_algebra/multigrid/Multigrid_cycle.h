@@ -46,7 +46,7 @@ class Multigrid_cycle {
  public:
   using Matrix = Hermitian_sparse_matrix<Entry>;
   using Level = Multigrid_level<Entry>;
-  using Coarsest = Supernodal_cholesky<Entry, float>;
+  using Coarsest = Supernodal_cholesky<Entry>;
 
   /// Builds at least one level and the coarsest one
   /// \returns `not_positive_definite` if a diagonal entry or a pivot is not positive on some level

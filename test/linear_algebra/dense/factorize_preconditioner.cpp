@@ -1,0 +1,51 @@
+// Tests linear_algebra/dense/block_operators.h
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
+
+#include <gtest/gtest.h>
+
+namespace CGP = Conformal_geometry_processing;
+
+namespace {
+
+struct Solver {
+  using Scalar = double;
+  using FT = double;
+  int factorizations = 0;
+  CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<double>&,
+                               const CGP::Vector<double>&)
+  {
+    ++factorizations;
+    return CGP::Solver_status::success;
+  }
+};
+
+struct Rough_solver : Solver {
+  int preconditioners = 0;
+  CGP::Solver_status factorize_preconditioner(const CGP::Hermitian_sparse_matrix<double>&,
+                                              const CGP::Vector<double>&)
+  {
+    ++preconditioners;
+    return CGP::Solver_status::numerical_issue;
+  }
+};
+
+const CGP::Hermitian_sparse_matrix<double> A;
+
+}  // namespace
+
+TEST(Factorize_preconditioner, is_passed_on_to_solvers_that_can)
+{
+  Rough_solver solver;
+  EXPECT_EQ(CGP::factorize_preconditioner(solver, A, {}), CGP::Solver_status::numerical_issue);
+  EXPECT_EQ(solver.preconditioners, 1);
+  EXPECT_EQ(solver.factorizations, 0);
+}
+
+TEST(Factorize_preconditioner, is_any_factorization_of_other_solvers)
+{
+  Solver solver;
+  EXPECT_EQ(CGP::factorize_preconditioner(solver, A, {}), CGP::Solver_status::success);
+  EXPECT_EQ(solver.factorizations, 1);
+}
