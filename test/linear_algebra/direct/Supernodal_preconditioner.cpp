@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 
 #include "linear_algebra/every_unit.h"
@@ -135,6 +136,24 @@ TYPED_TEST(Supernodal_preconditioner, improves_a_solution_to_double_precision_by
     x += this->preconditioned(residual);
   }
   EXPECT_LE((D * x - real_columns(b)).norm(), 1e-13 * x.norm());
+}
+
+// A float is between 1e-38 and 1e38.
+TYPED_TEST(Supernodal_preconditioner, is_linear_beyond_the_range_of_single_precision)
+{
+  const auto A = random_definite<TypeParam>(random_pattern(80, 5), 6);
+  ASSERT_EQ(this->solver.analyze(A.pattern()), Solver_status::success);
+  ASSERT_EQ(this->solver.factorize_preconditioner(A, {}), Solver_status::success);
+  const CGP::Block<TypeParam> b = random_block<TypeParam>(80, 3, 7);
+  const Eigen::MatrixXd x = this->preconditioned(b);
+  for (const int exponent : {-1000, -130, 0, 127, 900}) {
+    CGP::Block<TypeParam> c = b;
+    for (TypeParam& value : c.col(1)) value *= std::ldexp(1., exponent);
+    Eigen::MatrixXd y = this->preconditioned(c);
+    const Eigen::Index columns = y.cols() / 3;
+    y.middleCols(columns, columns) *= std::ldexp(1., -exponent);
+    EXPECT_EQ(y, x) << exponent;
+  }
 }
 
 TYPED_TEST(Supernodal_preconditioner, is_in_double_precision_where_single_precision_fails)

@@ -126,9 +126,10 @@ class Supernodal_cholesky {
   bool substitute(const Factor<Number>& factor, const Block<Scalar>& b, Eigen::Index begin,
                   Eigen::Index end, Block<Scalar>& x) const;
   template <class Number>
-  void pack(const Block<Scalar>& b, Eigen::Index c, int columns, Number* to) const;
+  void pack(const Block<Scalar>& b, Eigen::Index c, int columns, const FT* units, Number* to) const;
   template <class Number>
-  void unpack(const Number* from, Eigen::Index c, int columns, Block<Scalar>& x) const;
+  void unpack(const Number* from, Eigen::Index c, int columns, const FT* units,
+              Block<Scalar>& x) const;
 
   internal::Ordering m_ordering;
   int m_entries = 0;

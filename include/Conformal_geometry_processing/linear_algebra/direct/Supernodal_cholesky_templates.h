@@ -9,9 +9,12 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_substitution.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -30,6 +33,24 @@ bool is_finite(const Hermitian_sparse_matrix<Scalar>& A)
     for (int q = 0; q < planes; ++q) is_finite = is_finite && std::isfinite(c[q]);
   }
   return is_finite;
+}
+
+// The power of two just above the numbers of v, which may be too small, or too large, for another
+// type of numbers.
+template <class Column>
+auto power_of_two(const Column& v)
+{
+  using Scalar = typename Column::Scalar;
+  using FT = typename Scalar_traits<Scalar>::FT;
+  constexpr int planes = Scalar_planes<Scalar>::size;
+  FT largest = 0;
+  for (Eigen::Index i = 0; i < v.size(); ++i) {
+    FT c[planes];
+    Scalar_planes<Scalar>::get(v[i], c);
+    for (int q = 0; q < planes; ++q) largest = (std::max)(largest, std::abs(c[q]));
+  }
+  const bool is_usual = largest >= (std::numeric_limits<FT>::min)() && std::isfinite(largest);
+  return is_usual ? std::ldexp(FT(1), (std::min)(std::ilogb(largest) + 1, 1000)) : FT(1);
 }
 
 template <class Real>
@@ -225,40 +246,45 @@ bool Supernodal_cholesky<Scalar>::substitute(const Factor<Number>& factor, const
   internal::Aligned_array<Number> packed;
   packed.resize(static_cast<std::int64_t>(size()) * numbers);
   for (Eigen::Index c = begin; c < end; c += columns) {
-    pack(b, c, columns, packed.data());
+    std::array<FT, columns> units;
+    for (int i = 0; i < columns; ++i)
+      units[static_cast<std::size_t>(i)] =
+          std::is_same_v<Number, FT> || c + i >= end ? 1 : internal::power_of_two(b.col(c + i));
+    pack(b, c, columns, units.data(), packed.data());
     substitution.solve(packed.data());
     if (!internal::is_finite(packed)) return false;
-    unpack(packed.data(), c, columns, x);
+    unpack(packed.data(), c, columns, units.data(), x);
   }
   return true;
 }
 
-// Packs columns of b, from c on, in elimination order; columns beyond the last one are zero.
+// Packs columns of b, from c on, in elimination order, as multiples of their units; columns beyond
+// the last one are zero.
 template <class Scalar>
 template <class Number>
 void Supernodal_cholesky<Scalar>::pack(const Block<Scalar>& b, Eigen::Index c, int columns,
-                                       Number* to) const
+                                       const FT* units, Number* to) const
 {
   constexpr int planes = internal::Scalar_planes<Scalar>::size;
   for (int k : m_structure->order())
     for (int i = 0; i < columns; ++i, to += planes) {
       FT s[planes] = {};
       if (c + i < b.cols()) internal::Scalar_planes<Scalar>::get(b(k, c + i), s);
-      for (int q = 0; q < planes; ++q) to[q] = static_cast<Number>(s[q]);
+      for (int q = 0; q < planes; ++q) to[q] = static_cast<Number>(s[q] / units[i]);
     }
 }
 
 template <class Scalar>
 template <class Number>
 void Supernodal_cholesky<Scalar>::unpack(const Number* from, Eigen::Index c, int columns,
-                                         Block<Scalar>& x) const
+                                         const FT* units, Block<Scalar>& x) const
 {
   constexpr int planes = internal::Scalar_planes<Scalar>::size;
   for (int k : m_structure->order())
     for (int i = 0; i < columns; ++i, from += planes) {
       if (c + i >= x.cols()) continue;
       FT s[planes];
-      for (int q = 0; q < planes; ++q) s[q] = from[q];
+      for (int q = 0; q < planes; ++q) s[q] = units[i] * from[q];
       x(k, c + i) = internal::Scalar_planes<Scalar>::put(s);
     }
 }
