@@ -44,7 +44,8 @@ class SparseHermitianEigensolverTraits {
   /// \param A Hermitian, positive semidefinite
   /// \param N positive definite
   /// \param solver has factorized A plus a small positive definite shift, which does not move the
-  /// result
+  /// result. To be applied by `apply_inverse()` or `inverse_operator()`: a solver with a member
+  /// `factorize_preconditioner()` has used that, and the inverse is not exact
   /// \param x0 the initial vectors, one or more
   /// \param options when to stop, and how many eigenpairs are wanted: at most the columns of x0
   /// \param go_further is asked before every iteration; false cancels

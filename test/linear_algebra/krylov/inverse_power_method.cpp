@@ -55,6 +55,22 @@ TEST(Inverse_power_method, normalises_by_the_masses)
   EXPECT_NEAR(CGP::inner_product(r.vectors.col(0), problem.masses(), r.vectors.col(0)).w, 1, 1e-14);
 }
 
+TEST(Inverse_power_method, finds_the_eigenvector_by_an_inexact_inverse)
+{
+  const Spectral_problem problem(counting(12));
+  const auto exact = problem.inverse();
+  const auto inexact = [&](const CGP::Block<Q>& b) {
+    CGP::Block<Q> x;
+    CGP::apply_operator(exact, b, x);
+    for (Eigen::Index i = 0; i < x.size(); ++i) x(i) *= 1 + .05 * std::sin(7. * double(i));
+    return x;
+  };
+  const auto r = CGP::inverse_power_method(problem.k(), problem.n(), inexact,
+                                           random_block<Q>(12, 1, 3), options(1e-10, 200));
+  EXPECT_TRUE(r.converged);
+  EXPECT_LE(problem.sine(r.vectors), 1e-9);
+}
+
 TEST(Inverse_power_method, stops_at_the_tolerance)
 {
   const Spectral_problem problem(counting(12));
@@ -81,9 +97,11 @@ TEST(Inverse_power_method, refuses_dependent_initial_vectors)
 TEST(Inverse_power_method, stops_when_the_inverse_loses_a_column)
 {
   const Spectral_problem problem(counting(12));
-  const auto nothing = [](const CGP::Block<Q>& b) { return CGP::Block<Q>(b.rows(), b.cols()); };
-  const auto r = CGP::inverse_power_method(problem.k(), problem.n(), nothing,
-                                           random_block<Q>(12, 1, 5), options(-1, 10));
+  const auto same = [](const CGP::Block<Q>& b) {
+    return CGP::Block<Q>(CGP::Block<Q>::Constant(b.rows(), b.cols(), Q{1e20, 0, 0, 0}));
+  };
+  const auto r = CGP::inverse_power_method(problem.k(), problem.n(), same,
+                                           random_block<Q>(12, 2, 5), options(-1, 10));
   EXPECT_TRUE(r.stagnated);
   EXPECT_EQ(r.iterations, 0);
 }

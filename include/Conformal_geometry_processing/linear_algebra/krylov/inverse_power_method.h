@@ -15,13 +15,17 @@ namespace Conformal_geometry_processing {
 /// \brief Computes the smallest eigenpair of K x = N x theta by the inverse power method,
 /// K x_i = N x_(i-1) followed by normalization [CGP 5.5, Algorithm 1].
 ///
+/// The step is written as x - K^-1 r, with the residual r = K x - N x theta of x: it has the
+/// direction of K^-1 N x, but its fixed points are eigenvectors for an inexact inverse, too.
+///
 /// For the reproduction of published results; `lobpcg()` converges faster. The mass matrix on the
 /// right-hand side, which is missing in the printed algorithm, makes it solve the generalized
 /// problem. Converges by the factor theta_1 / theta_2 per iteration. Tolerance 0 gives the fixed
 /// number `options.max_iterations`. With several columns, the basis is orthonormalized after
-/// every step. Two solves per iteration: one for the step, one for the error estimate.
+/// every step. One solve per iteration, which the error estimate needs as well.
 ///
-/// \param invert maps b to the solution of K x = b; for other parameters and errors see `lobpcg()`
+/// \param invert maps b to the solution of K x = b, exactly or nearly so; for other parameters and
+/// errors see `lobpcg()`
 template <class K, class N, class T, class GoFurther = internal::Always_go_further>
 Eigensolver_result inverse_power_method(const K& apply_k, const N& apply_n, const T& invert,
                                         Block<Quaternion<double>> x0,
@@ -38,8 +42,7 @@ Eigensolver_result inverse_power_method(const K& apply_k, const N& apply_n, cons
     convergence.count_solve();
     if (convergence.is_last(x, r, Tr, go_further)) break;
     const Eigen::Index columns = x.size();
-    apply_operator(invert, x.nv, x.v);
-    convergence.count_solve();
+    x.v -= Tr;
     apply_operators(apply_k, apply_n, x);
     orthonormalize(x);
     if (x.size() < columns) {
