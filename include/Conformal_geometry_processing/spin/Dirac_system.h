@@ -93,11 +93,17 @@ class Dirac_system {
   /// Rayleigh-Ritz removes the effect of this shift.
   /// \throw Solver_error if X is not positive definite up to rounding, or memory is short
   void set_potential(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
-                     double least = 1e-3);
+                     double least = 1e-3)
+  {
+    factorize_for(rho, seconds, least, Use::solution);
+  }
 
   /// the same for `precondition()` only: the factor may be less exact
   void set_preconditioner(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
-                          double least = 1e-3);
+                          double least = 1e-3)
+  {
+    factorize_for(rho, seconds, least, Use::preconditioner);
+  }
 
   /// \brief assembles X for rho and factors it with a given shift of its diagonal, |V|.
   /// \throw Solver_error as above
@@ -162,10 +168,12 @@ class Dirac_system {
   Quaternion_vector<double> normalized(Quaternion_vector<double> lambda) const;
 
  private:
+  enum class Use { solution, preconditioner };
+
   void check(const char* step, Solver_status status) const;
-  Solver_status factorize(const Eigen::VectorXd& shift);
-  template <class Factorize>
-  void factorize_shifted(double least, Factorize factorize);
+  void factorize_for(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds, double least,
+                     Use use);
+  Solver_status factorize(const Eigen::VectorXd& shift, Use use);
 
   std::string m_function;
   Surface_ref m_surface;

@@ -134,41 +134,21 @@ void internal::Dirac_system<SolverTraits>::assemble(const Curvature_potential& r
 }
 
 template <class SolverTraits>
-void internal::Dirac_system<SolverTraits>::set_potential(const Curvature_potential& rho,
+void internal::Dirac_system<SolverTraits>::factorize_for(const Curvature_potential& rho,
                                                          internal::Dirac_evidence::Seconds& seconds,
-                                                         double least)
+                                                         double least, Use use)
 {
   assemble(rho, seconds);
   internal::Stopwatch watch;
-  factorize_shifted(least, [this](const Eigen::VectorXd& shift) { return factorize(shift); });
-  seconds.factorization += watch.lap();
-}
-
-template <class SolverTraits>
-void internal::Dirac_system<SolverTraits>::set_preconditioner(
-    const Curvature_potential& rho, internal::Dirac_evidence::Seconds& seconds, double least)
-{
-  if (m_reduced) return set_potential(rho, seconds, least);
-  assemble(rho, seconds);
-  internal::Stopwatch watch;
-  factorize_shifted(least, [this](const Eigen::VectorXd& shift) {
-    return factorize_preconditioner(m_solver, m_X, shift);
-  });
-  seconds.factorization += watch.lap();
-}
-
-template <class SolverTraits>
-template <class Factorize>
-void internal::Dirac_system<SolverTraits>::factorize_shifted(double least, Factorize factorize)
-{
   m_shift = least * unit();
-  Solver_status status = factorize(m_shift * m_areas);
+  Solver_status status = factorize(m_shift * m_areas, use);
   for (const double share : {1e-6, 1e-3, 1e-2}) {
     if (share <= least || status != Solver_status::not_positive_definite) continue;
     m_shift = share * unit();
-    status = factorize(m_shift * m_areas);
+    status = factorize(m_shift * m_areas, use);
   }
   check("factorization", status);
+  seconds.factorization += watch.lap();
 }
 
 template <class SolverTraits>
@@ -178,7 +158,7 @@ void internal::Dirac_system<SolverTraits>::set_potential(const Curvature_potenti
 {
   assemble(rho, seconds);
   internal::Stopwatch watch;
-  check("factorization", factorize(shift));
+  check("factorization", factorize(shift, Use::solution));
   seconds.factorization += watch.lap();
 }
 
@@ -288,10 +268,11 @@ void internal::Dirac_system<SolverTraits>::check(const char* step, Solver_status
 }
 
 template <class SolverTraits>
-Solver_status internal::Dirac_system<SolverTraits>::factorize(const Eigen::VectorXd& shift)
+Solver_status internal::Dirac_system<SolverTraits>::factorize(const Eigen::VectorXd& shift, Use use)
 {
-  return m_reduced ? m_reduced->factorize(m_X, shift, m_directions->basis())
-                   : m_solver.factorize(m_X, shift);
+  if (m_reduced) return m_reduced->factorize(m_X, shift, m_directions->basis());
+  return use == Use::solution ? m_solver.factorize(m_X, shift)
+                              : factorize_preconditioner(m_solver, m_X, shift);
 }
 
 }  // namespace Conformal_geometry_processing
