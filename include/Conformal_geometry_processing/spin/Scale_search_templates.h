@@ -85,7 +85,10 @@ void Scale_search<SolverTraits, EigensolverTraits>::search_weight(const Dirac_op
         is_within ? m_last.excess > near_bound || !is_minimal : m_last.excess <= 1;
     if (is_enough) break;
     w = is_within ? w / factor : w * factor;
+    const Eigen::VectorXd before = m_search.present().rho.values;
     is_minimal = try_weight(w, options, go_further);
+    // Where the spins follow no step, a larger weight asks for nearly the same ones.
+    if (!is_minimal && m_search.present().rho.values == before) break;
   }
 }
 
