@@ -55,6 +55,17 @@ TEST(Lobpcg, stays_at_a_singular_eigenpair_past_the_rounding_floor)
   }
 }
 
+TEST(Lobpcg, finds_a_singular_eigenpair_with_a_nearly_singular_preconditioner)
+{
+  Eigen::VectorXd values = counting(30);
+  values[0] = 0;
+  const Spectral_problem problem(values);
+  for (const double shift : {1e-10, 1e-12, 1e-14}) {
+    const auto r = solve(problem, random_block<Q>(30, 1, 7), until(1e-12), shift);
+    EXPECT_LE(problem.sine(r.vectors), 1e-11) << shift;
+  }
+}
+
 TEST(Lobpcg, stops_where_there_is_no_direction_left)
 {
   const Spectral_problem problem(Eigen::VectorXd::Ones(1));
