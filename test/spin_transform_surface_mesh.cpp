@@ -68,12 +68,13 @@ TEST(Spin_transform_of_a_Surface_mesh, reads_and_fills_the_properties_of_the_mes
 
 TEST(Spin_transform_of_a_Surface_mesh, keeps_handles_closed_unless_told_otherwise)
 {
-  const Mesh_view before = torus(1, 0.4, 24, 12);
-  Surface closed = to_cgal_mesh<Surface>(before);
+  Surface closed = to_cgal_mesh<Surface>(torus(1, 0.4, 24, 12));
+  const Mesh_view before = view_of(closed);
   auto rho = closed.add_property_map<Surface::Vertex_index, double>("v:rho").first;
-  for (const auto v : closed.vertices()) rho[v] = std::sin(3 * closed.point(v).x() + 1);
-  const auto values =
-      Curvature_potential::on_vertices((3 * before.positions().row(0).array() + 1).sin());
+  Eigen::VectorXd sine(before.size_of_vertices());
+  for (const auto v : closed.vertices())
+    rho[v] = sine[static_cast<Eigen::Index>(v)] = std::sin(3 * closed.point(v).x() + 1);
+  const auto values = Curvature_potential::on_vertices(sine);
   Surface open = closed;
   const auto report = CGP::spin_transform(closed, rho);
   EXPECT_TRUE(report);

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "bounded_flows.h"
+#include "support/Counted_solver_traits.h"
 
 /// Requirements of the flow on its solvers, and its behaviour if they fail.
 namespace {
@@ -17,42 +18,28 @@ namespace {
 using namespace cgp_test;
 using Flow_stop = CGP::Flow_step_report::Stop;
 
-/// The default solvers, which are counted, and refuse to factor matrices of one kind if told so.
-struct Watched_solver_traits {
+/// refuses to factor matrices of one kind if told so
+struct Watched_solver_traits : Counted_solver_traits {
   enum class Refused { none, real, quaternionic };
   inline static Refused refused = Refused::none;
   inline static CGP::Solver_status status_of_refusal = CGP::Solver_status::numerical_issue;
-  inline static int analyses = 0, factorizations = 0;
 
   template <class Scalar>
-  struct Solver : CGP::Default_solver_traits::Solver<Scalar> {
-    using Parent = CGP::Default_solver_traits::Solver<Scalar>;
+  struct Solver : Counted_solver_traits::Solver<Scalar> {
+    using Parent = Counted_solver_traits::Solver<Scalar>;
+    using Matrix = CGP::Hermitian_sparse_matrix<Scalar>;
     static constexpr Refused kind =
         std::is_same_v<Scalar, double> ? Refused::real : Refused::quaternionic;
 
-    template <class... Arguments>
-    CGP::Solver_status analyze(const Arguments&... arguments)
+    CGP::Solver_status factorize(const Matrix& A, const CGP::Vector<double>& shift)
     {
-      ++analyses;
-      return Parent::analyze(arguments...);
+      const CGP::Solver_status status = Parent::factorize(A, shift);
+      return refused == kind ? status_of_refusal : status;
     }
-    CGP::Solver_status analyze_with_positions(const CGP::Sparse_pattern& pattern, const Points& p)
+    CGP::Solver_status factorize_preconditioner(const Matrix& A, const CGP::Vector<double>& shift)
     {
-      ++analyses;
-      return Parent::analyze_with_positions(pattern, p);
-    }
-    template <class Other>
-    CGP::Solver_status analyze_like(const CGP::Sparse_pattern& pattern, const Other& other)
-    {
-      ++analyses;
-      return Parent::analyze_like(pattern, other);
-    }
-    CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>& A,
-                                 const CGP::Vector<double>& shift)
-    {
-      ++factorizations;
-      if (refused == kind) return status_of_refusal;
-      return Parent::factorize(A, shift);
+      const CGP::Solver_status status = Parent::factorize_preconditioner(A, shift);
+      return refused == kind ? status_of_refusal : status;
     }
   };
 };
@@ -86,12 +73,12 @@ TEST_F(Conformal_willmore_flow_solvers, analyze_each_pattern_once_for_all_steps)
   options.max_period_defect = 1;  // none to be closed
   Flow flow(btorus(12), options);
   ASSERT_TRUE(flow.step().accepted);
-  const int analyses = Watched_solver_traits::analyses;
-  const int factorizations = Watched_solver_traits::factorizations;
+  const int analyses = Watched_solver_traits::analyses();
+  const int factorizations = Watched_solver_traits::factorizations();
   EXPECT_EQ(flow.run().steps.size(), 3U);
-  EXPECT_EQ(Watched_solver_traits::analyses, analyses);
+  EXPECT_EQ(Watched_solver_traits::analyses(), analyses);
   // the Dirac matrices with and without rho, the Laplacian, the filter
-  EXPECT_EQ(Watched_solver_traits::factorizations - factorizations, 3 * 4);
+  EXPECT_EQ(Watched_solver_traits::factorizations() - factorizations, 3 * 4);
 }
 
 TEST_F(Conformal_willmore_flow_solvers, analyze_each_pattern_once_where_there_is_a_boundary)
@@ -103,18 +90,18 @@ TEST_F(Conformal_willmore_flow_solvers, analyze_each_pattern_once_where_there_is
     options.filter_weight = .01;
     Flow flow(bumpy_annulus(4), options);
     ASSERT_TRUE(flow.step().accepted);
-    const int analyses = Watched_solver_traits::analyses;
+    const int analyses = Watched_solver_traits::analyses();
     EXPECT_EQ(flow.run().steps.size(), 3U);
-    EXPECT_EQ(Watched_solver_traits::analyses, analyses);
+    EXPECT_EQ(Watched_solver_traits::analyses(), analyses);
   }
 }
 
 TEST_F(Conformal_willmore_flow_solvers, factor_two_matrices_in_a_step_of_a_sphere)
 {
   Flow flow(bumpy_sphere(2), plain_steps(1, 3));
-  const int factorizations = Watched_solver_traits::factorizations;
+  const int factorizations = Watched_solver_traits::factorizations();
   EXPECT_EQ(flow.run().steps.size(), 3U);
-  EXPECT_EQ(Watched_solver_traits::factorizations - factorizations, 3 * 2);
+  EXPECT_EQ(Watched_solver_traits::factorizations() - factorizations, 3 * 2);
 }
 
 TEST_F(Conformal_willmore_flow_solvers, are_named_where_they_fail)
@@ -132,8 +119,8 @@ TEST_F(Conformal_willmore_flow_solvers, end_the_flow_where_they_run_out_of_memor
 {
   Watched_solver_traits::status_of_refusal = CGP::Solver_status::out_of_memory;
   for (const Refused refused : {Refused::quaternionic, Refused::real}) {
-    const int factorizations = Watched_solver_traits::factorizations;
+    const int factorizations = Watched_solver_traits::factorizations();
     EXPECT_THROW((void)report_without(refused), CGP::Solver_error);
-    EXPECT_LE(Watched_solver_traits::factorizations - factorizations, 2);  // no smaller step
+    EXPECT_LE(Watched_solver_traits::factorizations() - factorizations, 2);  // no smaller step
   }
 }

@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <type_traits>
-
+#include "support/Counted_solver_traits.h"
 #include "support/meshes.h"
 
 /// How many matrices are factored for an edit of a surface with handles.
@@ -16,26 +15,11 @@ namespace {
 using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
-/// the default solvers, counted by kind
-struct Counting_solver_traits {
-  inline static int real = 0, quaternionic = 0;
-
-  template <class Scalar>
-  struct Solver : CGP::Default_solver_traits::Solver<Scalar> {
-    CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>& A,
-                                 const CGP::Vector<double>& shift)
-    {
-      ++(std::is_same_v<Scalar, double> ? real : quaternionic);
-      return CGP::Default_solver_traits::Solver<Scalar>::factorize(A, shift);
-    }
-  };
-};
-
-using Transformation = CGP::Spin_transformation<Counting_solver_traits>;
+using Transformation = CGP::Spin_transformation<Counted_solver_traits>;
 
 CGP::Spin_report edited(Transformation& transformation, double amplitude)
 {
-  Counting_solver_traits::real = Counting_solver_traits::quaternionic = 0;
+  Counted_solver_traits::reset();
   const Eigen::VectorXd rho = amplitude * (3 * transformation.positions().row(1).array()).sin();
   return transformation.transform(CGP::Curvature_potential::on_vertices(rho)).report;
 }
@@ -46,11 +30,12 @@ TEST(Exact_steps_costs, are_one_factorization_for_each_edit_after_the_first_in_o
 {
   Transformation transformation(btorus(16));
   EXPECT_EQ(edited(transformation, .1).steps, 1);
-  EXPECT_EQ(Counting_solver_traits::quaternionic, 2);  // the constraints, and the edit
-  EXPECT_EQ(Counting_solver_traits::real, 1);
+  EXPECT_EQ(Counted_solver_traits::quaternionic.factorizations,
+            2);  // the constraints, and the edit
+  EXPECT_EQ(Counted_solver_traits::real.factorizations, 1);
   EXPECT_EQ(edited(transformation, .2).steps, 1);
-  EXPECT_EQ(Counting_solver_traits::quaternionic, 1);
-  EXPECT_EQ(Counting_solver_traits::real, 0);
+  EXPECT_EQ(Counted_solver_traits::quaternionic.factorizations, 1);
+  EXPECT_EQ(Counted_solver_traits::real.factorizations, 0);
 }
 
 TEST(Exact_steps_costs, are_one_factorization_more_for_each_change_that_closes_the_surface)
@@ -62,7 +47,7 @@ TEST(Exact_steps_costs, are_one_factorization_more_for_each_change_that_closes_t
   const CGP::Spin_report report = edited(transformation, .5);
   EXPECT_EQ(report.steps, 1);
   EXPECT_LE(report.period_defect, 1e-5);
-  EXPECT_GE(Counting_solver_traits::quaternionic, 2);
-  EXPECT_LE(Counting_solver_traits::quaternionic, 4);
-  EXPECT_EQ(Counting_solver_traits::real, 0);
+  EXPECT_GE(Counted_solver_traits::quaternionic.factorizations, 2);
+  EXPECT_LE(Counted_solver_traits::quaternionic.factorizations, 4);
+  EXPECT_EQ(Counted_solver_traits::real.factorizations, 0);
 }

@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "spin/solved.h"
+#include "support/Counted_solver_traits.h"
 #include "support/decompositions.h"
 #include "support/dense.h"
 #include "support/meshes.h"
@@ -64,27 +65,6 @@ Curvature_potential plus(const Curvature_potential& rho, double c)
 {
   return {rho.on, (rho.values.array() + c).matrix()};
 }
-
-/// Counts its operations
-struct Counting_solver_traits {
-  static inline int factorizations = 0, solves = 0;
-
-  template <class Scalar>
-  struct Solver : CGP::Supernodal_cholesky<Scalar> {
-    CGP::Solver_status factorize(const CGP::Hermitian_sparse_matrix<Scalar>& A,
-                                 const Eigen::VectorXd& shift)
-    {
-      ++factorizations;
-      return CGP::Supernodal_cholesky<Scalar>::factorize(A, shift);
-    }
-
-    CGP::Solver_status solve(const CGP::Block<Scalar>& b, CGP::Block<Scalar>& x) const
-    {
-      solves += static_cast<int>(b.cols());
-      return CGP::Supernodal_cholesky<Scalar>::solve(b, x);
-    }
-  };
-};
 
 }  // namespace
 
@@ -208,18 +188,18 @@ TEST(Solve_dirac_equation, takes_one_factorization_where_rho_is_weak_whatever_it
 TEST(Solve_dirac_equation, counts_its_factorizations_and_solves)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::internal::Dirac_system<Counting_solver_traits> system(mesh);
+  CGP::internal::Dirac_system<Counted_solver_traits> system(mesh);
   CGP::Dirac_options options;
   for (const double amplitude : {0., 1., 3., 5.})
     for (const auto problem : {CGP::Dirac_options::Eigenproblem::standard,
                                CGP::Dirac_options::Eigenproblem::generalized}) {
       options.problem = problem;
-      Counting_solver_traits::factorizations = Counting_solver_traits::solves = 0;
+      Counted_solver_traits::reset();
       const auto rho = Curvature_potential::on_faces(amplitude * rho_of_section_3_on_faces(mesh));
       const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho, options);
       EXPECT_TRUE(s.converged) << amplitude;
-      EXPECT_EQ(s.factorizations, Counting_solver_traits::factorizations) << amplitude;
-      EXPECT_EQ(s.solves, Counting_solver_traits::solves) << amplitude;
+      EXPECT_EQ(s.factorizations, Counted_solver_traits::quaternionic.factorizations) << amplitude;
+      EXPECT_EQ(s.solves, Counted_solver_traits::quaternionic.solves) << amplitude;
     }
 }
 

@@ -24,7 +24,12 @@ from studio_page import Studio
 CONTROL, MANY_STROKES = 2, 200
 
 
-def check_same(found, wanted, what, tolerance=1e-9):
+# of the same numbers by WebAssembly and the program, whose factors in single precision round differently: the
+# eigenvector is computed to 1e-6
+ROUNDING = 1e-6
+
+
+def check_same(found, wanted, what, tolerance=ROUNDING):
     """The numbers of both reports, but those that measure rounding."""
     numbers = dict(leaves(wanted["result"], ""))
     for place, value in leaves(found["result"], ""):
@@ -59,7 +64,7 @@ def check_painting(studio, conformal):
     wanted = program(conformal, [*command[1:-1], "native.obj"], studio.folder)
     found, native = (points(path) for path in (studio.saved("#save-obj", "bumpy_edited.obj"),
                                                studio.folder / "native.obj"))
-    require(all(math.dist(a, b) < 1e-8 for a, b in zip(found, native, strict=True)),
+    require(all(math.dist(a, b) < ROUNDING for a, b in zip(found, native, strict=True)),
             "the OBJ file is not what the program writes")
     info = program(conformal, ["info", studio.saved("#save-ply", "bumpy_edited.ply").name], studio.folder)
     require(info["input"]["vertices"] == wanted["input"]["vertices"], "the PLY file is another surface")
