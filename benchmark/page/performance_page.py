@@ -53,8 +53,8 @@ Microseconds per vertex of *native, float*, the default, with amplitude 1, and o
   it; only ordering and analysis are saved.
 - **Surfaces with handles** need a second quaternionic factor, of X for rho = 0, and its solves for
   each period.
-- **Two threads**: only the factorization is divided between them, an eighth to a third of the whole
-  on scans.
+- **Two threads**: factorizations, solves and dissection are divided between them. Assembly, products
+  with X, inner products and certificate are not: each is a few percent of the whole.
 - **Multigrid** wins on large spheres only: on every scan it takes many times the iterations, and
   more time than the direct solver. It is therefore never chosen automatically.
 
@@ -109,8 +109,9 @@ of lengths are within [1/2, 2] on 98 % of the area. *Kept* is its norm relative 
 
 ## Later steps of a flow
 
-Willmore flow with rho = -0.3 H on the vertices: the mean of the steps 2 to 5, from curvature to
-certificate, on one `Spin_transformation` that is given new positions. Both matrices are factored in
+Willmore flow with rho = -tau H on the vertices: the mean of the steps 2 to 5, from curvature to
+certificate, on one `Spin_transformation` that is given new positions. *tau* is the largest of 0.3,
+0.15, ... with which all five steps are verified: thin limbs allow shorter steps only. Both matrices are factored in
 every step: a solver that kept a factor for several steps, and iterated with it, was slower on all
 meshes but the largest sphere. *Factorizations* are those of X per step.
 
