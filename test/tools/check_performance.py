@@ -49,9 +49,9 @@ ROWS = [
 ]
 
 VERDICTS = {  # beginning of the statement: (met, part of what is shown)
-    "first transformation, double": (False, "3.00 (20), best 1.00"),
-    "first transformation, float": (False, "2.00 (20)"),
-    "either": (True, "3.00 (20)"),
+    "first transformation of spheres, double": (False, "3.00 (20), best 1.50"),
+    "first transformation of spheres, float": (False, "2.00 (20)"),
+    "first transformation of any mesh": (True, "3.00 (20)"),
     "float factor: difference": (True, "1.0e-07"),
     "quaternionic numeric factorization": (True, "1.20 (20)"),
     "CHOLMOD, real 4n": (True, "10.00 (20)"),

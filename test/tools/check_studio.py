@@ -21,12 +21,7 @@ from devtools import browser
 from headless_page import read_png
 from studio_page import Studio
 
-CONTROL, MANY_STROKES = 2, 200
-
-
-# of the same numbers by WebAssembly and the program, whose factors in single precision round differently: the
-# eigenvector is computed to 1e-6
-ROUNDING = 1e-6
+CONTROL, MANY_STROKES, ROUNDING = 2, 200, 1e-6  # the error to which WebAssembly and program compute spins
 
 
 def check_same(found, wanted, what, tolerance=ROUNDING):
