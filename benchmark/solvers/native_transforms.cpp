@@ -14,7 +14,8 @@ static void make_reference(const Job& job, const CGP::Mesh_view& mesh, Record& r
   CGP::Dirac_options options;
   options.tolerance = 1e-12;
   const CGP::Spin_result result =
-      CGP::Spin_transformation<>(mesh).transform(smooth_potential(mesh, job.amplitude), options);
+      CGP::Spin_transformation<cgp_test::Double_solver_traits>(mesh).transform(
+          smooth_potential(mesh, job.amplitude), options);
   write_positions(job.reference, result.positions);
   record.add("residual", result.report.residual).add("gap", result.report.gap);
   record.add("iterations", result.report.iterations);

@@ -87,10 +87,10 @@ class Dirac_system {
   /// \brief assembles X for rho and factors it, shifted by a multiple of `unit()` M_V.
   ///
   /// X is singular for rho = 0 and nearly singular for small rho. The multiples tried are `least`
-  /// and then 1e-6, 1e-3 and 1e-2, until X is positive definite despite rounding: slivers and
-  /// single-precision factors need larger ones. For eigenvectors `least` should be 1e-3: with a
-  /// smaller shift, the solves amplify rounding errors along the wanted vector, whereas
-  /// Rayleigh-Ritz removes the effect of this shift.
+  /// and then 1e-6, 1e-3 and 1e-2, until X is positive definite despite rounding: slivers
+  /// need larger ones. For eigenvectors `least` should be 1e-3: with a smaller shift, the solves
+  /// amplify rounding errors along the wanted vector, whereas Rayleigh-Ritz removes the effect of
+  /// this shift.
   /// \throw Solver_error if X is not positive definite up to rounding, or memory is short
   void set_potential(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
                      double least = 1e-3)

@@ -148,6 +148,7 @@ Solver_status Supernodal_cholesky<Scalar>::factorize_preconditioner(
   if (std::is_same_v<FT, float> || !m_is_rough_enough) return factorize(A, shift);
   return internal::guarded([&] {
     if (!matches(A, shift)) return Solver_status::wrong_state;
+    m_state = State::no_factor;  // also if memory is short
     m_factor->release();
     if (!m_rough_factor) m_rough_factor = std::make_unique<Factor<float>>(m_structure);
     const Solver_status rough = factorize(A, shift, *m_rough_factor, State::rough_factor);
