@@ -54,7 +54,7 @@ Microseconds per vertex of *native, float*, the default, with amplitude 1, and o
 - **Surfaces with handles** need a second quaternionic factor, of X for rho = 0, and its solves for
   each period.
 - **Two threads**: factorizations, solves and dissection are divided between them. Assembly, products
-  with X, inner products and certificate are not: each is a few percent of the whole.
+  with X, inner products and certificate are not.
 - **Multigrid** wins on large spheres only: on every scan it takes many times the iterations, and
   more time than the direct solver. It is therefore never chosen automatically.
 
@@ -95,8 +95,8 @@ library with one part replaced.
 
 ## Edits of several strengths
 
-The default solvers on all closed surfaces of genus 0 among CGAL's meshes with more than 5,000 faces, in
-units of P, with the numbers of factorizations and solves. A result that does not verify, which the
+All closed surfaces of genus 0 among CGAL's meshes with more than 5,000 faces, in units of P, with
+the default solvers at the time, and the numbers of factorizations and solves. A result that does not verify, which the
 report says, has an asterisk: so strong an edit collapses or folds these surfaces without control
 of scale.
 
