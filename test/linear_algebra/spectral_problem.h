@@ -60,13 +60,16 @@ class Spectral_problem {
       return y;
     };
   }
-  /// the inverse of K + shift N
-  auto inverse(double shift = 0) const
+  /// the inverse of K + shift N, of whose eigenvalues those of K are multiplied by the factors
+  auto inverse(double shift, const Eigen::VectorXd& factors) const
   {
-    return [this, shift](const Block& x) {
-      return spectral(m_vectors, gram_matrix(m_vectors, x), 1 / (m_values.array() + shift));
+    const Eigen::ArrayXd inverse = 1 / (factors.cwiseProduct(m_values).array() + shift);
+    return [this, inverse](const Block& x) {
+      return spectral(m_vectors, gram_matrix(m_vectors, x), inverse);
     };
   }
+  /// the inverse of K + shift N
+  auto inverse(double shift = 0) const { return inverse(shift, Eigen::VectorXd::Ones(size())); }
 
   /// sine of the angle from x to the span of the eigenvectors first ... first + count - 1
   double sine(const Block& x, int count = 1, int first = 0) const

@@ -23,10 +23,12 @@ TEST(Plain_functions, compare)
 TEST(Plain_functions, know_good_pivots)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(plain::is_positive_and_finite(1e-300));
-  EXPECT_TRUE(plain::is_positive_and_finite((std::numeric_limits<double>::max)()));
+  EXPECT_TRUE(plain::is_good_pivot(1e-300));
+  EXPECT_TRUE(plain::is_good_pivot((std::numeric_limits<double>::max)()));
   for (const double bad : {0., -1., infinity, -infinity, infinity - infinity})
-    EXPECT_FALSE(plain::is_positive_and_finite(bad));
+    EXPECT_FALSE(plain::is_good_pivot(bad));
+  EXPECT_TRUE(plain::is_good_pivot(1e-38f));
+  EXPECT_FALSE(plain::is_good_pivot(1e-39f)) << "its reciprocal overflows";
 }
 
 TEST(Plain_functions, take_roots_and_set_zeros)

@@ -118,7 +118,7 @@ template <class Solver>
 constexpr bool can_factorize_preconditioner<
     Solver, std::void_t<decltype(std::declval<Solver&>().factorize_preconditioner(
                 std::declval<const Hermitian_sparse_matrix<typename Solver::Scalar>&>(),
-                std::declval<const Vector<typename Solver::FT>&>()))>> = true;
+                std::declval<const Vector<typename Solver::FT>&>()))>> = is_preconditioner<Solver>;
 
 template <class Solver, class = void>
 constexpr bool can_release = false;

@@ -87,7 +87,7 @@ class Supernodal_cholesky {
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift);
 
   /// \brief Factorizes A + diag(shift) for `precondition()` only: in single precision, or like
-  /// `factorize()`, and so from then on, where only in single precision a pivot is not positive.
+  /// `factorize()` where a pivot in single precision is not positive.
   Solver_status factorize_preconditioner(const Hermitian_sparse_matrix<Scalar>& A,
                                          const Vector<FT>& shift);
 
@@ -136,7 +136,6 @@ class Supernodal_cholesky {
   std::shared_ptr<const internal::Supernodal_structure> m_structure;
   std::unique_ptr<Factor<FT>> m_factor;
   std::unique_ptr<Factor<float>> m_rough_factor;  // null before the first one
-  bool m_is_rough_enough = true;                  // single precision has not failed yet
   State m_state = State::no_factor;
   int m_bad_vertex = -1;
 };

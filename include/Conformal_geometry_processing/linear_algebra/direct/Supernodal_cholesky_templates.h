@@ -111,7 +111,6 @@ Solver_status Supernodal_cholesky<Scalar>::analyze_with_structure(
     m_rough_factor.reset();
     m_structure.reset();
     m_state = State::no_factor;
-    m_is_rough_enough = true;
     if (!structure || structure->size_of_columns() != pattern.size())
       return Solver_status::wrong_state;
     m_entries = pattern.size_of_entries();
@@ -145,7 +144,7 @@ template <class Scalar>
 Solver_status Supernodal_cholesky<Scalar>::factorize_preconditioner(
     const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift)
 {
-  if (std::is_same_v<FT, float> || !m_is_rough_enough) return factorize(A, shift);
+  if (std::is_same_v<FT, float>) return factorize(A, shift);
   return internal::guarded([&] {
     if (!matches(A, shift)) return Solver_status::wrong_state;
     m_state = State::no_factor;  // also if memory is short
@@ -153,9 +152,7 @@ Solver_status Supernodal_cholesky<Scalar>::factorize_preconditioner(
     if (!m_rough_factor) m_rough_factor = std::make_unique<Factor<float>>(m_structure);
     const Solver_status rough = factorize(A, shift, *m_rough_factor, State::rough_factor);
     if (rough != Solver_status::not_positive_definite) return rough;
-    const Solver_status status = factorize(A, shift);
-    m_is_rough_enough = status != Solver_status::success;
-    return status;
+    return factorize(A, shift);
   });
 }
 

@@ -232,14 +232,13 @@ void internal::Supernodal_factor<Scalar, Real>::add_matrix(const Front& f, const
     FT c[planes];
     internal::Scalar_planes<Scalar>::get(
         e->source >= 0 ? input.A.value(e->source) : conjugate(input.A.value(~e->source)), c);
+    // Before rounding to Real, where a small shift may be lost.
+    if (e->row == e->column && input.shift.size() > 0)
+      c[0] += input.shift[S.order()[at(S.first(f.s) + static_cast<int>(e->column))]];
     Real* const target =
         f.panel + where.in_panel(f.columns, static_cast<int>(e->row), static_cast<int>(e->column));
     for (int q = 0; q < planes; ++q) target[q * where.lanes()] += static_cast<Real>(c[q]);
   }
-  if (input.shift.size() == 0) return;
-  for (int j = 0; j < f.columns; ++j)
-    f.panel[where.in_panel(f.columns, j, j)] +=
-        static_cast<Real>(input.shift[S.order()[at(S.first(f.s) + j)]]);
 }
 
 }  // namespace Conformal_geometry_processing

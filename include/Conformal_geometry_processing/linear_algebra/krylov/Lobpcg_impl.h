@@ -82,10 +82,6 @@ lobpcg(const Block_function& apply_k, const Block_function& apply_n,
     apply_operator(precondition, r, w.v);
     convergence.count_solve();
     if (convergence.is_last(x, r, w.v, go_further)) break;
-
-    // A nearly singular K makes the component of w along x, which consists of rounding errors,
-    // large.
-    add_combination(w.v, x.v, Vectors(-x.gram(x.nv, w.v)));
     apply_operators(apply_k, apply_n, w);
     const auto forms = space.forms();
     const Vectors basis = orthonormal_combinations(forms.n);

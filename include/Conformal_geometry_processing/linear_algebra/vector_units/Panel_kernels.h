@@ -38,7 +38,7 @@ class Pivot_triangle {
       for (int e = 0; e < c; ++e)
         for (int r = c; r < width; ++r) Planes::subtract_conjugated(m[r][c], m[r][e], m[c][e]);
       const Real pivot = m[c][c][0];
-      if (!internal::is_positive_and_finite(pivot)) return c;
+      if (!internal::is_good_pivot(pivot)) return c;
       const Real root = internal::square_root(pivot);
       m_inverse[c] = 1 / root;
       for (int q = 0; q < planes; ++q) m[c][c][q] = q == 0 ? root : Real(0);

@@ -27,10 +27,12 @@ CGP_ALWAYS_INLINE constexpr T greatest(T a, T b)
   return a < b ? b : a;
 }
 
+/// whether x is positive and neither x nor 1/x overflows
 template <class Real>
-CGP_ALWAYS_INLINE bool is_positive_and_finite(Real x)
+CGP_ALWAYS_INLINE bool is_good_pivot(Real x)
 {
-  return x > 0 && x - x == 0;  // the difference of infinities is not a number
+  const Real reciprocal = 1 / x;
+  return x > 0 && x - x == 0 && reciprocal - reciprocal == 0;  // infinity - infinity is not 0
 }
 
 #ifdef __GNUC__
