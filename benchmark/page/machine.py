@@ -9,8 +9,9 @@ import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-# One thread: the threads of a BLAS wait in busy loops, which would count as work.
-ONE_THREAD = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
+# One thread: those of a BLAS wait in busy loops, which would count as work. CHOLMOD asks for four
+# whatever OMP_NUM_THREADS says; only the limit stops it.
+ONE_THREAD = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", OMP_THREAD_LIMIT="1")
 
 
 def build(folder, *settings, target=None):

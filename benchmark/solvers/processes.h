@@ -14,7 +14,7 @@ namespace cgp_benchmark {
 
 /// \brief Runs this program again with the arguments; its output is passed through.
 ///
-/// One BLAS thread: the threads of a BLAS wait in busy loops, which would count as work.
+/// One thread of BLAS and CHOLMOD: others wait in busy loops, which would count as work.
 /// \returns a description of the failure, empty on success
 inline std::string run_anew(std::vector<std::string> arguments)
 {
@@ -23,8 +23,8 @@ inline std::string run_anew(std::vector<std::string> arguments)
   pointers.push_back(nullptr);
   const pid_t child = fork();
   if (child == 0) {
-    setenv("OPENBLAS_NUM_THREADS", "1", 0);
-    setenv("OMP_NUM_THREADS", "1", 0);
+    for (const char* limit : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "OMP_THREAD_LIMIT"})
+      setenv(limit, "1", 0);
     execv("/proc/self/exe", pointers.data());
     _exit(127);
   }
