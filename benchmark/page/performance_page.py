@@ -14,10 +14,11 @@ compare. The measurements are in performance.jsonl beside this page, one row a l
 {machine}
 
 **P** is the yardstick: one scalar Poisson problem on the same mesh by CHOLMOD, called directly and
-left to its own choices: assembly of the cotan Laplacian, ordering and analysis, factorization, one
-solve with three right-hand sides. It is measured in turn with every row, in the process of that
-row. Times are seconds of the processor on one thread, the best of several runs; wall clock where
-threads are compared. Memory is the peak of the first run above the mesh, in a fresh process.
+left to its own choices but for the number of threads, one: assembly of the cotan Laplacian,
+ordering and analysis, factorization, one solve with three right-hand sides. It is measured in turn
+with every row, in the process of that row. Times are seconds of the processor on one thread, the
+best of several runs; wall clock where threads are compared. Memory is the peak of the first run
+above the mesh, in a fresh process.
 
 Meshes have area 4 pi. The spheres have bumps of a tenth of their radius, the others are from CGAL
 (Debian's package libcgal-demo). rho is
@@ -51,8 +52,11 @@ Microseconds per vertex of *native, float*, the default, with amplitude 1, and o
   far from the bound.
 - **A later step of a flow** factors X and the Laplacian anew, measures the surface and certifies
   it; only ordering and analysis are saved.
-- **Surfaces with handles** need a second quaternionic factor, of X for rho = 0, and its solves for
-  each period.
+- **Surfaces with handles** need a second quaternionic factorization, of X for rho = 0, and its solves
+  for each period.
+- **Memory that is new** has to be cleared by the system, which is dear on virtual machines: there it
+  is a third of the time on the sphere of 0.5M faces, in P as well, and times of the same work differ by
+  40 %. With `MALLOC_TRIM_THRESHOLD_` and `MALLOC_MMAP_THRESHOLD_` of 2e9 (glibc), freed memory is kept.
 - **Two threads**: factorizations, solves and dissection are divided between them. Assembly, products
   with X, inner products and certificate are not.
 - **Multigrid** wins on large spheres only: on every scan it takes many times the iterations, and

@@ -56,7 +56,9 @@ def test_the_notebook_computes_what_it_says(monkeypatch, capsys):
 
 @pytest.mark.skipif(not installed("matplotlib", "nbconvert", "ipykernel"), reason="no nbconvert")
 def test_nbconvert_runs_the_notebook(tmp_path):
-    environment = {**os.environ, "PYTHONPATH": str(pathlib.Path(cg.__file__).parents[1])}
+    # A history of its own: that of the user may be locked by another kernel.
+    environment = {**os.environ, "PYTHONPATH": str(pathlib.Path(cg.__file__).parents[1]),
+                   "IPYTHONDIR": str(tmp_path / "ipython")}
     subprocess.run([sys.executable, "-m", "nbconvert", "--to", "notebook", "--execute",
                     "--output-dir", tmp_path, NOTEBOOK], check=True, env=environment,
                    stderr=subprocess.DEVNULL)

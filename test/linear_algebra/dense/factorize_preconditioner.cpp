@@ -21,13 +21,20 @@ struct Solver {
   }
 };
 
-struct Rough_solver : Solver {
+struct Half_rough_solver : Solver {
   int preconditioners = 0;
   CGP::Solver_status factorize_preconditioner(const CGP::Hermitian_sparse_matrix<double>&,
                                               const CGP::Vector<double>&)
   {
     ++preconditioners;
     return CGP::Solver_status::numerical_issue;
+  }
+};
+
+struct Rough_solver : Half_rough_solver {
+  CGP::Solver_status precondition(const CGP::Block<double>&, CGP::Block<double>&) const
+  {
+    return CGP::Solver_status::success;
   }
 };
 
@@ -41,6 +48,15 @@ TEST(Factorize_preconditioner, is_passed_on_to_solvers_that_can)
   EXPECT_EQ(CGP::factorize_preconditioner(solver, A, {}), CGP::Solver_status::numerical_issue);
   EXPECT_EQ(solver.preconditioners, 1);
   EXPECT_EQ(solver.factorizations, 0);
+}
+
+// Such a factor could not be applied: `solve()` wants one of `factorize()`.
+TEST(Factorize_preconditioner, is_not_passed_on_to_solvers_without_precondition)
+{
+  Half_rough_solver solver;
+  EXPECT_EQ(CGP::factorize_preconditioner(solver, A, {}), CGP::Solver_status::success);
+  EXPECT_EQ(solver.preconditioners, 0);
+  EXPECT_EQ(solver.factorizations, 1);
 }
 
 TEST(Factorize_preconditioner, is_any_factorization_of_other_solvers)
