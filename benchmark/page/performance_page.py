@@ -8,8 +8,8 @@ from page.measurements import bytes_per_vertex, is_sphere, title
 TEXT = """\
 # The solvers, measured
 
-Written by `benchmark/performance` from one run of `benchmark_solvers`; run it on your machine to
-compare. The measurements are in performance.jsonl beside this page, one row a line.
+Written by `benchmark/performance` with `benchmark_solvers`; run it on your machine to compare.
+The measurements are in performance.jsonl beside this page, one row a line.
 
 {machine}
 
@@ -54,9 +54,9 @@ Microseconds per vertex of *native, float*, the default, with amplitude 1, and o
   it; only ordering and analysis are saved.
 - **Surfaces with handles** need a second quaternionic factorization, of X for rho = 0, and its solves
   for each period.
-- **Memory that is new** has to be cleared by the system, which is dear on virtual machines: there it
-  is a third of the time on the sphere of 0.5M faces, in P as well, and times of the same work differ by
-  40 %. With `MALLOC_TRIM_THRESHOLD_` and `MALLOC_MMAP_THRESHOLD_` of 2e9 (glibc), freed memory is kept.
+- **Memory that is new** has to be cleared by the system, which is dear on virtual machines, for large
+  meshes and in P as well. With `MALLOC_TRIM_THRESHOLD_` and `MALLOC_MMAP_THRESHOLD_` of 2000000000
+  (glibc), freed memory is kept.
 - **Two threads**: factorizations, solves and dissection are divided between them. Assembly, products
   with X, inner products and certificate are not.
 - **Multigrid** wins on large spheres only: on every scan it takes many times the iterations, and

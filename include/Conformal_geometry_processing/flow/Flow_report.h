@@ -24,8 +24,8 @@ struct [[nodiscard]] Flow_step_report {
     time_step_too_small,  ///< no step of at least `min_time_step` is acceptable
     limits_reached,       ///< a step of `min_time_step`, without backtracking the next one, would
                           ///< exceed `Flow_options::limits`
-    scale_range,          ///< no step is acceptable, for limbs have shrunk beyond the precision of
-                          ///< `double` on the exact conformal class
+    scale_range,          ///< no step is acceptable, and limbs have shrunk to the limit of `double`
+                          ///< on the exact conformal class
     step_failed           ///< no step could be computed, or a step was rejected and backtracking is
                           ///< off
   };

@@ -12,7 +12,7 @@ namespace Conformal_geometry_processing {
 /// \brief Result of an operation of a sparse solver.
 enum class Solver_status {
   success,
-  not_positive_definite,  ///< a pivot of the factorization is zero or negative
+  not_positive_definite,  ///< a pivot is zero or negative, or too small to invert
   numerical_issue,        ///< an entry of the matrix or of the factor is not finite
   out_of_memory,
   wrong_state  ///< the call does not fit the earlier ones: not analyzed, not factorized, other
