@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_SPECTRAL_PARAMETERIZATION_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/minimum_degree_with_halo.h>
+#include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/Distribution.h>
 #include <Conformal_geometry_processing/measure/distortion.h>

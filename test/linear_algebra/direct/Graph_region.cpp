@@ -28,7 +28,7 @@ TEST(Graph_region, of_one_point_lies_at_zero)
   EXPECT_TRUE(CGP::graph_region(pattern_of(4, {}), p).positions.isZero(0));
 }
 
-TEST(Graph_region, splits_into_parts_that_know_the_separators_around_them)
+TEST(Graph_region, splits_into_the_parts_beside_the_separator)
 {
   // 0 - 1 - 2 - 3 - 4 and 0 - 2: the first separator is 2, the second 1.
   Edges edges = path_edges(5);
@@ -38,14 +38,11 @@ TEST(Graph_region, splits_into_parts_that_know_the_separators_around_them)
   const auto parts = CGP::split(region, {l, l, s, r, r});
   EXPECT_EQ(parts[0].vertices, (std::vector<int>{0, 1}));
   EXPECT_EQ(parts[0].edges, (Edges{{0, 1}}));
-  EXPECT_EQ(parts[0].halo, (Edges{{0, 2}, {1, 2}}));
   EXPECT_EQ(parts[1].vertices, (std::vector<int>{3, 4}));
   EXPECT_EQ(parts[1].edges, (Edges{{0, 1}}));
-  EXPECT_EQ(parts[1].halo, (Edges{{0, 2}}));
   EXPECT_EQ(parts[1].positions, region.positions.bottomRows(2));
 
   const auto grandchildren = CGP::split(parts[0], {r, s});
   EXPECT_EQ(grandchildren[0].size(), 0);
   EXPECT_EQ(grandchildren[1].vertices, (std::vector<int>{0}));
-  EXPECT_EQ(grandchildren[1].halo, (Edges{{0, 1}, {0, 2}}));
 }

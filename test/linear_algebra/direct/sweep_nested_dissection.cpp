@@ -70,6 +70,15 @@ TEST(Sweep_nested_dissection, beats_minimum_degree_on_regular_spheres)
   EXPECT_LT(sweep_operations(sphere), 0.7 * operations(pattern, CGP::amd_ordering(pattern)));
 }
 
+TEST(Sweep_nested_dissection, keeps_the_given_order_of_a_small_region)
+{
+  const Mesh_view mesh = geodesic_sphere(5);
+  const CGP::Sparse_pattern pattern = pattern_of(mesh);
+  ASSERT_LE(pattern.size(), CGP::max_dissection_leaf);
+  const CGP::internal::Ordering given = random_permutation(pattern.size(), 6);
+  EXPECT_EQ(CGP::sweep_nested_dissection(pattern, mesh.positions(), given), given);
+}
+
 TEST(Sweep_nested_dissection, of_a_chain_fills_in_little)
 {
   const int n = 10000;

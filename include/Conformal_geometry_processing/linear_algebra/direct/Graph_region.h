@@ -21,12 +21,9 @@ namespace internal {
 /// Stores copies with local indices, so that traversals access memory sequentially even if the
 /// vertices of the mesh are badly numbered.
 struct Graph_region {
-  using Pairs = std::vector<std::array<int, 2>>;
-
   std::vector<int> vertices;                          ///< their indices in the whole graph
   Eigen::Matrix<float, Eigen::Dynamic, 3> positions;  ///< one row for each vertex
-  Pairs edges;                                        ///< between vertices of the region
-  Pairs halo;  ///< edges (vertex of the region, index of a separator vertex in the whole graph)
+  std::vector<std::array<int, 2>> edges;              ///< between vertices of the region
 
   int size() const { return static_cast<int>(vertices.size()); }
 };
@@ -40,7 +37,7 @@ internal::Graph_region graph_region(const Sparse_pattern& pattern,
                                     const Eigen::Matrix3Xd& positions);
 
 /// \ingroup PkgLinearAlgebra
-/// \brief Returns the left and the right side, with the separator in their halo.
+/// \brief Returns the left and the right side.
 /// \pre no edge joins left and right
 std::array<internal::Graph_region, 2> split(const internal::Graph_region& region,
                                             const std::vector<internal::Side>& sides);

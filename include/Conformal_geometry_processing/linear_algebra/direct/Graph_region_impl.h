@@ -60,16 +60,8 @@ CGP_INLINE std::array<internal::Graph_region, 2> split(const internal::Graph_reg
       part_of(v).positions.row(place[static_cast<std::size_t>(v)]) = region.positions.row(v);
   for (const auto& e : region.edges) {
     const int a = place[static_cast<std::size_t>(e[0])], b = place[static_cast<std::size_t>(e[1])];
-    if (a >= 0 && b >= 0)
-      part_of(e[0]).edges.push_back({a, b});
-    else if (a >= 0)
-      part_of(e[0]).halo.push_back({a, region.vertices[static_cast<std::size_t>(e[1])]});
-    else if (b >= 0)
-      part_of(e[1]).halo.push_back({b, region.vertices[static_cast<std::size_t>(e[0])]});
+    if (a >= 0 && b >= 0) part_of(e[0]).edges.push_back({a, b});
   }
-  for (const auto& e : region.halo)
-    if (place[static_cast<std::size_t>(e[0])] >= 0)
-      part_of(e[0]).halo.push_back({place[static_cast<std::size_t>(e[0])], e[1]});
   return parts;
 }
 

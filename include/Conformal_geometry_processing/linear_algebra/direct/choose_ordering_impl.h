@@ -37,8 +37,8 @@ CGP_INLINE std::shared_ptr<const internal::Supernodal_structure> choose_structur
   if (positions == nullptr ||
       !internal::dissection_may_pay(*by_degree, pattern.size(), factorizations, costs))
     return by_degree;
-  auto by_dissection =
-      std::make_shared<const Structure>(pattern, sweep_nested_dissection(pattern, *positions));
+  auto by_dissection = std::make_shared<const Structure>(
+      pattern, sweep_nested_dissection(pattern, *positions, by_degree->order()));
   return by_dissection->operations() < by_degree->operations() ? by_dissection : by_degree;
 }
 

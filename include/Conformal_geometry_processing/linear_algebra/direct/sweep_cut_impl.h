@@ -37,8 +37,11 @@ CGP_INLINE const std::vector<internal::Side>& internal::Sweep_cut::operator()(
     const internal::Graph_region& region)
 {
   m_best = Cut();
+  m_degree.assign(region.vertices.size(), 0);
+  for (const auto& e : region.edges)
+    for (int v : e) ++m_degree[static_cast<std::size_t>(v)];
   const Eigen::Matrix3f axes = internal::principal_axes(region.positions);
-  for (const Eigen::Vector3f& d : directions(region.size())) sweep(region, (axes * d).eval());
+  for (const Eigen::Vector3f& d : directions()) sweep(region, (axes * d).eval());
   m_sides.resize(region.vertices.size());
   if (m_best.cost < no_cut)
     take_slabs(region);
@@ -48,12 +51,11 @@ CGP_INLINE const std::vector<internal::Side>& internal::Sweep_cut::operator()(
 }
 
 // In the frame of the axes of inertia. A long thin region is cut across its length; for other
-// regions, two oblique planes per direction find necks.
-CGP_INLINE std::vector<Eigen::Vector3f> internal::Sweep_cut::directions(int size)
+// regions, oblique planes find necks.
+CGP_INLINE std::array<Eigen::Vector3f, 5> internal::Sweep_cut::directions()
 {
   constexpr float t = 0.7f;
-  if (size < 400) return {{1, 0, 0}, {1, t, 0}, {1, -t, 0}};
-  return {{1, 0, 0}, {1, t, 0}, {1, -t, 0}, {1, 0, t}, {1, 0, -t}};
+  return {{{1, 0, 0}, {1, t, 0}, {1, -t, 0}, {1, 0, t}, {1, 0, -t}}};
 }
 
 // Computes the coordinates of the vertices along the direction.
@@ -80,22 +82,34 @@ CGP_INLINE bool internal::Sweep_cut::sort_into_slabs(const internal::Graph_regio
   return true;
 }
 
+// An edge counts from its lower end to its upper one, and both ends are among the degrees. Two
+// counters in turn, because a processor waits for a number that it has just written.
+CGP_INLINE void internal::Sweep_cut::count_lower_ends(const internal::Graph_region& region)
+{
+  m_lower_ends = {};
+  for (std::size_t k = 0; k < region.edges.size(); ++k) {
+    const auto [a, b] = region.edges[k];
+    ++m_lower_ends[k % 2][(std::min)(m_slab[static_cast<std::size_t>(a)],
+                                     m_slab[static_cast<std::size_t>(b)])];
+  }
+}
+
 CGP_INLINE void internal::Sweep_cut::sweep(const internal::Graph_region& region,
                                            const Eigen::Vector3f& direction)
 {
   if (!sort_into_slabs(region, direction)) return;
-  std::array<int, slabs> vertices{}, edges{};
-  for (std::uint8_t s : m_slab) ++vertices[s];
-  for (const auto& e : region.edges) {
-    const std::uint8_t a = m_slab[static_cast<std::size_t>(e[0])];
-    const std::uint8_t b = m_slab[static_cast<std::size_t>(e[1])];
-    ++edges[(std::min)(a, b)];
-    --edges[(std::max)(a, b)];
+  std::array<int, slabs> vertices{}, growth{};  // of the cut, from one slab to the next
+  for (std::size_t v = 0; v < m_slab.size(); ++v) {
+    ++vertices[m_slab[v]];
+    growth[m_slab[v]] -= m_degree[v];
   }
+  count_lower_ends(region);
+  for (const auto& lower_ends : m_lower_ends)
+    for (std::size_t s = 0; s < slabs; ++s) growth[s] += 2 * lower_ends[s];
   int lefts = 0, cut = 0;
   for (int s = 0; s + 1 < slabs; ++s) {
     lefts += vertices[static_cast<std::size_t>(s)];
-    cut += edges[static_cast<std::size_t>(s)];
+    cut += growth[static_cast<std::size_t>(s)];
     const float share = static_cast<float>(lefts) / static_cast<float>(region.size());
     if (share < least_share || share > 1 - least_share) continue;
     const float cost = static_cast<float>(cut + 1) / (share * (1 - share));

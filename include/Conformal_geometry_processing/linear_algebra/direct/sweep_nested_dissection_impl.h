@@ -38,12 +38,15 @@ CGP_INLINE void Dissection::finish(Dissection_part&& all)
   std::vector<Dissection_part> stack;
   stack.push_back(std::move(all));
   while (!stack.empty()) {
-    const Dissection_part part = std::move(stack.back());
+    Dissection_part part = std::move(stack.back());
     stack.pop_back();
-    const Graph_region& region = part.region;
-    if (region.size() <= max_dissection_leaf) {
-      const std::vector<int>& leaf = m_minimum_degree(region);
-      std::copy(leaf.begin(), leaf.end(), m_order.begin() + (part.end - region.size()));
+    std::vector<int>& vertices = part.region.vertices;
+    if (part.region.size() <= max_dissection_leaf) {
+      std::sort(vertices.begin(), vertices.end(), [this](int v, int w) {
+        return m_rank[static_cast<std::size_t>(v)] < m_rank[static_cast<std::size_t>(w)];
+      });
+      std::copy(vertices.begin(), vertices.end(),
+                m_order.begin() + (part.end - part.region.size()));
     } else {
       for (Dissection_part& half : cut(part)) stack.push_back(std::move(half));
     }
@@ -51,14 +54,15 @@ CGP_INLINE void Dissection::finish(Dissection_part&& all)
 }
 
 /// The first cuts form a binary tree of tasks: part t is cut into the parts 2t and 2t + 1.
-CGP_INLINE void dissect_in_parallel(Dissection_part&& all, int threads, Ordering& order)
+CGP_INLINE void dissect_in_parallel(Dissection_part&& all, int threads,
+                                    const std::vector<int>& rank, Ordering& order)
 {
   constexpr int parts_at_most = 128, smallest = 1000;
   std::vector<Dissection_part> parts(parts_at_most);
   parts[1] = std::move(all);
   Task_pool pool(threads);
   pool.run({1}, [&](int t) {
-    Dissection dissection(order);
+    Dissection dissection(rank, order);
     Dissection_part part = std::move(parts[static_cast<std::size_t>(t)]);
     if (2 * t >= parts_at_most || part.region.size() < smallest)
       return dissection.finish(std::move(part));
@@ -76,14 +80,22 @@ CGP_INLINE void dissect_in_parallel(Dissection_part&& all, int threads, Ordering
 CGP_INLINE internal::Ordering sweep_nested_dissection(const Sparse_pattern& pattern,
                                                       const Eigen::Matrix3Xd& positions)
 {
+  return sweep_nested_dissection(pattern, positions, amd_ordering(pattern));
+}
+
+CGP_INLINE internal::Ordering sweep_nested_dissection(const Sparse_pattern& pattern,
+                                                      const Eigen::Matrix3Xd& positions,
+                                                      const internal::Ordering& by_degree)
+{
   constexpr int worth_threads = 4000;  // vertices: some milliseconds
+  const std::vector<int> rank = inverse_permutation(by_degree);
   internal::Ordering order(static_cast<std::size_t>(pattern.size()));
   internal::Dissection_part all{graph_region(pattern, positions), pattern.size()};
   const int threads = pattern.size() < worth_threads ? 1 : number_of_threads();
   if (threads > 1)
-    internal::dissect_in_parallel(std::move(all), threads, order);
+    internal::dissect_in_parallel(std::move(all), threads, rank, order);
   else
-    internal::Dissection(order).finish(std::move(all));
+    internal::Dissection(rank, order).finish(std::move(all));
   return order;
 }
 

@@ -77,8 +77,8 @@ CGP_INLINE internal::Reduced_form choose_reduced_form(const Sparse_pattern& patt
   if (positions == nullptr ||
       costs.expected_saving * factorizations * seconds <= costs.seconds_per_vertex * pattern.size())
     return by_degree;
-  internal::Reduced_form by_dissection =
-      choose_reduced_form(pattern, rows, sweep_nested_dissection(pattern, *positions));
+  internal::Reduced_form by_dissection = choose_reduced_form(
+      pattern, rows, sweep_nested_dissection(pattern, *positions, by_degree.order));
   return by_dissection.cost < by_degree.cost ? by_dissection : by_degree;
 }
 
