@@ -5,7 +5,8 @@
 from page import targets
 from page.measurements import bytes_per_vertex, exponent, is_sphere, poisson_ratio, title
 
-STAGES = ["setup", "assembly", "factorization", "eigenvectors", "reconstruction", "certificate"]
+STAGES = ["setup", "exactness", "assembly", "factorization", "eigenvectors", "reconstruction",
+          "certificate"]
 
 
 def table(header, rows):

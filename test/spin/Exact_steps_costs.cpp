@@ -38,6 +38,22 @@ TEST(Exact_steps_costs, are_one_factorization_for_each_edit_after_the_first_in_o
   EXPECT_EQ(Counted_solver_traits::real.factorizations, 0);
 }
 
+TEST(Exact_steps_costs, are_all_in_the_report)
+{
+  CGP::Spin_transformation_options strict;
+  strict.max_period_defect = 1e-3;
+  for (const auto& [amplitude, options] :
+       {std::pair(.1, CGP::Spin_transformation_options()), std::pair(6., strict)}) {
+    Transformation transformation(btorus(16), options);
+    for (const bool is_first : {true, false}) {
+      const CGP::Spin_report report = edited(transformation, amplitude);
+      EXPECT_EQ(report.factorizations, Counted_solver_traits::quaternionic.factorizations);
+      EXPECT_EQ(report.solves, Counted_solver_traits::quaternionic.solves);
+      EXPECT_EQ(report.seconds.exactness > 0, is_first || report.steps > 1);
+    }
+  }
+}
+
 TEST(Exact_steps_costs, are_one_factorization_more_for_each_change_that_closes_the_surface)
 {
   CGP::Spin_transformation_options options;

@@ -67,6 +67,8 @@ TEST(Spin_report, of_two_transformations_adds_all_costs)
   next.seconds.setup = 8;
   next.seconds.factorization = .25;
   next.seconds.certificate = 4;
+  all.seconds.exactness = 1;
+  next.seconds.exactness = 3;
   CGP::append(all, next);
   EXPECT_EQ(all.factorizations, 5);
   EXPECT_EQ(all.solves, 35);
@@ -74,6 +76,7 @@ TEST(Spin_report, of_two_transformations_adds_all_costs)
   EXPECT_EQ(all.seconds.factorization, .75);
   EXPECT_EQ(all.seconds.reconstruction, 2);
   EXPECT_EQ(all.seconds.certificate, 4);
+  EXPECT_EQ(all.seconds.exactness, 4);
 }
 
 TEST(Spin_report, of_several_transformations_has_the_least_gap_that_is_known)

@@ -116,6 +116,7 @@ void add_seconds(const CGP::Spin_report& spin, Stage_seconds& seconds)
   seconds.add("assembly", spin.seconds.assembly);
   seconds.add("factorization", spin.seconds.factorization);
   seconds.add("solve", spin.seconds.eigenvectors);
+  seconds.add("exactness", spin.seconds.exactness);
   seconds.add("reconstruction", spin.seconds.reconstruction);
   seconds.add("setup", spin.seconds.setup);
   seconds.add("certificate", spin.seconds.certificate);

@@ -52,7 +52,7 @@ py::dict as_dict(const CGP::Spin_report::Scales& s)
 
 py::dict as_dict(const CGP::Spin_report::Seconds& s)
 {
-  return py::dict("setup"_a = s.setup, "assembly"_a = s.assembly,
+  return py::dict("setup"_a = s.setup, "exactness"_a = s.exactness, "assembly"_a = s.assembly,
                   "factorization"_a = s.factorization, "eigenvectors"_a = s.eigenvectors,
                   "reconstruction"_a = s.reconstruction, "certificate"_a = s.certificate);
 }

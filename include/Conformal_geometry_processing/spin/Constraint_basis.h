@@ -29,7 +29,7 @@ class Constraint_basis {
 
   /// \param functions |V| x k, one per column
   /// \throw Precondition_error if the number of rows is not |V|, or a value is not finite
-  void add(const Eigen::MatrixXd& functions);
+  void add(Eigen::MatrixXd functions);
 
   /// the number of independent constraints
   Eigen::Index rank() const { return m_basis.cols(); }

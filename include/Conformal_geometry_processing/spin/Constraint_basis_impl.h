@@ -16,12 +16,14 @@ CGP_INLINE internal::Constraint_basis::Constraint_basis(Eigen::VectorXd areas)
     : m_areas(std::move(areas)), m_basis(m_areas.size(), 0)
 {}
 
-CGP_INLINE void internal::Constraint_basis::add(const Eigen::MatrixXd& functions)
+CGP_INLINE void internal::Constraint_basis::add(Eigen::MatrixXd functions)
 {
-  const Eigen::MatrixXd group = weighted_orthonormalization(functions, m_areas);
-  Eigen::MatrixXd both(m_basis.rows(), m_basis.cols() + group.cols());
-  both << m_basis, group;
-  m_basis = weighted_orthonormalization(both, m_areas);
+  Eigen::MatrixXd group = weighted_orthonormalization(std::move(functions), m_areas);
+  const Eigen::Index rank = m_basis.cols();
+  m_basis.conservativeResize(Eigen::NoChange, rank + group.cols());
+  m_basis.rightCols(group.cols()) = group;
+  group.resize(0, 0);
+  m_basis = weighted_orthonormalization(std::move(m_basis), m_areas);
 }
 
 CGP_INLINE Eigen::VectorXd internal::Constraint_basis::project_out(Eigen::VectorXd v) const

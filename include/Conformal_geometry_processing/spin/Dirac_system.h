@@ -130,9 +130,16 @@ class Dirac_system {
   /// \brief the response y of lambda = 1 to sources c: solves D^H M D y = c in the space. On closed
   /// surfaces, where the kernel consists of the constants, y has mean zero and the mean of c is
   /// ignored.
+  /// \param tolerance of the relative error in the energy norm, on closed surfaces
+  /// \param solves increased by the number of solves with the factor
   /// \pre `prepare_response()` was called last
   /// \throw Solver_error if the solver fails
-  Vectors response(const Vectors& c) const;
+  Vectors response(const Vectors& c, double tolerance, int& solves) const;
+  Vectors response(const Vectors& c) const
+  {
+    int solves = 0;
+    return response(c, 1e-11, solves);
+  }
 
   /// X^-1 applied to random vectors: start vectors of an iteration
   Vectors noise(Eigen::Index columns, unsigned seed) const;

@@ -46,11 +46,13 @@ inline void remove_mean(Block<Quaternion<double>>& v, const Eigen::VectorXd& mas
 /// Uses conjugate gradients on X itself, preconditioned by any available factor: that of X plus a
 /// small multiple of M_V needs about five iterations; factors of nearby matrices work as well.
 /// \param areas M_V \param solver a model of `SparseHermitianSolver` with such a factor
+/// \param solves increased by the number of solves with the factor
 /// \throw Solver_error if the solver fails, or the iterations do not converge
 template <class Solver>
 Block<Quaternion<double>> closed_response(const Hermitian_sparse_matrix<Quaternion<double>>& X,
                                           const Eigen::VectorXd& areas, const Solver& solver,
-                                          Block<Quaternion<double>> c)
+                                          Block<Quaternion<double>> c, double tolerance,
+                                          int& solves)
 {
   using Vectors = Block<Quaternion<double>>;
   const double worst_error = 1e-6;  // relative, in the energy norm
@@ -60,10 +62,11 @@ Block<Quaternion<double>> closed_response(const Hermitian_sparse_matrix<Quaterni
   // The factor amplifies constants, and with them rounding errors, which X does not see.
   const auto precondition = [&](const Vectors& r, Vectors& z) {
     factor(r, z);
+    solves += static_cast<int>(r.cols());
     remove_mean(z, ones);
   };
   Conjugate_gradients_options options;
-  options.tolerance = 1e-11;
+  options.tolerance = tolerance;
   Vectors y;
   const auto result = conjugate_gradients(block_operator(X), precondition, c, y, options);
   // Slivers leave fewer correct digits, after which the iterations break down.
@@ -193,15 +196,19 @@ void internal::Dirac_system<SolverTraits>::prepare_response()
 }
 
 template <class SolverTraits>
-auto internal::Dirac_system<SolverTraits>::response(const Vectors& c) const -> Vectors
+auto internal::Dirac_system<SolverTraits>::response(const Vectors& c, double tolerance,
+                                                    int& solves) const -> Vectors
 {
-  if (!m_is_closed) return solve(c);
+  if (!m_is_closed) {
+    solves += static_cast<int>(c.cols());
+    return solve(c);
+  }
   const Eigen::Index at_once = 2;  // columns: the iterations hold eight such blocks
   Vectors y(c.rows(), c.cols());
   for (Eigen::Index first = 0; first < c.cols(); first += at_once) {
     const Eigen::Index count = (std::min)(at_once, c.cols() - first);
-    y.middleCols(first, count) =
-        internal::closed_response(m_X, m_areas, m_solver, c.middleCols(first, count));
+    y.middleCols(first, count) = internal::closed_response(
+        m_X, m_areas, m_solver, c.middleCols(first, count), tolerance, solves);
   }
   return y;
 }

@@ -121,13 +121,13 @@ std::optional<Closed_step> Exact_steps<Transformation>::largest_step(const Eigen
     Closed_step next =
         closed_step(m_transformation, {m_missing.on, step * v}, m_limit, step, options, go_further);
     const Spin_report& report = next.result.report;
-    if (report.cancelled) {
-      all.cancelled = true;
-      return std::nullopt;
-    }
-    const bool is_good = report.converged && report.period_defect <= m_limit(report, step);
+    const bool is_good =
+        !report.cancelled && report.converged && report.period_defect <= m_limit(report, step);
     const bool is_end = next_step(step, report, 1 - all.reached - step) == 0;
     if (is_good && can_go_on_from(next.result.positions, is_end)) return next;
+    add_costs(all, report);
+    all.cancelled = report.cancelled;
+    if (all.cancelled) return std::nullopt;
     if (step <= m_options.min_step) {
       if (all.steps == 0) all.boundary_fault = report.boundary_fault;
       if (all.steps == 0) all.mollification = report.mollification;

@@ -28,6 +28,8 @@ struct Exactness_constraints {
   Eigen::MatrixXd functions;  ///< `exactness_functions()`, three for each form; |V| or |F| rows
   bool constants_have_effect = false;  ///< gamma is a misfit, not an eigenvalue up to which rho is
                                        ///< realised
+  int factorizations = 0;              ///< of X, and
+  int solves = 0;                      ///< with its factor, that were needed
 
   /// the basis of the functions and, if constants have no effect, of the constants
   Constraint_basis basis() const;

@@ -30,10 +30,13 @@ internal::Exactness_constraints exactness_constraints(
   c.weights = cotan_weights(surface);
   c.forms = Hodge_decomposition<SolverTraits>(surface, generators, laplacian).harmonic_basis();
   if (!version) return c;
+  const double tolerance = 1e-8;  // far below the periods of second order that any edit leaves
   system.prepare_response();
+  c.factorizations = 1;
   c.functions = exactness_functions(
-      surface, c.forms, [&](const Block<Quaternion<double>>& b) { return system.response(b); }, on,
-      system.coefficients(), system.is_closed() ? *version : Exactness::adjoint);
+      surface, c.forms,
+      [&](const Block<Quaternion<double>>& b) { return system.response(b, tolerance, c.solves); },
+      on, system.coefficients(), system.is_closed() ? *version : Exactness::adjoint);
   return c;
 }
 

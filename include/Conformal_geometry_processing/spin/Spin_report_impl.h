@@ -113,6 +113,7 @@ CGP_INLINE void add_costs(Spin_report& all, const Spin_report& next)
 {
   add_costs(static_cast<Dirac_evidence&>(all), next);
   add_costs(all.seconds, next.seconds);
+  all.seconds.exactness += next.seconds.exactness;
   all.seconds.reconstruction += next.seconds.reconstruction;
   all.seconds.certificate += next.seconds.certificate;
 }

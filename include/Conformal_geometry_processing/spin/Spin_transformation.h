@@ -209,7 +209,7 @@ class Spin_transformation {
                          const internal::Exactness_constraints* closing, double tolerance);
 
   /// a solution in the frame, with its part of the report in the unit of the mesh
-  Spin_result in_units(internal::Dirac_solution s) const;
+  Spin_result in_units(internal::Dirac_solution s);
 
   /// lambda, with its part of the report
   Spin_result solve(const Curvature_potential& rho, Dirac_options options,
@@ -226,6 +226,7 @@ class Spin_transformation {
   Spin_report::Limits m_limits;
   Eigen::MatrixXd m_generators;  // closed forms of the mesh, |E| x number of loops
   std::unique_ptr<Stage> m_stage;
+  Spin_report m_unreported;  // the costs of `exactness()`, for the next report
 };
 
 }  // namespace Conformal_geometry_processing

@@ -105,9 +105,13 @@ const internal::Exactness_constraints&
 Spin_transformation<SolverTraits, EigensolverTraits>::exactness(Curvature_potential::On on)
 {
   auto& found = m_stage->exactness;
-  if (!found || found->on != on)
-    found = exactness_constraints(system(), reconstruction().solver(), domain().forms(m_generators),
-                                  on, m_options.exactness);
+  if (found && found->on == on) return *found;
+  internal::Stopwatch watch;
+  found = exactness_constraints(system(), reconstruction().solver(), domain().forms(m_generators),
+                                on, m_options.exactness);
+  m_unreported.factorizations += found->factorizations;
+  m_unreported.solves += found->solves;
+  m_unreported.seconds.exactness += watch.lap();
   return *found;
 }
 
@@ -213,7 +217,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::solve(
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::in_units(
-    internal::Dirac_solution s) const
+    internal::Dirac_solution s)
 {
   Spin_result result;
   static_cast<internal::Dirac_evidence&>(result.report) =
@@ -222,6 +226,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::in_units(
   result.report.limits = m_limits;
   result.report.seconds.setup = m_stage->seconds;
   result.report.mollification = domain().mollification();
+  internal::add_costs(result.report, std::exchange(m_unreported, {}));
   result.lambda = std::move(s.lambda);
   return result;
 }

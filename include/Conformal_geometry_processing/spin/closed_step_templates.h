@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_CLOSED_STEP_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CLOSED_STEP_TEMPLATES_H
 
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints.h>
 #include <Conformal_geometry_processing/spin/closed_step.h>
 #include <Conformal_geometry_processing/spin/period_functions.h>
@@ -28,18 +29,22 @@ Closed_step measured_step(Transformation& transformation, const Curvature_potent
   return step;
 }
 
-/// the derivative of the periods by rho in the unit of the surface, at a step
+/// the derivative of the periods by rho in the unit of the surface, at a step, whose report counts
+/// the costs
 template <class Transformation>
-Eigen::MatrixXd period_derivative(Transformation& transformation, const Closed_step& step)
+Eigen::MatrixXd period_derivative(Transformation& transformation, Closed_step& step)
 {
   const Exactness_constraints& exactness = transformation.exactness(step.rho.on);
   if (!transformation.turns_directions()) return exactness.functions;
+  Spin_report& report = step.result.report;
+  Stopwatch watch;
   auto& system = transformation.system();
   const double unit = transformation.domain().unit();
-  const double gamma = system.is_self_adjoint() ? step.result.report.eigenvalue : 0;
+  const double gamma = system.is_self_adjoint() ? report.eigenvalue : 0;
   const Curvature_potential rho{step.rho.on, unit * (step.rho.values.array() + gamma).matrix()};
   Dirac_evidence::Seconds seconds;
   system.set_potential(rho, seconds, 1e-6);
+  ++report.factorizations;
   const Quaternion_vector<double>& lambda = step.result.lambda;
   const double mass = system.squared_norm(lambda);
   // X is nearly singular along lambda, and changes along it have no effect.
@@ -48,14 +53,18 @@ Eigen::MatrixXd period_derivative(Transformation& transformation, const Closed_s
       const double share = inner_product(lambda, c.col(i)).w / mass;
       for (Eigen::Index v = 0; v < c.rows(); ++v) c(v, i) -= share * system.areas()[v] * lambda[v];
     }
+    report.solves += static_cast<int>(c.cols());
     return system.solve(c);
   };
-  return period_functions(system.surface(), exactness.forms, rho, lambda, respond);
+  Eigen::MatrixXd functions =
+      period_functions(system.surface(), exactness.forms, rho, lambda, respond);
+  report.seconds.exactness += watch.lap();
+  return functions;
 }
 
 /// the smallest change of rho that closes a step to first order, in 1/length
 template <class Transformation>
-Eigen::VectorXd change_to_close(Transformation& transformation, const Closed_step& step)
+Eigen::VectorXd change_to_close(Transformation& transformation, Closed_step& step)
 {
   const Eigen::MatrixXd derivative = period_derivative(transformation, step);
   return transformation.exactness(step.rho.on).closing_change(step.edges, derivative) /
@@ -95,9 +104,10 @@ Closed_step closed_step(Transformation& transformation, const Curvature_potentia
     const bool is_solved = next.result.report.converged;
     const bool improves = is_solved && after <= (1 - 0.75 * part) * before;
     if (next.result.report.cancelled || (is_solved && after < before)) {
-      best = std::move(next);
+      std::swap(best, next);
       change.resize(0);
     }
+    add_costs(best.result.report, next.result.report);
     part = improves ? (std::min)(1., 2 * part) : part / 2;
   }
   return best;

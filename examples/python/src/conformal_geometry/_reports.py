@@ -98,6 +98,7 @@ class Class_snap_report(Report):
 class Spin_seconds:
     """Wall clock seconds of each stage."""
     setup: float
+    exactness: float
     assembly: float
     factorization: float
     eigenvectors: float

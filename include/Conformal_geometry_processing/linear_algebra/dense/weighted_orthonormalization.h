@@ -16,15 +16,15 @@ namespace Conformal_geometry_processing {
 /// basis is empty if there are no functions or all of them vanish.
 ///
 /// Uses the eigenvectors of the Gram matrix, followed by a Cholesky decomposition that makes the
-/// basis orthonormal up to rounding. Deterministic. About 8 n k^2 operations, and memory for two
-/// copies of the functions.
+/// basis orthonormal up to rounding. Deterministic. About 8 n k^2 operations, in the memory of the
+/// functions.
 ///
 /// \param functions n x k, one per column
 /// \param weights n positive numbers
 /// \param threshold at least 1e-7: smaller singular values are lost in the Gram matrix
 /// \returns n x r, r <= k, in the order of decreasing singular values
 /// \throw Precondition_error if the sizes differ, a weight is not positive or a value not finite
-Eigen::MatrixXd weighted_orthonormalization(const Eigen::MatrixXd& functions,
+Eigen::MatrixXd weighted_orthonormalization(Eigen::MatrixXd functions,
                                             const Eigen::VectorXd& weights,
                                             double threshold = 1e-3);
 

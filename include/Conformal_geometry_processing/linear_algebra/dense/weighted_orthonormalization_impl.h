@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -36,16 +37,41 @@ CGP_INLINE void require_weighted_functions(const Eigen::MatrixXd& functions,
                                "function " + std::to_string(j) + " has a value that is not finite");
 }
 
+/// calls visit(first, rows) for blocks of rows that fit into the cache
+template <class Visitor>
+void for_blocks_of_rows(Eigen::Index size, const Visitor& visit)
+{
+  const Eigen::Index block = 512;
+  for (Eigen::Index first = 0; first < size; first += block)
+    visit(first, (std::min)(block, size - first));
+}
+
 CGP_INLINE Eigen::MatrixXd weighted_gram_matrix(const Eigen::MatrixXd& functions,
                                                 const Eigen::VectorXd& weights)
 {
-  const Eigen::MatrixXd weighted = weights.asDiagonal() * functions;
-  return functions.transpose() * weighted;
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(functions.cols(), functions.cols());
+  for_blocks_of_rows(functions.rows(), [&](Eigen::Index first, Eigen::Index rows) {
+    const auto block = functions.middleRows(first, rows);
+    const Eigen::MatrixXd weighted = weights.segment(first, rows).asDiagonal() * block;
+    gram.noalias() += block.transpose() * weighted;
+  });
+  return gram;
+}
+
+/// the functions times a matrix with at most as many columns, in their memory
+CGP_INLINE void replace_by_combinations(Eigen::MatrixXd& functions,
+                                        const Eigen::MatrixXd& coefficients)
+{
+  for_blocks_of_rows(functions.rows(), [&](Eigen::Index first, Eigen::Index rows) {
+    const Eigen::MatrixXd combinations = functions.middleRows(first, rows) * coefficients;
+    functions.block(first, 0, rows, coefficients.cols()) = combinations;
+  });
+  functions.conservativeResize(Eigen::NoChange, coefficients.cols());
 }
 
 }  // namespace internal
 
-CGP_INLINE Eigen::MatrixXd weighted_orthonormalization(const Eigen::MatrixXd& functions,
+CGP_INLINE Eigen::MatrixXd weighted_orthonormalization(Eigen::MatrixXd functions,
                                                        const Eigen::VectorXd& weights,
                                                        double threshold)
 {
@@ -56,13 +82,14 @@ CGP_INLINE Eigen::MatrixXd weighted_orthonormalization(const Eigen::MatrixXd& fu
   const Eigen::VectorXd squared = gram.eigenvalues().reverse();  // decreasing
   const Eigen::Index rank =
       squared[0] > 0 ? (squared.array() > threshold * threshold * squared[0]).count() : 0;
-  Eigen::MatrixXd basis = functions * (gram.eigenvectors().rowwise().reverse().leftCols(rank) *
-                                       squared.head(rank).cwiseSqrt().cwiseInverse().asDiagonal());
+  internal::replace_by_combinations(functions,
+                                    gram.eigenvectors().rowwise().reverse().leftCols(rank) *
+                                        squared.head(rank).cwiseSqrt().cwiseInverse().asDiagonal());
   // The basis is already orthonormal up to rounding / threshold^2, so that the Cholesky factor of
   // its Gram matrix, near the identity, makes it so and hardly mixes the directions.
-  const Eigen::MatrixXd rest = internal::weighted_gram_matrix(basis, weights);
-  rest.llt().matrixU().solveInPlace<Eigen::OnTheRight>(basis);
-  return basis;
+  const Eigen::MatrixXd rest = internal::weighted_gram_matrix(functions, weights);
+  rest.llt().matrixU().solveInPlace<Eigen::OnTheRight>(functions);
+  return functions;
 }
 
 CGP_INLINE Eigen::VectorXd weighted_singular_values(const Eigen::MatrixXd& functions,
