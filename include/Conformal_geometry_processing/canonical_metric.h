@@ -89,7 +89,8 @@ Canonical_metric_report canonical_metric(const TriangleMesh& mesh, DensityMap de
   require_closed(view, "canonical_metric");
   const double unit_area = frame.unit() * frame.unit();
   const Hodge_decomposition<Solver_traits> forms(view, "canonical_metric");
-  const Eigen::VectorXd u = canonical_area_density(forms.harmonic_basis(), "canonical_metric");
+  const Eigen::VectorXd u =
+      canonical_area_density(view, forms.harmonic_basis().one_forms, "canonical_metric");
 
   if constexpr (on_vertices) {
     const Eigen::VectorXd mean =

@@ -139,7 +139,8 @@ TEST(Conformal_willmore_flow_of_tori, converges_on_a_Hopf_torus_if_balanced_and_
 {
   const Mesh_view mesh = scaled_to_area(inverted(hopf_torus(24), {.3, .5, 4}), 4 * pi);
   const CGP::internal::Moebius_balancing canonical(CGP::canonical_vertex_areas(
-      mesh, CGP::canonical_area_density(CGP::Hodge_decomposition<>(mesh).harmonic_basis())));
+      mesh, CGP::canonical_area_density(
+                mesh, CGP::Hodge_decomposition<>(mesh).harmonic_basis().one_forms)));
   CGP::Flow_options options = plain_steps(1, 20);
   CGP::Conformal_willmore_flow<> adrift(mesh, options);
   options.balance = CGP::Flow_options::Balance::canonical;

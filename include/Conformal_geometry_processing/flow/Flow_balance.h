@@ -64,8 +64,9 @@ class Flow_balance {
     if (options.balance == Flow_options::Balance::prescribed) return options.target_areas;
     const Surface_ref surface = transformation.system().surface();
     if (options.balance == Flow_options::Balance::initial) return vertex_areas(surface);
-    const Harmonic_basis& forms = transformation.exactness(Curvature_potential::On::vertices).forms;
-    return canonical_vertex_areas(surface, canonical_area_density(forms, function));
+    const auto& exactness = transformation.exactness(Curvature_potential::On::vertices);
+    return canonical_vertex_areas(
+        surface, canonical_area_density(surface, exactness.forms.one_forms, function));
   }
 
   Flow_options::Balancing m_way;

@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CANONICAL_AREA_DENSITY_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
@@ -22,10 +21,11 @@ namespace Conformal_geometry_processing {
 /// on the conformal structure: conformally equivalent surfaces have the same u dA, and every
 /// orthonormal basis gives the same u. Costs O(G |F|).
 ///
-/// \param basis of a closed surface
+/// \param surface closed
+/// \param one_forms an orthonormal basis of the harmonic forms, |E| x 2G
 /// \param function named in the exception
 /// \throw Precondition_error on a sphere, which has no harmonic forms
-Eigen::VectorXd canonical_area_density(const Harmonic_basis& basis,
+Eigen::VectorXd canonical_area_density(const Surface_ref& surface, const Eigen::MatrixXd& one_forms,
                                        const std::string& function = "canonical_area_density");
 
 /// \ingroup PkgFlow

@@ -13,15 +13,17 @@
 
 namespace Conformal_geometry_processing {
 
-CGP_INLINE Eigen::VectorXd canonical_area_density(const Harmonic_basis& basis,
+CGP_INLINE Eigen::VectorXd canonical_area_density(const Surface_ref& surface,
+                                                  const Eigen::MatrixXd& one_forms,
                                                   const std::string& function)
 {
-  if (basis.size() == 0)
+  if (one_forms.cols() == 0)
     throw Precondition_error(function,
                              "the surface is a sphere, which has no canonical metric; "
                              "genus 1 or more is needed");
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(basis.fields.front().cols());
-  for (const Points& v : basis.fields) u += v.colwise().squaredNorm().transpose() / 2;
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(surface.size_of_sheets());
+  for (const auto omega : one_forms.colwise())
+    u += tangent_field(surface, omega).colwise().squaredNorm().transpose() / 2;
   return u;
 }
 

@@ -22,7 +22,8 @@ namespace internal {
 /// a transformation [CGP 4.5.2].
 struct Exactness_constraints {
   Curvature_potential::On on = Curvature_potential::On::vertices;  ///< where the values of rho are
-  Harmonic_basis forms;       ///< of the surface; none on spheres and disks
+  Harmonic_basis forms;       ///< of the surface, with fields only where `Exactness::thesis` needs
+                              ///< them; none on spheres and disks
   Eigen::VectorXd weights;    ///< `cotan_weights()`, |E|
   Eigen::VectorXd areas;      ///< `curvature_areas()`, |V| or |F|
   Eigen::MatrixXd functions;  ///< `exactness_functions()`, three for each form; |V| or |F| rows
@@ -69,7 +70,7 @@ struct Exactness_constraints {
 template <class SolverTraits>
 internal::Exactness_constraints exactness_constraints(
     internal::Dirac_system<SolverTraits>& system,
-    const internal::Grounded_solver<SolverTraits>& laplacian, const Eigen::MatrixXd& generators,
+    const internal::Grounded_solver<SolverTraits>& laplacian, Eigen::MatrixXd generators,
     Curvature_potential::On on, std::optional<Exactness> version);
 
 }  // namespace Conformal_geometry_processing

@@ -11,13 +11,14 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 
 template <class SolverTraits>
 internal::Exactness_constraints exactness_constraints(
     internal::Dirac_system<SolverTraits>& system,
-    const internal::Grounded_solver<SolverTraits>& laplacian, const Eigen::MatrixXd& generators,
+    const internal::Grounded_solver<SolverTraits>& laplacian, Eigen::MatrixXd generators,
     Curvature_potential::On on, std::optional<Exactness> version)
 {
   const Surface_ref& surface = system.surface();
@@ -28,7 +29,10 @@ internal::Exactness_constraints exactness_constraints(
   c.functions = Eigen::MatrixXd(c.areas.size(), 0);
   if (generators.cols() == 0) return c;
   c.weights = cotan_weights(surface);
-  c.forms = Hodge_decomposition<SolverTraits>(surface, generators, laplacian).harmonic_basis();
+  c.forms =
+      Hodge_decomposition<SolverTraits>(surface, std::move(generators), laplacian).harmonic_basis();
+  const bool is_thesis = system.is_closed() && version == Exactness::thesis;
+  if (!is_thesis) c.forms.fields.clear();
   if (!version) return c;
   const double tolerance = 1e-8;  // far below the periods of second order that any edit leaves
   system.prepare_response();
@@ -36,7 +40,7 @@ internal::Exactness_constraints exactness_constraints(
   c.functions = exactness_functions(
       surface, c.forms,
       [&](const Block<Quaternion<double>>& b) { return system.response(b, tolerance, c.solves); },
-      on, system.coefficients(), system.is_closed() ? *version : Exactness::adjoint);
+      on, system.coefficients(), is_thesis ? Exactness::thesis : Exactness::adjoint);
   return c;
 }
 
@@ -47,7 +51,7 @@ namespace Conformal_geometry_processing {
 
 extern template internal::Exactness_constraints exactness_constraints<Default_solver_traits>(
     internal::Dirac_system<Default_solver_traits>&,
-    const internal::Grounded_solver<Default_solver_traits>&, const Eigen::MatrixXd&,
+    const internal::Grounded_solver<Default_solver_traits>&, Eigen::MatrixXd,
     Curvature_potential::On, std::optional<Exactness>);
 
 }  // namespace Conformal_geometry_processing

@@ -24,10 +24,8 @@ namespace internal {
 class Framed_surface {
  public:
   /// \param mollification see `mollified_lengths()`; if empty, the surface is the mesh itself
-  /// \param generators closed forms of the mesh, |E| x k, to be transferred to the triangulation
   /// \pre `require()` holds
-  Framed_surface(const Mesh_view& mesh, std::optional<double> mollification,
-                 const Eigen::MatrixXd& generators);
+  Framed_surface(const Mesh_view& mesh, std::optional<double> mollification);
 
   Framed_surface(const Framed_surface&) = delete;
   Framed_surface& operator=(const Framed_surface&) = delete;
@@ -68,11 +66,12 @@ class Framed_surface {
                   : directions.errors(moved, targets);
   }
 
-  /// closed forms of the surface, cohomologous to those of the mesh
-  const Eigen::MatrixXd& forms(const Eigen::MatrixXd& generators) const
-  {
-    return m_view ? m_view->forms() : generators;
-  }
+  /// whether there are loops around handles or holes
+  bool has_loops() const;
+
+  /// \brief the `closed_generators()` of the mesh, transferred to the surface: edges x number of
+  /// loops. O(edges) for each: they are found anew, because they would take much memory.
+  Eigen::MatrixXd forms() const;
 
   bool is_mollified() const { return m_view.has_value(); }
   Spin_report::Mollification mollification() const;

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Framed_surface.h>
 
@@ -18,8 +19,7 @@ namespace Conformal_geometry_processing {
 namespace internal {
 
 CGP_INLINE Framed_surface::Framed_surface(const Mesh_view& mesh,
-                                          std::optional<double> mollification,
-                                          const Eigen::MatrixXd& generators)
+                                          std::optional<double> mollification)
     : m_positions(mesh.positions()),
       m_frame(m_positions),
       m_mesh(mesh),
@@ -27,7 +27,7 @@ CGP_INLINE Framed_surface::Framed_surface(const Mesh_view& mesh,
 {
   m_mesh.set_positions(m_frame.to_frame(m_positions));
   if (!mollification) return;
-  m_view.emplace(m_mesh, *mollification, generators);
+  m_view.emplace(m_mesh, *mollification, forms());
   m_measured = well_shaped_faces(m_mesh);
 }
 
@@ -50,6 +50,18 @@ CGP_INLINE void Framed_surface::require_faces(const Mesh_view& mesh, bool is_mol
     require_some_area(mesh, function);
   else
     require_positive_areas(mesh, function);
+}
+
+CGP_INLINE bool Framed_surface::has_loops() const
+{
+  const int chi = m_mesh.size_of_vertices() - m_mesh.size_of_edges() + m_mesh.size_of_faces();
+  return chi < 1;  // a sphere has 2, a disk 1
+}
+
+CGP_INLINE Eigen::MatrixXd Framed_surface::forms() const
+{
+  if (m_view) return m_view->forms();
+  return has_loops() ? closed_generators(m_mesh) : Eigen::MatrixXd(m_mesh.size_of_edges(), 0);
 }
 
 CGP_INLINE void Framed_surface::set_positions(const Points& positions)

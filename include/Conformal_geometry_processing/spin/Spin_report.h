@@ -97,8 +97,9 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
 
   /// wall clock seconds
   struct Seconds : internal::Dirac_evidence::Seconds {
-    double setup = 0;           ///< pattern, ordering, symbolic analysis: once per mesh
-    double exactness = 0;       ///< constraints that keep loops closed: once per surface with loops
+    double setup = 0;      ///< pattern, ordering, symbolic analysis: once per mesh
+    double exactness = 0;  ///< constraints that keep loops closed, and the Laplacian for them: once
+                           ///< per surface
     double reconstruction = 0;  ///< includes the factorization of the Laplacian the first time
     double certificate = 0;
   } seconds;

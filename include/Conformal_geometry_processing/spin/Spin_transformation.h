@@ -178,7 +178,10 @@ class Spin_transformation {
   void require_size(Eigen::Index size, const std::string& what) const;
 
   /// whether there are loops around handles or holes, which have to close
-  bool has_loops() const;
+  bool has_loops() const
+  {
+    return domain().has_loops() && m_options.boundary.kind != Boundary_condition::Kind::positions;
+  }
 
   /// `transform()` off the exact conformal class
   Spin_result transform_freely(const Curvature_potential& rho, const Dirac_options& options,
@@ -224,7 +227,6 @@ class Spin_transformation {
   internal::Visit_guard m_visits;
   Spin_transformation_options m_options;
   Spin_report::Limits m_limits;
-  Eigen::MatrixXd m_generators;  // closed forms of the mesh, |E| x number of loops
   std::unique_ptr<Stage> m_stage;
   Spin_report m_unreported;  // the costs of `exactness()`, for the next report
 };

@@ -3,7 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_TEMPLATES_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SPIN_TRANSFORMATION_TEMPLATES_H
 
-#include <Conformal_geometry_processing/forms/tree_cotree.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Boundary_condition.h>
 #include <Conformal_geometry_processing/spin/Exact_steps_templates.h>
@@ -43,16 +42,13 @@ Spin_transformation<SolverTraits, EigensolverTraits>::Spin_transformation(
                                "the exact conformal class and prescribed positions: no surface of "
                                "the class need have these");
   }
-  const int chi = mesh.size_of_vertices() - mesh.size_of_edges() + mesh.size_of_faces();
-  const bool has_loops = chi < 1;  // a sphere has 2, a disk 1
-  m_generators = has_loops ? closed_generators(mesh) : Eigen::MatrixXd(mesh.size_of_edges(), 0);
   m_stage = std::make_unique<Stage>(mesh, *this);
 }
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_transformation<SolverTraits, EigensolverTraits>::Stage::Stage(const Mesh_view& mesh,
                                                                    const Spin_transformation& of)
-    : domain(mesh, of.m_options.mollification, of.m_generators),
+    : domain(mesh, of.m_options.mollification),
       system(domain.surface(), domain.in_frame(of.m_options.boundary), of.m_function),
       seconds(watch.lap())
 {}
@@ -107,8 +103,8 @@ Spin_transformation<SolverTraits, EigensolverTraits>::exactness(Curvature_potent
   auto& found = m_stage->exactness;
   if (found && found->on == on) return *found;
   internal::Stopwatch watch;
-  found = exactness_constraints(system(), reconstruction().solver(), domain().forms(m_generators),
-                                on, m_options.exactness);
+  found = exactness_constraints(system(), reconstruction().solver(), domain().forms(), on,
+                                m_options.exactness);
   m_unreported.factorizations += found->factorizations;
   m_unreported.solves += found->solves;
   m_unreported.seconds.exactness += watch.lap();
@@ -197,12 +193,6 @@ void Spin_transformation<SolverTraits, EigensolverTraits>::require_size(
     throw Precondition_error(m_function,
                              std::to_string(size) + " " + what +
                                  ", one per vertex is needed: " + std::to_string(needed));
-}
-
-template <class SolverTraits, class EigensolverTraits>
-bool Spin_transformation<SolverTraits, EigensolverTraits>::has_loops() const
-{
-  return m_generators.cols() > 0 && m_options.boundary.kind != Boundary_condition::Kind::positions;
 }
 
 template <class SolverTraits, class EigensolverTraits>

@@ -30,7 +30,7 @@ template class internal::Target_search<Default_solver_traits, Lobpcg_eigensolver
 template class internal::Conformal_deformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template internal::Exactness_constraints exactness_constraints<Default_solver_traits>(
     internal::Dirac_system<Default_solver_traits>&,
-    const internal::Grounded_solver<Default_solver_traits>&, const Eigen::MatrixXd&,
+    const internal::Grounded_solver<Default_solver_traits>&, Eigen::MatrixXd,
     Curvature_potential::On, std::optional<Exactness>);
 template internal::Closed_step internal::closed_step(
     Spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>&,
