@@ -52,8 +52,8 @@ Microseconds per vertex of *native, float*, the default, with amplitude 1, and o
   far from the bound.
 - **A later step of a flow** factors X and the Laplacian anew, measures the surface and certifies
   it; only ordering and analysis are saved.
-- **Surfaces with handles** need a second quaternionic factorization, of X for rho = 0, and its solves
-  for each period.
+- **Surfaces with handles** need a second quaternionic factorization, of X for rho = 0, and about five
+  solves with it for each period (*exactness*): half of the time.
 - **Memory that is new** has to be cleared by the system, which is dear on virtual machines, for large
   meshes and in P as well. With `MALLOC_TRIM_THRESHOLD_` and `MALLOC_MMAP_THRESHOLD_` of 2000000000
   (glibc), freed memory is kept.
@@ -84,8 +84,8 @@ The whole of `Spin_transformation` on a mesh never seen before: checks, pattern,
 factorizations, eigenvector, positions and certificate. *Factorizations* are those of X, *solves*
 those with their factors, *iterations* those of the eigensolver. *Difference* is the largest distance
 to the positions of *native, double* at tolerance 1e-12, after the best similarity, relative to
-the bounding box. The stages are shares of the total; *setup* has the checks, the ordering, the
-analysis and the factor of the Laplacian.
+the bounding box. The stages are shares of the total; *setup* has the checks, the ordering and
+the analysis, *exactness* what keeps handles closed, *reconstruction* the factor of the Laplacian.
 
 *Native, float* is the default of the library: the factor of X, which only guides iterations in
 double precision, is in single precision where that suffices; *native, double* has it in double

@@ -31,6 +31,7 @@ Spin_transformation<SolverTraits, EigensolverTraits>::Spin_transformation(
     const Mesh_view& mesh, const Spin_transformation_options& options, const std::string& function)
     : m_function(function), m_options(options)
 {
+  internal::Stopwatch watch;
   internal::Framed_surface::require(mesh, options.mollification, function);
   options.scales.require(mesh.size_of_vertices(), function);
   if (options.scales.bound && options.boundary.kind == Boundary_condition::Kind::positions)
@@ -43,6 +44,7 @@ Spin_transformation<SolverTraits, EigensolverTraits>::Spin_transformation(
                                "the class need have these");
   }
   m_stage = std::make_unique<Stage>(mesh, *this);
+  m_stage->seconds = watch.lap();  // with the checks
 }
 
 template <class SolverTraits, class EigensolverTraits>
