@@ -89,6 +89,9 @@ TEST(Framed_surface, takes_closed_forms_along)
   const Eigen::MatrixXd generators = CGP::closed_generators(mesh);
   const Framed_surface plain(mesh, std::nullopt), robust(mesh, 1e-6);
   EXPECT_TRUE(plain.has_loops());
+  EXPECT_FALSE(Framed_surface(icosphere(1), std::nullopt).has_loops());
+  EXPECT_EQ(Framed_surface(icosphere(1), std::nullopt).forms().cols(), 0);
+  EXPECT_EQ(Framed_surface(icosphere(1), 1e-6).forms().cols(), 0);
   EXPECT_EQ(plain.forms(), generators);
   EXPECT_EQ(robust.forms().rows(), robust.surface().size_of_edges());
   EXPECT_EQ(robust.forms().cols(), 2);

@@ -26,7 +26,8 @@ double derivative_error(const Moebius_image& moebius, const Eigen::Vector3d& tnb
   };
   const Curvature_potential rho = moebius.rho();
   const auto& constraints = t.exactness(rho.on);
-  const Eigen::MatrixXd z = CGP::internal::period_derivative(t, step(rho));
+  CGP::internal::Closed_step first = step(rho);
+  const Eigen::MatrixXd z = CGP::internal::period_derivative(t, first);
   const Eigen::VectorXd change =
       potential_on_vertices(moebius.source, [](const Eigen::Vector3d& p) {
         return std::sin(2 * p.x() + 1) + p.y();

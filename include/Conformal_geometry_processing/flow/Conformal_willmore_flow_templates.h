@@ -145,7 +145,8 @@ auto Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::try_st
     internal::Closed_step next = internal::closed_step(
         m_transformation, Curvature_potential::on_vertices(rho),
         {m_options.max_period_defect, m_options.dirac.tolerance}, 1, m_options.dirac, go_further);
-    report.spin = next.result.report;
+    const Spin_report before = std::exchange(report.spin, next.result.report);
+    internal::add_costs(report.spin, before);
     if (m_class) report.spin.mollification = m_mollification;
     report.period_defect = report.spin.period_defect;
     return report.spin.cancelled ? Verdict::cancelled : judge(std::move(next.result), report);

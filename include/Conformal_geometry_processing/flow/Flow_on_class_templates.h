@@ -94,7 +94,8 @@ void Conformal_willmore_flow<SolverTraits, EigensolverTraits, Direction>::settle
   report.accepted = true;
   report.energy = m_energy;
   report.time_step = 0;
-  report.spin = {};
+  const Spin_report given_up = std::exchange(report.spin, {});
+  internal::add_costs(report.spin, given_up);
   report.spin.mollification = m_mollification;
   judge_boundary(report.spin);
   ++m_steps;

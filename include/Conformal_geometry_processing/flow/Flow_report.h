@@ -42,7 +42,8 @@ struct [[nodiscard]] Flow_step_report {
   double direction_norm = 0;             ///< root of the integral of v^2, after projection
   double remaining_share = 0;            ///< of the direction, after projection
   double period_defect = 0;  ///< harmonic part of the new edges, relative; zero without loops
-  Spin_report spin;          ///< the spin transformation of the step, with its distortion
+  Spin_report spin;  ///< the spin transformation of the last trial, with its distortion, and the
+                     ///< costs of all trials
   internal::Distribution quasi_conformal;  ///< from the initial surface to the present one
   double length_cross_ratio = 0;           ///< largest change of the logarithms, likewise
   double seconds = 0;                      ///< wall clock, all trials together

@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -62,10 +63,11 @@ class Hodge_decomposition {
   /// `Poisson_reconstruction::solver()`; must outlive the object
   /// \pre `require_surface(mesh)` holds
   /// \throw Precondition_error if the generators are not independent
-  Hodge_decomposition(const Surface_ref& surface, const Eigen::MatrixXd& generators,
+  Hodge_decomposition(const Surface_ref& surface, Eigen::MatrixXd generators,
                       const internal::Grounded_solver<SolverTraits>& laplacian);
 
-  const Harmonic_basis& harmonic_basis() const { return m_basis; }
+  const Harmonic_basis& harmonic_basis() const& { return m_basis; }
+  Harmonic_basis harmonic_basis() && { return std::move(m_basis); }
 
   /// `cotan_weights(surface)`: the inner product of 1-forms, |E|
   const Eigen::VectorXd& weights() const { return m_weights; }

@@ -26,9 +26,9 @@ Hodge_decomposition<SolverTraits>::Hodge_decomposition(const Mesh_view& mesh,
 
 template <class SolverTraits>
 Hodge_decomposition<SolverTraits>::Hodge_decomposition(
-    const Surface_ref& surface, const Eigen::MatrixXd& generators,
+    const Surface_ref& surface, Eigen::MatrixXd generators,
     const internal::Grounded_solver<SolverTraits>& laplacian)
-    : Hodge_decomposition(surface, generators, not_owned(laplacian))
+    : Hodge_decomposition(surface, std::move(generators), not_owned(laplacian))
 {}
 
 template <class SolverTraits>

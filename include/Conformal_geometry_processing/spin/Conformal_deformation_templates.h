@@ -99,6 +99,7 @@ Spin_result Conformal_deformation<SolverTraits, EigensolverTraits>::deform(
   if (!m_search->search().costs().cancelled)
     result = m_transformation.integrate(found.solution.lambda);
   tell_search(*m_search, domain.unit(), result.report);
+  add_costs(result.report, m_transformation.take_unreported());
   if (result.report.cancelled) return result;
   result.report.period_defect = m_search->period_defect();
   if (m_options.surface.scales.bound) result.report.scales = m_search->scales();

@@ -58,7 +58,7 @@ struct Dirac_evidence {
   double overlap = 0;      ///< |<lambda, 1>| / (|lambda| |1|), one for the identity
   int iterations = 0;      ///< of the eigensolver
   int substeps = 1;        ///< stages in which the branch was followed from rho = 0
-  int factorizations = 0;  ///< of X, in whatever stage, also in attempts that were given up
+  int factorizations = 0;  ///< of X, also in attempts that were given up
   int solves = 0;          ///< with a factor of X, one right-hand side each
   double spectral_shift = 0;    ///< sigma of the last factor, of X for rho + sigma
   bool is_generalized = false;  ///< the generalized problem was requested, solved and accepted

@@ -46,6 +46,7 @@ inline void remove_mean(Block<Quaternion<double>>& v, const Eigen::VectorXd& mas
 /// Uses conjugate gradients on X itself, preconditioned by any available factor: that of X plus a
 /// small multiple of M_V needs about five iterations; factors of nearby matrices work as well.
 /// \param areas M_V \param solver a model of `SparseHermitianSolver` with such a factor
+/// \param tolerance of the relative error in the energy norm
 /// \param solves increased by the number of solves with the factor
 /// \throw Solver_error if the solver fails, or the iterations do not converge
 template <class Solver>

@@ -77,6 +77,7 @@ Eigensolver_result Directions_search<SolverTraits>::smallest(Vectors start, int 
              block_operator(m_system.areas()), inverse_operator(m_system.reduced_solver()),
              std::move(start), o, std::ref(go_further));
   s.iterations += r.iterations;
+  s.solves += r.solves;
   s.cancelled = r.cancelled;
   return r;
 }

@@ -126,6 +126,7 @@ std::optional<Closed_step> Exact_steps<Transformation>::largest_step(const Eigen
     const bool is_end = next_step(step, report, 1 - all.reached - step) == 0;
     if (is_good && can_go_on_from(next.result.positions, is_end)) return next;
     add_costs(all, report);
+    if (all.steps == 0) all.seconds.setup = report.seconds.setup;
     all.cancelled = report.cancelled;
     if (all.cancelled) return std::nullopt;
     if (step <= m_options.min_step) {

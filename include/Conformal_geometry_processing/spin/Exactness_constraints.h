@@ -59,7 +59,7 @@ struct Exactness_constraints {
 /// \brief computes the constraints of a surface.
 ///
 /// Costs 4G solves with a Laplacian that is already factored, a factorization of the Dirac matrix
-/// for rho = 0, and 2G solves with it; nothing without generators.
+/// for rho = 0, and about 10G solves with it; nothing without generators.
 ///
 /// \param system of the surface; its factor is overwritten
 /// \param laplacian solves with the Laplacian of the surface

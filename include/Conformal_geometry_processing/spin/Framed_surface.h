@@ -70,7 +70,8 @@ class Framed_surface {
   bool has_loops() const;
 
   /// \brief the `closed_generators()` of the mesh, transferred to the surface: edges x number of
-  /// loops. O(edges) for each: they are found anew, because they would take much memory.
+  /// loops. O(edges) for each. Without mollification they are found anew, because they would take
+  /// much memory.
   Eigen::MatrixXd forms() const;
 
   bool is_mollified() const { return m_view.has_value(); }

@@ -87,7 +87,9 @@ Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>
     if (is_done(found)) break;
     if (direction == m_options.direction) continue;
     use_boundary(direction);
-    found = transform_once(options, m_visits.guarded(go_further));
+    Nearest_spin_result next = transform_once(options, m_visits.guarded(go_further));
+    add_costs(next.report, found.report);
+    found = std::move(next);
   }
   return found;
 }
@@ -143,6 +145,7 @@ Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>
                              m_mismatch.sum(start.distance, start.normal_distance);
   Nearest_spin_result& best = is_cancelled || is_nearer ? nearest : start;
   add_costs(best.report, (&best == &start ? nearest : start).report);
+  add_costs(best.report, m_transformation->take_unreported());
   return std::move(best);
 }
 

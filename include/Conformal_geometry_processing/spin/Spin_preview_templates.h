@@ -65,6 +65,7 @@ Spin_result Spin_preview<SolverTraits, EigensolverTraits>::transform(const Curva
   Spin_result result = m_transformation.integrate(m_lambda);
   static_cast<Dirac_evidence&>(result.report) = in_units(s, m_transformation.domain().unit());
   static_cast<Dirac_evidence::Seconds&>(result.report.seconds) = s.seconds;
+  add_costs(result.report, m_transformation.take_unreported());
   return result;
 }
 

@@ -97,9 +97,8 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
 
   /// wall clock seconds
   struct Seconds : internal::Dirac_evidence::Seconds {
-    double setup = 0;      ///< checks, pattern, ordering, symbolic analysis: once per mesh
-    double exactness = 0;  ///< constraints that keep loops closed, and the Laplacian for them: once
-                           ///< per surface
+    double setup = 0;           ///< checks, pattern, ordering, symbolic analysis: once per mesh
+    double exactness = 0;       ///< constraints that keep loops closed: once per surface with loops
     double reconstruction = 0;  ///< includes the factorization of the Laplacian the first time
     double certificate = 0;
   } seconds;

@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -113,6 +114,10 @@ class Spin_transformation {
   {
     return m_options.exactness && has_loops() ? &exactness(on) : nullptr;
   }
+
+  /// \brief the costs of `exactness()` that no report contains yet; from now on they count as
+  /// reported.
+  Spin_report take_unreported() { return std::exchange(m_unreported, {}); }
 
   /// whether the boundary has directions that need not be those of the surface
   bool turns_directions() const
@@ -212,7 +217,7 @@ class Spin_transformation {
                          const internal::Exactness_constraints* closing, double tolerance);
 
   /// a solution in the frame, with its part of the report in the unit of the mesh
-  Spin_result in_units(internal::Dirac_solution s);
+  Spin_result in_units(internal::Dirac_solution s) const;
 
   /// lambda, with its part of the report
   Spin_result solve(const Curvature_potential& rho, Dirac_options options,
@@ -228,7 +233,7 @@ class Spin_transformation {
   Spin_transformation_options m_options;
   Spin_report::Limits m_limits;
   std::unique_ptr<Stage> m_stage;
-  Spin_report m_unreported;  // the costs of `exactness()`, for the next report
+  Spin_report m_unreported;  // costs of `exactness()`
 };
 
 }  // namespace Conformal_geometry_processing

@@ -130,6 +130,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
     (is_better ? share : too_coarse) = middle;
     take(std::move(next), is_better);
   }
+  internal::add_costs(best.report, take_unreported());
   return best;
 }
 

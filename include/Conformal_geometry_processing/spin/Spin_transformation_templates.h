@@ -105,11 +105,12 @@ Spin_transformation<SolverTraits, EigensolverTraits>::exactness(Curvature_potent
   auto& found = m_stage->exactness;
   if (found && found->on == on) return *found;
   internal::Stopwatch watch;
-  found = exactness_constraints(system(), reconstruction().solver(), domain().forms(), on,
-                                m_options.exactness);
+  const auto& laplacian = reconstruction().solver();
+  m_unreported.seconds.reconstruction += watch.lap();
+  found = exactness_constraints(system(), laplacian, domain().forms(), on, m_options.exactness);
   m_unreported.factorizations += found->factorizations;
   m_unreported.solves += found->solves;
-  m_unreported.seconds.exactness += watch.lap();
+  if (domain().has_loops()) m_unreported.seconds.exactness += watch.lap();
   return *found;
 }
 
@@ -203,13 +204,15 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::solve(
 {
   const double unit = domain().unit();
   options.kernel_tolerance *= unit;
-  return in_units(solve_dirac_equation<EigensolverTraits>(system(), {rho.on, rho.values * unit},
-                                                          options, m_visits.guarded(go_further)));
+  Spin_result result = in_units(solve_dirac_equation<EigensolverTraits>(
+      system(), {rho.on, rho.values * unit}, options, m_visits.guarded(go_further)));
+  internal::add_costs(result.report, take_unreported());
+  return result;
 }
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::in_units(
-    internal::Dirac_solution s)
+    internal::Dirac_solution s) const
 {
   Spin_result result;
   static_cast<internal::Dirac_evidence&>(result.report) =
@@ -218,7 +221,6 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::in_units(
   result.report.limits = m_limits;
   result.report.seconds.setup = m_stage->seconds;
   result.report.mollification = domain().mollification();
-  internal::add_costs(result.report, std::exchange(m_unreported, {}));
   result.lambda = std::move(s.lambda);
   return result;
 }
@@ -232,7 +234,7 @@ void Spin_transformation<SolverTraits, EigensolverTraits>::reconstruct(Spin_resu
   const Eigen::MatrixX3d edges = transformed_edges(system().surface(), result.lambda);
   Points f = positions ? positions->positions(edges) : reconstruction().positions(edges);
   r.closure_residual = reconstruction().residual(f, edges);
-  r.seconds.reconstruction = watch.lap();
+  r.seconds.reconstruction += watch.lap();
   // Excludes thin faces: those of area zero may have become wrinkled.
   if (!positions) restore_area(domain().measured(), f, result.lambda);
   result.positions = domain().frame().from_frame(f);

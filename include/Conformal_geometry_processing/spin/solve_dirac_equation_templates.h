@@ -51,6 +51,7 @@ void solve_with_free_boundary(Dirac_system<SolverTraits>& system, const Curvatur
   Block<Quaternion<double>> b(weights.size(), 1);
   for (Eigen::Index i = 0; i < b.rows(); ++i) b(i, 0) = {weights[i], 0, 0, 0};
   s.lambda = system.solve(b).col(0);
+  s.solves = 1;
   Quaternion_vector<double> rest = system.matrix() * s.lambda - b.col(0);
   for (Eigen::Index i = 0; i < b.rows(); ++i) rest[i] += weights[i] * s.lambda[i];
   s.residual = components(rest).norm() / weights.norm();

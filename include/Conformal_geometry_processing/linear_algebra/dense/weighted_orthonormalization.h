@@ -17,7 +17,7 @@ namespace Conformal_geometry_processing {
 ///
 /// Uses the eigenvectors of the Gram matrix, followed by a Cholesky decomposition that makes the
 /// basis orthonormal up to rounding. Deterministic. About 8 n k^2 operations, in the memory of the
-/// functions.
+/// functions where they are moved into the call.
 ///
 /// \param functions n x k, one per column
 /// \param weights n positive numbers

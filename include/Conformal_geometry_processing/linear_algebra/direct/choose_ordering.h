@@ -18,7 +18,7 @@ namespace internal {
 /// little among machines.
 struct Ordering_costs {
   /// Time of one operation of `Supernodal_structure::operations()` on quaternions: 16
-  /// multiplications and additions in single precision at 160 Gflop/s
+  /// multiplications and additions at 160 Gflop/s
   double seconds_per_operation = 2 * 16 / 160e9;
 
   /// Time of `sweep_nested_dissection()` and of the symbolic analysis

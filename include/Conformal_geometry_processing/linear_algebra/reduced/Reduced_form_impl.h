@@ -72,13 +72,14 @@ CGP_INLINE internal::Reduced_form choose_reduced_form(const Sparse_pattern& patt
                                                       int factorizations,
                                                       const internal::Ordering_costs& costs)
 {
-  internal::Reduced_form by_degree = choose_reduced_form(pattern, rows, amd_ordering(pattern));
+  const internal::Ordering amd = amd_ordering(pattern);
+  internal::Reduced_form by_degree = choose_reduced_form(pattern, rows, amd);
   const double seconds = by_degree.cost / 16 * costs.seconds_per_operation;
   if (positions == nullptr ||
       costs.expected_saving * factorizations * seconds <= costs.seconds_per_vertex * pattern.size())
     return by_degree;
-  internal::Reduced_form by_dissection = choose_reduced_form(
-      pattern, rows, sweep_nested_dissection(pattern, *positions, by_degree.order));
+  internal::Reduced_form by_dissection =
+      choose_reduced_form(pattern, rows, sweep_nested_dissection(pattern, *positions, amd));
   return by_dissection.cost < by_degree.cost ? by_dissection : by_degree;
 }
 
