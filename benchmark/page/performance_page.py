@@ -38,8 +38,11 @@ Microseconds per vertex of *native, float*, the default, with amplitude 1, and o
 
 {costs}
 
+- **P depends on the BLAS.** CHOLMOD's dense kernels are those of OpenBLAS, which differ much from one
+  processor to the next; the library's are its own. On an AMD EPYC, where P took about twice as long
+  and the library, up to 131k faces, as long as here, the ratios of this page were half as large.
 - **P is cheap on limbs.** Where a surface branches into limbs, such as bull, CHOLMOD's factor has
-  little fill, and P costs less than half of what it does on a sphere of as many vertices; checks and
+  little fill, and P costs two thirds of what it does on a sphere of as many vertices; checks and
   ordering (*setup*), positions and certificate cost about the same everywhere, and on bull are worth
   nearly 2 P.
 - **Rho that is strong for the surface.** Along a limb lambda grows exponentially with rho: one
@@ -100,7 +103,7 @@ library with one part replaced.
 ## Edits of several strengths
 
 All closed surfaces of genus 0 among CGAL's meshes with more than 5,000 faces, in units of P, with
-the default solvers at the time, and the numbers of factorizations and solves. A result that does not verify, which the
+the default solvers, and the numbers of factorizations and solves. A result that does not verify, which the
 report says, has an asterisk: so strong an edit collapses or folds these surfaces without control
 of scale.
 
