@@ -33,7 +33,7 @@ inline void check_metis_status(int status)
 /// \ingroup PkgLinearAlgebra
 /// \brief Computes an ordering by multilevel nested dissection (Karypis and Kumar 1998) with METIS.
 ///
-/// Needs no positions. Yields the least fill on convoluted meshes, but takes three to six times as
+/// Needs no positions. Yields the least fill on convoluted meshes, but takes three to five times as
 /// long as `sweep_nested_dissection()`, and as long as the factorization of a quaternionic matrix
 /// on meshes of 100000 faces; use it for matrices that are factored often. Deterministic. METIS
 /// reseeds and uses `std::rand()`: this affects the random numbers of the calling program, and
