@@ -132,6 +132,26 @@ TEST(Dirac_gram, adds_vectors_and_forgets_early_ones)
   }
 }
 
+TEST(Dirac_gram, begins_at_a_base)
+{
+  const Mesh_view mesh = radially_perturbed(icosphere(2), 0.2);
+  const Quaternion_matrix V = random_columns(mesh.size_of_vertices(), 3);
+  const Quaternion_vector<double> c = random_quaternions(3, 1);
+  for (const auto on : both) {
+    const Curvature_potential rho = random_potential(mesh, on);
+    const Curvature_potential base{on, rho.values.reverse()};
+    const Dirac_gram gram(mesh, base, rho, V);
+    for (const auto& [t, sigma] : points_of_test) {
+      const Curvature_potential there{on, base.values + shifted(rho, t, 0).values};
+      const auto X = CGP::dirac_energy(mesh, shifted(there, 1, sigma));
+      const Quaternion_matrix expected = CGP::gram_matrix(V, CGP::block_operator(X)(V));
+      EXPECT_LT(relative_difference(gram.energy(t, sigma), expected), 1e-12) << t << ' ' << sigma;
+      EXPECT_NEAR(gram.quotient(t, c), CGP::dirac_quotient(mesh, there, product(V, c).col(0)),
+                  1e-12);
+    }
+  }
+}
+
 TEST(Dirac_gram, is_that_of_the_sheets_on_every_surface)
 {
   const Mesh_view clean = bumpy_sphere(1), mesh = spoilt(clean), bounded = disk(4);

@@ -189,3 +189,16 @@ TEST_F(Dirac_system, is_shifted_more_where_rounding_makes_it_indefinite_but_not_
   Timid_solver_traits::enough = four_pi;
   EXPECT_THROW(timid.set_potential(rho, seconds), CGP::Solver_error);
 }
+
+// A shift towards the smallest eigenvalue makes a better preconditioner, unless it is beyond it.
+TEST_F(Dirac_system, is_shifted_below_zero_as_long_as_it_stays_definite)
+{
+  const Curvature_potential rho = smooth_potential(mesh, 1);
+  set_potential(1);
+  const double mu = smallest_pairs(1).values[0] / system.unit();
+  ASSERT_GT(mu, 1e-3);
+  system.set_preconditioner(rho, seconds, -mu / 2);
+  EXPECT_NEAR(system.shift(), -mu / 2 * system.unit(), 1e-15);
+  system.set_preconditioner(rho, seconds, -2 * mu);
+  EXPECT_NEAR(system.shift(), 1e-3 * system.unit(), 1e-15);
+}

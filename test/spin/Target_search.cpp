@@ -185,7 +185,9 @@ TEST(Target_search, prefers_normals_to_wrinkles_unless_only_positions_count)
 // Distances count against rho by their weight: it must not tell the size of the target. The sphere
 // is far from conformal to its bend, and the beam near to it. What is left, for a turned target, is
 // whether a solver takes one iteration more, which is less frequent with factors in double
-// precision; with the wrong weight, the differences are .3 to 20 %.
+// precision; with the wrong weight, the differences are .3 to 20 %. The tolerance is relative to
+// the bounding box, which turns with the target: it must not be between what is reached here and
+// there.
 TEST(Target_search, does_not_depend_on_the_place_and_size_of_the_target)
 {
   const Mesh_view beam_mesh = perturbed(beam(2), .02), sphere = icosphere(3);
@@ -200,7 +202,7 @@ TEST(Target_search, does_not_depend_on_the_place_and_size_of_the_target)
       EXPECT_NEAR(there.normal_distance, angle, 1e-3 * angle) << size;
     }
   };
-  expect_same(beam_mesh, bent_beam(beam_mesh, pi / 3, .5).positions(), 2e-3);
+  expect_same(beam_mesh, bent_beam(beam_mesh, pi / 3, .5).positions(), 3e-3);
   expect_same(sphere, bent(sphere), 0);
 }
 

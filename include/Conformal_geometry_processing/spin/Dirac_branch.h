@@ -69,8 +69,10 @@ class Dirac_branch {
   /// t rho + sigma
   Curvature_potential potential(double t, double sigma) const;
 
-  /// factors X there
-  void place_pole(double t, double sigma);
+  /// \brief factors X there.
+  /// \param energy subtracted, times M_V: a bound of the smallest eigenvalue from below, as a rule;
+  /// where X would be indefinite, nothing is
+  void place_pole(double t, double sigma, double energy = 0);
 
   /// whether the factor at hand is a good preconditioner at the point
   bool is_near_pole(const Branch_point& p) const;
@@ -112,6 +114,12 @@ class Dirac_branch {
   /// iterates (`follow_quotient()`) by the secant method, which goes on from one eigenvector to the
   /// next where the iterates do not suffice.
   void refine(Branch_point& p, double tolerance);
+
+  /// the tolerance of the next eigenvector, by which `change` of the shift is known to 5 %
+  double sufficient(double change, double tolerance) const
+  {
+    return std::clamp(0.05 * std::abs(change) / stationary(1), tolerance, 1e-2);
+  }
 
   /// the eigenvalue of lambda less the shift of X, at.gamma
   double quotient_change(const Branch_point& at, const Quaternion_vector<double>& lambda) const
@@ -155,6 +163,7 @@ class Dirac_branch {
   Branch_point m_pole;
   Shift_secant m_secant;
   bool m_follows_quotient = false;
+  bool m_is_guess = false;   // which is given up where the secant method does not come nearer
   bool m_may_settle = true;  // no stage that relied on it has been rejected
 };
 

@@ -22,19 +22,22 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::refine(Branch_point& p, doub
 {
   const int max_passes = 12;
   Branch_point at = p;  // gamma is the shift of X
-  double last_sigma = 0;
+  double last_sigma = 0, last_change = 0;
   m_secant.restart();
   m_follows_quotient = true;
   for (int pass = 0; pass < max_passes; ++pass) {
     m_system.assemble(potential(at.t, at.gamma), m_s.seconds);
-    iterate(at, tolerance);
+    iterate(at, pass == 0 ? tolerance : sufficient(last_change, tolerance));
     const double sigma = at.gamma, change = quotient_change(at, m_s.lambda);
     p.gamma = sigma + change;
     m_s.converged = m_s.residual <= tolerance && std::abs(change) <= stationary(tolerance);
     if (m_s.converged || m_s.cancelled || m_s.iterations >= m_options.max_iterations) return;
     const bool has_moved = pass > 0 && sigma != last_sigma;
     if (pass > 1 && !has_moved) return;  // rounding errors keep the residual above the tolerance
+    const double least_progress = 0.7;   // once the secant method knows the derivative
+    if (m_is_guess && pass > 1 && std::abs(change) > least_progress * std::abs(last_change)) return;
     last_sigma = sigma;
+    last_change = change;
     move(at, m_secant.step(sigma, change, stationary(tolerance)));
   }
 }

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/extend_orthonormal.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
@@ -89,7 +90,12 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::correct(const Dirac_solution
   if (guess.gap > 0) p.gap = guess.gap;
   if (guess.branch_gap > 0) p.least_gap = guess.branch_gap;
   m_s.lambda = guess.lambda;
-  place_pole(1, p.gamma);
+  m_is_guess = true;
+  m_system.assemble(potential(1, p.gamma), m_s.seconds);
+  const double energy = inner_product(guess.lambda, m_system.matrix() * guess.lambda).w /
+                        m_system.squared_norm(guess.lambda);
+  const double share = 0.8;  // mu depends on rho, and is less than the energy of the guess
+  place_pole(1, p.gamma, share * (std::min)(energy, guess.energy));
   refine(p, m_options.tolerance);
   conclude(p);
   if (m_system.overlap(m_s.lambda, guess.lambda) < same_vector) m_s.converged = false;
@@ -103,11 +109,13 @@ Curvature_potential Dirac_branch<SolverTraits, EigensolverTraits>::potential(dou
 }
 
 template <class SolverTraits, class EigensolverTraits>
-void Dirac_branch<SolverTraits, EigensolverTraits>::place_pole(double t, double sigma)
+void Dirac_branch<SolverTraits, EigensolverTraits>::place_pole(double t, double sigma,
+                                                               double energy)
 {
+  const double shift = 1e-3;
   m_pole.t = t;
   m_pole.gamma = sigma;
-  m_system.set_preconditioner(potential(t, sigma), m_s.seconds);
+  m_system.set_preconditioner(potential(t, sigma), m_s.seconds, shift - energy / m_system.unit());
   ++m_s.factorizations;
 }
 
@@ -146,18 +154,7 @@ bool Dirac_branch<SolverTraits, EigensolverTraits>::is_as_predicted(
 template <class SolverTraits, class EigensolverTraits>
 bool Dirac_branch<SolverTraits, EigensolverTraits>::add(Quaternion_vector<double> v)
 {
-  const double length = std::sqrt(m_system.squared_norm(v)), rounding = 1e-12;
-  for (int pass = 0; pass < 2; ++pass)
-    for (Eigen::Index j = 0; j < m_span.cols(); ++j) {
-      const Quaternion_vector<double> u = m_span.col(j);
-      add_multiple(v, u, -inner_product(u, m_system.areas(), v));
-    }
-  const double rest = std::sqrt(m_system.squared_norm(v));
-  if (!(rest > rounding * length)) return false;
-  m_span.conservativeResize(v.size(), m_span.cols() + 1);
-  m_span.rightCols(1) = v;
-  scale_column(m_span, m_span.cols() - 1, 1 / rest);
-  return true;
+  return extend_orthonormal(m_span, m_system.areas(), std::move(v));
 }
 
 template <class SolverTraits, class EigensolverTraits>

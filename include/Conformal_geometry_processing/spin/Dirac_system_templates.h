@@ -147,7 +147,8 @@ void internal::Dirac_system<SolverTraits>::factorize_for(const Curvature_potenti
   m_shift = least * unit();
   Solver_status status = factorize(m_shift * m_areas, use);
   for (const double share : {1e-6, 1e-3, 1e-2}) {
-    if (share <= least || status != Solver_status::not_positive_definite) continue;
+    if (share <= (least < 0 ? 1e-6 : least) || status != Solver_status::not_positive_definite)
+      continue;
     m_shift = share * unit();
     status = factorize(m_shift * m_areas, use);
   }

@@ -21,10 +21,19 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \param A symmetric
-inline Hermitian_sparse_matrix<double> lower_triangle(const Eigen::SparseMatrix<double>& A)
+/// 1 - C D^-1 C^T for positive D, by its lower triangle
+inline Hermitian_sparse_matrix<double> less_outer_products(const Eigen::SparseMatrix<double>& C,
+                                                           const Eigen::VectorXd& D)
 {
-  const Eigen::SparseMatrix<double> lower = A.triangularView<Eigen::Lower>();
+  using Entry = Eigen::SparseMatrix<double>::InnerIterator;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int v = 0; v < C.rows(); ++v) entries.emplace_back(v, v, 1);
+  for (int f = 0; f < C.cols(); ++f)
+    for (Entry column(C, f); column; ++column)
+      for (Entry row = column; row; ++row)
+        entries.emplace_back(row.row(), column.row(), -row.value() * column.value() / D[f]);
+  Eigen::SparseMatrix<double> lower(C.rows(), C.rows());
+  lower.setFromTriplets(entries.begin(), entries.end());
   auto pattern = std::make_shared<Sparse_pattern>();
   pattern->offsets.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
   pattern->indices.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
@@ -76,11 +85,7 @@ void Potential_metric<SolverTraits>::assemble_on_faces(const Surface_ref& surfac
   }
   m_shares.resize(surface.size_of_vertices(), surface.size_of_faces());
   m_shares.setFromTriplets(shares.begin(), shares.end());
-  Eigen::SparseMatrix<double> scaled = m_shares.transpose(), rest(m_shares.rows(), m_shares.rows());
-  scaled = m_diagonal.cwiseInverse().asDiagonal() * scaled;
-  rest.setIdentity();
-  rest -= m_shares * scaled;
-  m_matrix = lower_triangle(rest);
+  m_matrix = less_outer_products(m_shares, m_diagonal);
 }
 
 template <class SolverTraits>

@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POTENTIAL_SEARCH_H
 
+#include <Conformal_geometry_processing/spin/Dirac_line.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 #include <Conformal_geometry_processing/spin/Linear_constraints.h>
 #include <Conformal_geometry_processing/spin/Potential_metric.h>
@@ -30,11 +31,15 @@ namespace internal {
 /// is a `Potential_metric`, so that rho' - rho is smooth; for rho = 0, rho' is.
 ///
 /// A step minimises the sum with r linearised, S its derivative, by conjugate gradients for
-/// K + S^T S preconditioned by K, among the changes that satisfy the linearised constraints. It is
-/// shortened until it reduces the sum, if need be with a second step from there: limbs make lambda
-/// so sensitive to rho that the first step leaves the curved valley of small residuals, to which
-/// the second returns. Each evaluation corrects the spins predicted by the derivative, mostly at
-/// the cost of one factorization; a step takes 20 to 100 solves with this factor.
+/// K + S^T S preconditioned by K, among the changes that satisfy the linearised constraints. Limbs
+/// make lambda so sensitive to rho that it soon leaves the curved valley of small residuals: on
+/// closed surfaces it is made as long as the spins that a `Dirac_line` predicts ask for (not where
+/// there are constraints only, to which whole steps converge quadratically). It is
+/// shortened until it does reduce the sum, if need be with a second step from there, which returns
+/// to the valley. Each evaluation corrects the predicted spins, mostly at the cost of one
+/// factorization; a step takes 20 to 60 solves with this factor, two for each
+/// product with S^T S: the factor is so near to X - mu M_V that it may stand for it. Gradients, and
+/// the spins that a step leads to, are exact.
 /// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
 template <class SolverTraits = Default_solver_traits,
           class EigensolverTraits = Lobpcg_eigensolver_traits>
@@ -57,8 +62,8 @@ class Potential_search {
                    std::vector<Spin_residual*> residuals,
                    std::vector<Spin_residual*> constraints = {}, double smoothness = 0.1);
 
-  /// \brief continues from the present rho' until a step would make the sum smaller by less than
-  /// 1 %, and the norm of the constraints is at most `tolerance`.
+  /// \brief continues from the present rho' until a step makes the sum smaller, or would make it
+  /// smaller, by less than 1 %, and the norm of the constraints is at most `tolerance`.
   ///
   /// The residuals may have changed since the last call.
   /// \returns whether that was reached; otherwise the present rho' is the best one found
@@ -146,8 +151,21 @@ class Potential_search {
 
   /// \brief the present rho' plus t times the step; with spins that depart from the predicted ones,
   /// it counts as not converged.
-  Candidate moved(const Step& step, double t, const Dirac_options& options,
-                  const Go_further& go_further);
+  Candidate moved(const Step& step, double t, const Dirac_solution& predicted,
+                  const Dirac_options& options, const Go_further& go_further);
+
+  /// the whole step, with spins predicted by the derivative
+  Candidate moved(const Step& step, const Dirac_options& options, const Go_further& go_further)
+  {
+    return moved(step, 1, predicted(step, 1), options, go_further);
+  }
+
+  /// \pre a step from the present rho', whose factor is at hand
+  Dirac_line<SolverTraits> line_along(const Step& step);
+
+  /// \brief the t = 1, 1/2, ... for which the merit of the predicted spins is least; `shortest` if
+  /// none is less than that of the present rho'.
+  double best_length(const Step& step, const Dirac_line<SolverTraits>& line) const;
 
   /// makes the step, or a part of it
   /// \returns whether there is one that reduces the merit
@@ -156,8 +174,11 @@ class Potential_search {
   /// half of the gradient of the sum
   Eigen::VectorXd gradient(const Derivative& S) const;
 
-  /// (K + S^T S) d
+  /// (K + S^T S) d, with the factor at hand in S
   Eigen::VectorXd curvature(const Derivative& S, const Eigen::VectorXd& d) const;
+
+  static constexpr double least_gain = 1e-2;   // of the sum by a step
+  static constexpr double shortest = 1. / 64;  // of the lengths of steps that are tried
 
   double merit(const Candidate& c) const { return c.sum + m_penalty * c.constraints.norm(); }
 

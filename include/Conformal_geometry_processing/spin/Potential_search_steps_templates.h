@@ -7,6 +7,7 @@
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
+#include <Conformal_geometry_processing/spin/Dirac_line_templates.h>
 #include <Conformal_geometry_processing/spin/Potential_metric_templates.h>
 #include <Conformal_geometry_processing/spin/Potential_search.h>
 #include <Conformal_geometry_processing/spin/Spin_derivative_templates.h>
@@ -73,7 +74,7 @@ Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::improvement(
     const Derivative& S, const Linear_constraints& constraints, const Eigen::VectorXd& g,
     const Eigen::VectorXd& first) const
 {
-  const double least_gain = 1e-2, tolerance = 5e-2;
+  const double tolerance = 5e-2;
   const auto hessian = [&](const Block<double>& d, Block<double>& y) { y = curvature(S, d); };
   const auto precondition = [&](const Block<double>& r, Block<double>& z) {
     z = constraints.project_out(m_metric.solve(r));
@@ -111,10 +112,11 @@ Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::curvature(
     const Derivative& S, const Eigen::VectorXd& d) const
 {
   if (m_residuals.empty()) return m_metric.apply(d);
-  const Spins dlambda = S.apply(d).col(0);
+  const auto inverse = Derivative::Inverse::factor;
+  const Spins dlambda = S.apply(d, inverse).col(0);
   Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(dlambda.size(), 1, {});
   for (const Spin_residual* r : m_residuals) q.col(0) += r->gradient(r->change(dlambda));
-  return m_metric.apply(d) + S.apply_transpose(q);
+  return m_metric.apply(d) + S.apply_transpose(q, inverse);
 }
 
 template <class SolverTraits, class EigensolverTraits>
@@ -129,6 +131,17 @@ bool Potential_search<SolverTraits, EigensolverTraits>::predict(Step& step)
   } catch (const No_derivative&) {
     return false;
   }
+}
+
+template <class SolverTraits, class EigensolverTraits>
+Dirac_line<SolverTraits> Potential_search<SolverTraits, EigensolverTraits>::line_along(
+    const Step& step)
+{
+  Stopwatch watch;
+  Dirac_line<SolverTraits> line(m_system, m_now.rho, m_now.solution, step.change, step.lambda);
+  m_costs.solves += line.number_of_solves();
+  m_costs.seconds.eigenvectors += watch.lap();
+  return line;
 }
 
 template <class SolverTraits, class EigensolverTraits>

@@ -69,7 +69,9 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
     const auto follows = [&] { return follow_constraints(few, go_further, tolerance); };
     const bool is_near = norm <= last_norm / 10;
     if (!step->is_improvement && (norm <= tolerance || (is_near && follows()))) return true;
+    const double sum = m_now.sum;
     if (!take(*step, few, go_further)) return false;
+    if (m_now.constraints.norm() <= tolerance && m_now.sum > (1 - least_gain) * sum) return true;
     last_norm = norm;
   }
   return false;
@@ -92,7 +94,7 @@ bool Potential_search<SolverTraits, EigensolverTraits>::follow_constraints(
     Step step;
     step.change = constraints.least_solution(-c);
     if (!predict(step)) break;
-    m_now = moved(step, 1, options, go_further);
+    m_now = moved(step, options, go_further);
     if (!(m_now.constraints.norm() <= (std::max)(least_reduction * c.norm(), tolerance))) break;
     constraints.observe(-c, m_now.constraints - c);
   }
@@ -110,8 +112,10 @@ bool Potential_search<SolverTraits, EigensolverTraits>::move_to(const Curvature_
   Step step;
   step.change = rho.values - m_now.rho.values;
   if (!predict(step)) return false;
+  const auto guess = m_system.is_closed() ? line_along(step).at(1) : predicted(step, 1);
+  if (!guess) return false;
   const Candidate before = m_now;
-  m_now = moved(step, 1, limited(options), go_further);
+  m_now = moved(step, 1, *guess, limited(options), go_further);
   if (m_now.solution.converged) return true;
   restore(before);
   return false;
@@ -132,19 +136,23 @@ bool Potential_search<SolverTraits, EigensolverTraits>::take(const Step& step,
                                                              const Dirac_options& options,
                                                              const Go_further& go_further)
 {
-  const double shortest = 1. / 64;
   const Candidate before = m_now;
-  for (double t = (std::min)(1., 2 * m_last_length); t >= shortest; t /= 2) {
+  std::optional<Dirac_line<SolverTraits>> line;
+  if (m_system.is_closed() && !m_residuals.empty()) line = line_along(step);
+  for (double t = line ? best_length(step, *line) : (std::min)(1., 2 * m_last_length);
+       t >= shortest; t /= 2) {
     if (m_costs.cancelled) break;
     m_now = before;
-    m_now = moved(step, t, options, go_further);
+    const auto guess = line ? line->at(t) : predicted(step, t);
+    if (!guess) continue;
+    m_now = moved(step, t, *guess, options, go_further);
     if (!m_now.solution.converged) {
       t /= 2;  // far too long
       continue;
     }
     if (!(merit(m_now) < merit(before)))
       if (const std::optional<Step> second = best_step())
-        m_now = moved(*second, 1, options, go_further);
+        m_now = moved(*second, options, go_further);
     if (!m_now.solution.converged || !(merit(m_now) < merit(before))) continue;
     m_last_length = t;
     return true;
@@ -154,15 +162,37 @@ bool Potential_search<SolverTraits, EigensolverTraits>::take(const Step& step,
 }
 
 template <class SolverTraits, class EigensolverTraits>
+double Potential_search<SolverTraits, EigensolverTraits>::best_length(
+    const Step& step, const Dirac_line<SolverTraits>& line) const
+{
+  double best = shortest, least = merit(m_now);
+  for (double t = 1; t >= shortest; t /= 2) {
+    const auto guess = line.at(t);
+    if (!guess) continue;
+    Candidate c;
+    c.rho = {m_rho.on, m_now.rho.values + t * step.change};
+    c.solution = *guess;
+    measure(c);
+    if (!(merit(c) < least)) {
+      if (least < merit(m_now)) break;  // shorter than the best
+      continue;
+    }
+    best = t;
+    least = merit(c);
+  }
+  return best;
+}
+
+template <class SolverTraits, class EigensolverTraits>
 auto Potential_search<SolverTraits, EigensolverTraits>::moved(const Step& step, double t,
+                                                              const Dirac_solution& predicted,
                                                               const Dirac_options& options,
                                                               const Go_further& go_further)
     -> Candidate
 {
-  const double least_overlap = 0.98;
-  const Dirac_solution guess = predicted(step, t);
-  Candidate next = evaluate(m_now.rho.values + t * step.change, guess, options, go_further);
-  if (m_system.overlap(next.solution.lambda, guess.lambda) < least_overlap)
+  const double least_overlap = 0.9;
+  Candidate next = evaluate(m_now.rho.values + t * step.change, predicted, options, go_further);
+  if (m_system.overlap(next.solution.lambda, predicted.lambda) < least_overlap)
     next.solution.converged = false;
   return next;
 }

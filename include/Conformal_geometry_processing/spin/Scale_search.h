@@ -85,13 +85,15 @@ class Scale_search {
   ///
   /// Between the minima for two weights, all are minimal to second order, and cost one
   /// factorization each. Where the spins do not follow, minimises for a weight between instead.
+  /// Where no weight has led beyond the bound, it moves towards rho itself, which is nearer if not
+  /// minimal.
   void come_up_to_bound(const Dirac_options& options, const Go_further& go_further);
 
   /// minimises for w and takes the result if it is better
   /// \returns whether the minimum was reached
   bool try_weight(double w, const Dirac_options& options, const Go_further& go_further);
 
-  /// \brief tries the rho' at t between the best one and that beyond the bound.
+  /// \brief tries the rho' at t between the best one and that beyond the bound, or rho itself.
   ///
   /// Handles that have opened on the way are closed by minimising from there.
   /// \returns whether it was found there, on the same branch
@@ -102,7 +104,8 @@ class Scale_search {
 
   double weight_between(double t) const
   {
-    return m_best.weight * std::pow(m_beyond.weight / m_best.weight, t);
+    return is_any_beyond() ? m_best.weight * std::pow(m_beyond.weight / m_best.weight, t)
+                           : m_best.weight;
   }
 
   /// \brief the period defect of a solution relative to what counts as closed.
@@ -117,6 +120,8 @@ class Scale_search {
   /// lengths, then edges, then handles that do not close up.
   bool is_better(const Trial& trial) const;
 
+  bool is_any_beyond() const { return std::isfinite(m_beyond.reach()); }
+
   /// whether the best result is within the bound, and its edges close up
   bool is_found() const { return m_best.reach() <= 1; }
   static constexpr double period_tolerance = 1e-5;
@@ -124,6 +129,7 @@ class Scale_search {
 
   const Surface_ref m_surface;
   const Curvature_potential m_rho;
+  Eigen::VectorXd m_wanted;  // the share of it
   Scale_residual m_scales;
   Exactness_residual<SolverTraits> m_inexact;
   std::optional<Period_residual> m_periods;

@@ -55,7 +55,8 @@ Dirac_solution Scale_search<SolverTraits, EigensolverTraits>::run(double share,
                                                                   const Dirac_options& options,
                                                                   const Go_further& go_further)
 {
-  m_search.restart({m_rho.on, share * m_rho.values});
+  m_wanted = share * m_rho.values;
+  m_search.restart({m_rho.on, m_wanted});
   m_search.reset_costs();
   m_best = m_beyond = Trial();
   search_weight(options, go_further);
@@ -112,10 +113,15 @@ void Scale_search<SolverTraits, EigensolverTraits>::come_up_to_bound(const Dirac
                                                                      const Go_further& go_further)
 {
   const double near_bound = 0.95, aim = 0.98;
-  const int max_tries = 4;
+  const int max_tries = 6;
+  double stride = 1. / 8;
   for (int i = 0; i < max_tries && is_found() && m_best.reach() < near_bound; ++i) {
-    if (m_search.costs().cancelled || !std::isfinite(m_beyond.reach())) break;
+    if (m_search.costs().cancelled) break;
     const double below = m_best.reach(), above = m_beyond.reach();
+    if (!is_any_beyond()) {
+      if (!move_between(stride, options, go_further)) stride /= 4;
+      continue;
+    }
     const double t = (aim - below) / (above - below);
     if (!move_between(t, options, go_further)) minimize_between(t, options, go_further);
     if (m_best.reach() == below && m_beyond.reach() == above) break;
@@ -148,9 +154,10 @@ bool Scale_search<SolverTraits, EigensolverTraits>::move_between(double t,
                                                                  const Dirac_options& options,
                                                                  const Go_further& go_further)
 {
-  const Curvature_potential &here = m_best.candidate.rho, &there = m_beyond.candidate.rho;
-  const Eigen::VectorXd rho = (1 - t) * here.values + t * there.values;
-  const typename Search::Candidate& closest = (t < 0.5 ? m_best : m_beyond).candidate;
+  const Curvature_potential& here = m_best.candidate.rho;
+  const Eigen::VectorXd& there = is_any_beyond() ? m_beyond.candidate.rho.values : m_wanted;
+  const Eigen::VectorXd rho = (1 - t) * here.values + t * there;
+  const auto& closest = (t < 0.5 || !is_any_beyond() ? m_best : m_beyond).candidate;
   const double w = weight_between(t), above = m_beyond.reach();
   if (m_search.present().rho.values != closest.rho.values) m_search.restore(closest);
   if (!m_search.move_to({here.on, rho}, options, go_further)) return false;

@@ -37,12 +37,20 @@ class No_derivative : public Solver_error {
 /// the weights W of `nearness_weight()`.
 ///
 /// Each product costs a few solves with the factor at hand, usually two at a tolerance of 1e-4, and
-/// as many products with X.
+/// as many products with X; or one, if the factor may stand for the inverse.
 /// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
 template <class SolverTraits = Default_solver_traits>
 class Spin_derivative {
  public:
   using Vectors = Block<Quaternion<double>>;
+
+  /// \brief how (X - mu M_V)^+ is applied.
+  ///
+  /// `factor`: by one solve. On closed surfaces, the error of soft modes is then the share of the
+  /// factor's shift in their eigenvalue less mu. Both products are still transposes of each other,
+  /// so that S^T S is symmetric. Directions are not found with a factor near mu: with them, it is
+  /// `iterated` all the same.
+  enum class Inverse { iterated, factor };
 
   /// \param system must outlive the object and keep its matrix and its factor
   /// \param potential rho + gamma in 1/length of the system, or rho if gamma is not part of it
@@ -62,7 +70,7 @@ class Spin_derivative {
   /// \brief dlambda, |V| x k, for k changes of rho.
   /// \param changes |V| or |F| x k, in 1/length
   /// \throw No_derivative if the iterations do not converge
-  Vectors apply(const Eigen::MatrixXd& changes) const;
+  Vectors apply(const Eigen::MatrixXd& changes, Inverse inverse = Inverse::iterated) const;
 
   /// dgamma for k changes of rho, 0 without a gamma
   Eigen::RowVectorXd gamma_change(const Eigen::MatrixXd& changes) const;
@@ -71,15 +79,15 @@ class Spin_derivative {
   ///
   /// q must not depend on the gauge: <lambda, q> = 0; that part is ignored.
   /// \throw No_derivative if the iterations do not converge
-  Eigen::MatrixXd apply_transpose(const Vectors& q) const;
+  Eigen::MatrixXd apply_transpose(const Vectors& q, Inverse inverse = Inverse::iterated) const;
 
  private:
   /// without the part of gamma
-  Vectors apply_at_fixed_gamma(const Eigen::MatrixXd& changes) const;
-  Eigen::MatrixXd apply_transpose_at_fixed_gamma(const Vectors& q) const;
+  Vectors apply_at_fixed_gamma(const Eigen::MatrixXd& changes, Inverse inverse) const;
+  Eigen::MatrixXd apply_transpose_at_fixed_gamma(const Vectors& q, Inverse inverse) const;
 
   /// (X - mu M_V)^+ b, or (X + W)^-1 b
-  Vectors solve(Vectors b) const;
+  Vectors solve(Vectors b, Inverse inverse) const;
   void apply_matrix(const Vectors& x, Vectors& y) const;
 
   /// subtracts M_V lambda <lambda, v> or, for vectors and not forms, lambda <lambda, M_V v>

@@ -39,13 +39,14 @@ Spin_derivative<SolverTraits>::Spin_derivative(const Dirac_system<SolverTraits>&
   if (!system.is_closed()) return;
   const Vectors form = apply_dirac_form(system.surface(), m_potential, m_lambda);
   m_gamma_gradient = form_gradient(system.surface(), m_potential.on, m_lambda) -
-                     2 * apply_transpose_at_fixed_gamma(form).col(0);
+                     2 * apply_transpose_at_fixed_gamma(form, Inverse::iterated).col(0);
 }
 
 template <class SolverTraits>
-auto Spin_derivative<SolverTraits>::apply(const Eigen::MatrixXd& changes) const -> Vectors
+auto Spin_derivative<SolverTraits>::apply(const Eigen::MatrixXd& changes, Inverse inverse) const
+    -> Vectors
 {
-  Vectors result = apply_at_fixed_gamma(changes.rowwise() + gamma_change(changes));
+  Vectors result = apply_at_fixed_gamma(changes.rowwise() + gamma_change(changes), inverse);
   for (Quaternion<double>& q : result.reshaped()) q *= m_length;
   return result;
 }
@@ -58,30 +59,31 @@ Eigen::RowVectorXd Spin_derivative<SolverTraits>::gamma_change(const Eigen::Matr
 }
 
 template <class SolverTraits>
-Eigen::MatrixXd Spin_derivative<SolverTraits>::apply_transpose(const Vectors& q) const
+Eigen::MatrixXd Spin_derivative<SolverTraits>::apply_transpose(const Vectors& q,
+                                                               Inverse inverse) const
 {
-  Eigen::MatrixXd result = m_length * apply_transpose_at_fixed_gamma(q);
+  Eigen::MatrixXd result = m_length * apply_transpose_at_fixed_gamma(q, inverse);
   if (m_gamma_gradient.size() == 0) return result;
   const Eigen::RowVectorXd of_gamma = result.colwise().sum() / m_gamma_gradient.sum();
   return result - m_gamma_gradient * of_gamma;
 }
 
 template <class SolverTraits>
-auto Spin_derivative<SolverTraits>::apply_at_fixed_gamma(const Eigen::MatrixXd& changes) const
-    -> Vectors
+auto Spin_derivative<SolverTraits>::apply_at_fixed_gamma(const Eigen::MatrixXd& changes,
+                                                         Inverse inverse) const -> Vectors
 {
-  return solve(energy_change(m_system.surface(), m_potential, m_lambda, changes));
+  return solve(energy_change(m_system.surface(), m_potential, m_lambda, changes), inverse);
 }
 
 template <class SolverTraits>
-Eigen::MatrixXd Spin_derivative<SolverTraits>::apply_transpose_at_fixed_gamma(
-    const Vectors& q) const
+Eigen::MatrixXd Spin_derivative<SolverTraits>::apply_transpose_at_fixed_gamma(const Vectors& q,
+                                                                              Inverse inverse) const
 {
-  return energy_gradient(m_system.surface(), m_potential, m_lambda, solve(q));
+  return energy_gradient(m_system.surface(), m_potential, m_lambda, solve(q, inverse));
 }
 
 template <class SolverTraits>
-auto Spin_derivative<SolverTraits>::solve(Vectors b) const -> Vectors
+auto Spin_derivative<SolverTraits>::solve(Vectors b, Inverse inverse) const -> Vectors
 {
   b = m_system.projected(std::move(b));
   remove_gauge(b, true);
@@ -94,6 +96,10 @@ auto Spin_derivative<SolverTraits>::solve(Vectors b) const -> Vectors
   Conjugate_gradients_options options;
   options.tolerance = m_tolerance;
   Vectors x;
+  if (inverse == Inverse::factor && !m_system.directions()) {
+    precondition(b, x);
+    return x;
+  }
   const auto result = conjugate_gradients(matrix, precondition, b, x, options);
   const double worst_error = 1e-3;  // of rounding, with slivers
   if (!result.converged && !(result.estimates.maxCoeff() <= worst_error))

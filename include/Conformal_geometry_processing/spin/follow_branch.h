@@ -15,12 +15,12 @@ namespace Conformal_geometry_processing {
 namespace internal {
 
 /// \ingroup PkgSpin
-/// \brief the forms of D - t rho - sigma on the span of k vectors V, |V| x k, for every t and
-/// sigma.
+/// \brief the forms of D - base - t rho - sigma on the span of k vectors V, |V| x k, for every t
+/// and sigma; base is 0 where none is given.
 ///
-/// They are combinations of the inner products of the images D V, R V and B V on the faces, in the
-/// norm of M_F: 3 k x 3 k numbers, with which following a branch in t costs nothing that depends on
-/// the size of the mesh.
+/// They are combinations of the inner products of the images (D - base) V, R V and B V on the
+/// faces, in the norm of M_F: 3 k x 3 k numbers, with which following a branch in t costs nothing
+/// that depends on the size of the mesh.
 class Dirac_gram {
  public:
   /// of no vectors
@@ -32,11 +32,20 @@ class Dirac_gram {
     extend(surface, rho, vectors);
   }
 
+  Dirac_gram(const Surface_ref& surface, const Curvature_potential& base,
+             const Curvature_potential& rho, const Block<Quaternion<double>>& vectors)
+  {
+    extend(surface, base, rho, vectors);
+  }
+
   /// \brief adds the last columns of V; the first ones are the present vectors.
   ///
   /// O(k sheets) for each new vector, without assembling a matrix
   void extend(const Surface_ref& surface, const Curvature_potential& rho,
-              const Block<Quaternion<double>>& vectors);
+              const Block<Quaternion<double>>& vectors)
+  {
+    extend(surface, no_potential(surface), rho, vectors);
+  }
 
   /// keeps the first vector and the last `count` others
   void forget_all_but(Eigen::Index count);
@@ -55,6 +64,9 @@ class Dirac_gram {
 
  private:
   enum Image : Eigen::Index { dirac, potential, average, images };
+
+  void extend(const Surface_ref& surface, const Curvature_potential& base,
+              const Curvature_potential& rho, const Block<Quaternion<double>>& vectors);
 
   /// c^H <image a, image b> c
   Quaternion<double> form(Image a, Image b, const Quaternion_vector<double>& c) const;

@@ -29,16 +29,18 @@ CGP_INLINE Eigen::Matrix4d left_factor(const Eigen::Vector3d& e)
   return L;
 }
 
-/// The images on a sheet, times the root of its area and share: four real numbers for each of D v,
-/// R v and B v, for each vector v.
-CGP_INLINE void add_images(const Sheet& sheet, const Eigen::Vector3d& rho,
-                           const Block<Quaternion<double>>& vectors, double* images)
+/// The images on a sheet, times the root of its area and share: four real numbers for each of
+/// (D - base) v, R v and B v, for each vector v.
+CGP_INLINE void add_images(const Sheet& sheet, const Eigen::Vector3d& base,
+                           const Eigen::Vector3d& rho, const Block<Quaternion<double>>& vectors,
+                           double* images)
 {
   using Four = Eigen::Vector4d;
   const double root = std::sqrt(sheet.share / sheet.area), third = root * sheet.area / 3;
   std::array<Eigen::Matrix4d, 3> row;
   for (int c = 0; c < 3; ++c)
-    row[static_cast<std::size_t>(c)] = left_factor(root / -2 * sheet.vectors.col(c));
+    row[static_cast<std::size_t>(c)] = left_factor(root / -2 * sheet.vectors.col(c)) -
+                                       third * base[c] * Eigen::Matrix4d::Identity();
   for (Eigen::Index a = 0; a < vectors.cols(); ++a, images += 12) {
     Four dirac = Four::Zero(), potential = Four::Zero(), average = Four::Zero();
     for (int c = 0; c < 3; ++c) {
@@ -61,7 +63,8 @@ CGP_INLINE Quaternion<double> inner_product_of(const Eigen::Matrix4d& s)
 }
 
 // Real products, because Eigen's are several times as fast as sums of products of quaternions.
-CGP_INLINE void Dirac_gram::extend(const Surface_ref& surface, const Curvature_potential& rho,
+CGP_INLINE void Dirac_gram::extend(const Surface_ref& surface, const Curvature_potential& base,
+                                   const Curvature_potential& rho,
                                    const Block<Quaternion<double>>& vectors)
 {
   const Eigen::Index old = m_products.cols(), all = images * vectors.cols(), added = all - old;
@@ -72,7 +75,7 @@ CGP_INLINE void Dirac_gram::extend(const Surface_ref& surface, const Curvature_p
     const int count = (std::min)(most, sheets - first);
     for (int i = 0; i < count; ++i) {
       const Sheet sheet = surface.sheet(first + i);
-      add_images(sheet, rho.at_corners(sheet), vectors, &part(i, 0));
+      add_images(sheet, base.at_corners(sheet), rho.at_corners(sheet), vectors, &part(i, 0));
     }
     sums.noalias() += part.topRows(count).transpose() * part.topRows(count).rightCols(4 * added);
   }

@@ -6,6 +6,7 @@
 // Template instantiations of the compiled library, for its own solvers.
 
 #include <Conformal_geometry_processing/spin/Conformal_deformation_templates.h>
+#include <Conformal_geometry_processing/spin/Dirac_line_templates.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation_templates.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
 #include <Conformal_geometry_processing/spin/Position_derivative_templates.h>
@@ -19,6 +20,7 @@ namespace Conformal_geometry_processing {
 
 template class Poisson_reconstruction<Default_solver_traits>;
 template class internal::Spin_derivative<Default_solver_traits>;
+template class internal::Dirac_line<Default_solver_traits>;
 template class internal::Position_derivative<Default_solver_traits>;
 template class internal::Exactness_residual<Default_solver_traits>;
 template class internal::Potential_metric<Default_solver_traits>;
