@@ -49,10 +49,13 @@ Microseconds per vertex of *native, float*, the default, with amplitude 1, and o
   vector does not become the other by small corrections, so the branch is followed in stages, a
   factorization and a few solves each. A result that collapses is refused at its end: that a stage
   on the way exceeds a limit does not prove that the end will.
-- **With a bound on lengths** the spins are computed for many rho', a factorization each, and each step
-  solves a linear system in rho whose products take about four solves. Products of one solve each
-  were tried: they take a quarter less time, but on a dumbbell with a thin neck the search then ends
-  far from the bound.
+- **With a bound on lengths** the spins are computed for ten to fifty rho', a factorization each, and
+  each step solves a linear system in rho, with about ten products of two solves. Where limbs make
+  the next eigenvalues come near, lambda is far from linear in rho: its derivative is useless after a
+  hundredth of a step, and a span of six vectors, in which the length of a step is chosen, shows how
+  short the good steps are. Correcting steps to second order within that span, and bounding the
+  lengths directly instead of weighting their squares, were tried: the first does not make them
+  longer, the second takes three times the products.
 - **A later step of a flow** factors X and the Laplacian anew, measures the surface and certifies
   it; only ordering and analysis are saved.
 - **Surfaces with handles** need a second quaternionic factorization, of X for rho = 0, and about five

@@ -86,7 +86,7 @@ class Scale_search {
   /// Between the minima for two weights, all are minimal to second order, and cost one
   /// factorization each. Where the spins do not follow, minimises for a weight between instead.
   /// Where no weight has led beyond the bound, it moves towards rho itself, which is nearer if not
-  /// minimal.
+  /// minimal; on surfaces without handles, for these would open.
   void come_up_to_bound(const Dirac_options& options, const Go_further& go_further);
 
   /// minimises for w and takes the result if it is better

@@ -114,12 +114,14 @@ void Scale_search<SolverTraits, EigensolverTraits>::come_up_to_bound(const Dirac
 {
   const double near_bound = 0.95, aim = 0.98;
   const int max_tries = 6;
-  double stride = 1. / 8;
+  double stride = 1. / 8;  // towards rho
   for (int i = 0; i < max_tries && is_found() && m_best.reach() < near_bound; ++i) {
     if (m_search.costs().cancelled) break;
     const double below = m_best.reach(), above = m_beyond.reach();
     if (!is_any_beyond()) {
-      if (!move_between(stride, options, go_further)) stride /= 4;
+      if (m_periods) break;  // which would open on the way
+      move_between(stride, options, go_further);
+      if (m_best.reach() == below && !is_any_beyond()) stride /= 4;
       continue;
     }
     const double t = (aim - below) / (above - below);
