@@ -210,7 +210,7 @@ TEST(Scale_search, keeps_more_of_rho_where_handles_may_open_further)
       EXPECT_LE(report.period_defect, limit);
       return report.scales.kept_norm;
     };
-    const double least_gain = frequency == 5. ? 1.05 : 1;
+    const double least_gain = frequency == 3. ? 1.08 : 1;
     EXPECT_GE(kept_within(.02), least_gain * kept_within(.001)) << frequency;
   }
 }

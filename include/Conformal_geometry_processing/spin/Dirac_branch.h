@@ -71,7 +71,7 @@ class Dirac_branch {
 
   /// \brief factors X there.
   /// \param energy subtracted, times M_V: a bound of the smallest eigenvalue from below, as a rule;
-  /// where X would be indefinite, nothing is
+  /// where X is indefinite then, nothing is, at the cost of another factorization
   void place_pole(double t, double sigma, double energy = 0);
 
   /// whether the factor at hand is a good preconditioner at the point
@@ -114,12 +114,6 @@ class Dirac_branch {
   /// iterates (`follow_quotient()`) by the secant method, which goes on from one eigenvector to the
   /// next where the iterates do not suffice.
   void refine(Branch_point& p, double tolerance);
-
-  /// the tolerance of the next eigenvector, by which `change` of the shift is known to 5 %
-  double sufficient(double change, double tolerance) const
-  {
-    return std::clamp(0.05 * std::abs(change) / stationary(1), tolerance, 1e-2);
-  }
 
   /// the eigenvalue of lambda less the shift of X, at.gamma
   double quotient_change(const Branch_point& at, const Quaternion_vector<double>& lambda) const

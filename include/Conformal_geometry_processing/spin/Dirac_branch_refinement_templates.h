@@ -27,7 +27,7 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::refine(Branch_point& p, doub
   m_follows_quotient = true;
   for (int pass = 0; pass < max_passes; ++pass) {
     m_system.assemble(potential(at.t, at.gamma), m_s.seconds);
-    iterate(at, pass == 0 ? tolerance : sufficient(last_change, tolerance));
+    iterate(at, tolerance);
     const double sigma = at.gamma, change = quotient_change(at, m_s.lambda);
     p.gamma = sigma + change;
     m_s.converged = m_s.residual <= tolerance && std::abs(change) <= stationary(tolerance);

@@ -95,7 +95,8 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::correct(const Dirac_solution
   const double energy = inner_product(guess.lambda, m_system.matrix() * guess.lambda).w /
                         m_system.squared_norm(guess.lambda);
   const double share = 0.8;  // mu depends on rho, and is less than the energy of the guess
-  place_pole(1, p.gamma, share * (std::min)(energy, guess.energy));
+  const double known = (std::min)(energy, guess.energy);
+  place_pole(1, p.gamma, known > 0 ? share * known : 0);
   refine(p, m_options.tolerance);
   conclude(p);
   if (m_system.overlap(m_s.lambda, guess.lambda) < same_vector) m_s.converged = false;
@@ -112,11 +113,12 @@ template <class SolverTraits, class EigensolverTraits>
 void Dirac_branch<SolverTraits, EigensolverTraits>::place_pole(double t, double sigma,
                                                                double energy)
 {
-  const double shift = 1e-3;
+  const double shift = 1e-3 - energy / m_system.unit();
   m_pole.t = t;
   m_pole.gamma = sigma;
-  m_system.set_preconditioner(potential(t, sigma), m_s.seconds, shift - energy / m_system.unit());
-  ++m_s.factorizations;
+  m_system.set_preconditioner(potential(t, sigma), m_s.seconds, shift);
+  const bool is_first = m_system.shift() == shift * m_system.unit();
+  m_s.factorizations += shift > 0 || is_first ? 1 : 2;
 }
 
 template <class SolverTraits, class EigensolverTraits>

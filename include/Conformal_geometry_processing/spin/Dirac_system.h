@@ -101,7 +101,7 @@ class Dirac_system {
   /// \brief the same for `precondition()` only: the factor may be less exact.
   ///
   /// A shift by less than nothing approximates (X - mu M_V)^-1, where mu is known to be about the
-  /// smallest eigenvalue; if X is then not positive definite, 1e-3 is tried.
+  /// smallest eigenvalue; if the solver finds X not positive definite then, 1e-3 is tried.
   void set_preconditioner(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
                           double least = 1e-3)
   {

@@ -33,8 +33,8 @@ namespace internal {
 /// A step minimises the sum with r linearised, S its derivative, by conjugate gradients for
 /// K + S^T S preconditioned by K, among the changes that satisfy the linearised constraints. Limbs
 /// make lambda so sensitive to rho that it soon leaves the curved valley of small residuals: on
-/// closed surfaces it is made as long as the spins that a `Dirac_line` predicts ask for (not where
-/// there are constraints only, to which whole steps converge quadratically). It is
+/// closed surfaces it is made as long as the spins that a `Dirac_line` predicts ask for, unless
+/// there are constraints alone, to which whole steps converge quadratically. It is
 /// shortened until it does reduce the sum, if need be with a second step from there, which returns
 /// to the valley. Each evaluation corrects the predicted spins, mostly at the cost of one
 /// factorization; a step takes 20 to 60 solves with this factor, two for each
@@ -63,7 +63,8 @@ class Potential_search {
                    std::vector<Spin_residual*> constraints = {}, double smoothness = 0.1);
 
   /// \brief continues from the present rho' until a step makes the sum smaller, or would make it
-  /// smaller, by less than 1 %, and the norm of the constraints is at most `tolerance`.
+  /// smaller, by less than 1 %, and the norm of the constraints is at most `tolerance`, before and
+  /// after it.
   ///
   /// The residuals may have changed since the last call.
   /// \returns whether that was reached; otherwise the present rho' is the best one found
@@ -146,12 +147,22 @@ class Potential_search {
   /// \returns false if there is no derivative
   bool predict(Step& step);
 
-  /// the solution after t times the step, to first order
-  Dirac_solution predicted(const Step& step, double t) const;
+  /// spins that are expected, and how much those that are found have to overlap with them
+  struct Prediction {
+    Dirac_solution solution;
+    double least_overlap;
+  };
+
+  /// after t times the step, to first order
+  Prediction predicted(const Step& step, double t) const;
+
+  /// after t times the step, on the line along it if there is one
+  std::optional<Prediction> predicted(const Step& step, double t,
+                                      const std::optional<Dirac_line<SolverTraits>>& line) const;
 
   /// \brief the present rho' plus t times the step; with spins that depart from the predicted ones,
   /// it counts as not converged.
-  Candidate moved(const Step& step, double t, const Dirac_solution& predicted,
+  Candidate moved(const Step& step, double t, const Prediction& predicted,
                   const Dirac_options& options, const Go_further& go_further);
 
   /// the whole step, with spins predicted by the derivative

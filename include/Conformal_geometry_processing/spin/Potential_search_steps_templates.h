@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -145,13 +146,26 @@ Dirac_line<SolverTraits> Potential_search<SolverTraits, EigensolverTraits>::line
 }
 
 template <class SolverTraits, class EigensolverTraits>
-Dirac_solution Potential_search<SolverTraits, EigensolverTraits>::predicted(const Step& step,
-                                                                            double t) const
+auto Potential_search<SolverTraits, EigensolverTraits>::predicted(const Step& step, double t) const
+    -> Prediction
 {
+  const double least_overlap = 0.98;
   Dirac_solution guess = m_now.solution;
   components(guess.lambda) += t * components(step.lambda);
   guess.eigenvalue += t * step.gamma;
-  return guess;
+  return {std::move(guess), least_overlap};
+}
+
+template <class SolverTraits, class EigensolverTraits>
+auto Potential_search<SolverTraits, EigensolverTraits>::predicted(
+    const Step& step, double t, const std::optional<Dirac_line<SolverTraits>>& line) const
+    -> std::optional<Prediction>
+{
+  const double least_overlap = 0.9;  // the line knows of the other branches near by
+  if (!line) return predicted(step, t);
+  std::optional<Dirac_solution> guess = line->at(t);
+  if (!guess) return std::nullopt;
+  return Prediction{std::move(*guess), least_overlap};
 }
 
 }  // namespace internal

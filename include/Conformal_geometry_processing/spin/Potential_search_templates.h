@@ -71,7 +71,8 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
     if (!step->is_improvement && (norm <= tolerance || (is_near && follows()))) return true;
     const double sum = m_now.sum;
     if (!take(*step, few, go_further)) return false;
-    if (m_now.constraints.norm() <= tolerance && m_now.sum > (1 - least_gain) * sum) return true;
+    const bool stays_within = norm <= tolerance && m_now.constraints.norm() <= tolerance;
+    if (stays_within && m_now.sum > (1 - least_gain) * sum) return m_last_length > shortest;
     last_norm = norm;
   }
   return false;
@@ -112,7 +113,9 @@ bool Potential_search<SolverTraits, EigensolverTraits>::move_to(const Curvature_
   Step step;
   step.change = rho.values - m_now.rho.values;
   if (!predict(step)) return false;
-  const auto guess = m_system.is_closed() ? line_along(step).at(1) : predicted(step, 1);
+  std::optional<Dirac_line<SolverTraits>> line;
+  if (m_system.is_closed()) line = line_along(step);
+  const auto guess = predicted(step, 1, line);
   if (!guess) return false;
   const Candidate before = m_now;
   m_now = moved(step, 1, *guess, limited(options), go_further);
@@ -143,7 +146,7 @@ bool Potential_search<SolverTraits, EigensolverTraits>::take(const Step& step,
        t >= shortest; t /= 2) {
     if (m_costs.cancelled) break;
     m_now = before;
-    const auto guess = line ? line->at(t) : predicted(step, t);
+    const auto guess = predicted(step, t, line);
     if (!guess) continue;
     m_now = moved(step, t, *guess, options, go_further);
     if (!m_now.solution.converged) {
@@ -185,14 +188,14 @@ double Potential_search<SolverTraits, EigensolverTraits>::best_length(
 
 template <class SolverTraits, class EigensolverTraits>
 auto Potential_search<SolverTraits, EigensolverTraits>::moved(const Step& step, double t,
-                                                              const Dirac_solution& predicted,
+                                                              const Prediction& predicted,
                                                               const Dirac_options& options,
                                                               const Go_further& go_further)
     -> Candidate
 {
-  const double least_overlap = 0.9;
-  Candidate next = evaluate(m_now.rho.values + t * step.change, predicted, options, go_further);
-  if (m_system.overlap(next.solution.lambda, predicted.lambda) < least_overlap)
+  const Dirac_solution& guess = predicted.solution;
+  Candidate next = evaluate(m_now.rho.values + t * step.change, guess, options, go_further);
+  if (m_system.overlap(next.solution.lambda, guess.lambda) < predicted.least_overlap)
     next.solution.converged = false;
   return next;
 }
@@ -208,7 +211,7 @@ auto Potential_search<SolverTraits, EigensolverTraits>::evaluate(Eigen::VectorXd
   c.rho = {m_rho.on, std::move(rho)};
   c.solution =
       correct_dirac_solution<EigensolverTraits>(m_system, c.rho, guess, options, go_further);
-  m_costs.cancelled = c.solution.cancelled;
+  m_costs.cancelled = m_costs.cancelled || c.solution.cancelled;
   add_costs(m_costs, c.solution);
   add_costs(m_costs.seconds, c.solution.seconds);
   measure(c);

@@ -125,7 +125,8 @@ void Scale_search<SolverTraits, EigensolverTraits>::come_up_to_bound(const Dirac
       continue;
     }
     const double t = (aim - below) / (above - below);
-    if (!move_between(t, options, go_further)) minimize_between(t, options, go_further);
+    const bool has_moved = move_between(t, options, go_further);
+    if (!has_moved && m_beyond.weight != m_best.weight) minimize_between(t, options, go_further);
     if (m_best.reach() == below && m_beyond.reach() == above) break;
   }
 }

@@ -46,10 +46,11 @@ class Spin_derivative {
 
   /// \brief how (X - mu M_V)^+ is applied.
   ///
-  /// `factor`: by one solve. On closed surfaces, the error of soft modes is then the share of the
-  /// factor's shift in their eigenvalue less mu. Both products are still transposes of each other,
-  /// so that S^T S is symmetric. Directions are not found with a factor near mu: with them, it is
-  /// `iterated` all the same.
+  /// `factor`: by one solve, if the factor is near: if iterations with it converge fast. On closed
+  /// surfaces, the error of soft modes is then the share of the factor's shift in their eigenvalue
+  /// less mu. Both products are still transposes of each other, so that S^T S is symmetric. Where
+  /// the factor is not near, such as one cycle of multigrid, one of another shift, or that of
+  /// prescribed directions, it is `iterated` all the same.
   enum class Inverse { iterated, factor };
 
   /// \param system must outlive the object and keep its matrix and its factor
@@ -102,7 +103,8 @@ class Spin_derivative {
   double m_tolerance;
   Eigen::VectorXd m_diagonal;        // -mu M_V, or W
   Eigen::VectorXd m_gamma_gradient;  // of -<lambda, H lambda>; empty without gamma
-  mutable int m_solves = 0;          // for the report only
+  bool m_is_near = false;            // the factor to the inverse
+  mutable int m_solves = 0;
 };
 
 }  // namespace internal
