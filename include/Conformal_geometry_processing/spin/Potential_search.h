@@ -32,14 +32,14 @@ namespace internal {
 ///
 /// A step minimises the sum with r linearised, S its derivative, by conjugate gradients for
 /// K + S^T S preconditioned by K, among the changes that satisfy the linearised constraints. Limbs
-/// make lambda so sensitive to rho that it soon leaves the curved valley of small residuals: on
-/// closed surfaces it is made as long as the spins that a `Dirac_line` predicts ask for, unless
-/// there are constraints alone, to which whole steps converge quadratically. It is
-/// shortened until it does reduce the sum, if need be with a second step from there, which returns
-/// to the valley. Each evaluation corrects the predicted spins, mostly at the cost of one
-/// factorization; a step takes 20 to 60 solves with this factor, two for each
-/// product with S^T S: the factor is so near to X - mu M_V that it may stand for it. Gradients, and
-/// the spins that a step leads to, are exact.
+/// make lambda so sensitive to rho that it soon leaves the curved valley of small residuals. On
+/// closed surfaces without constraints, to which whole steps converge quadratically, a step is made
+/// as long as the spins that a `Dirac_line` predicts ask for. It is shortened until it does reduce
+/// the sum, if need be with a second step from there, which returns to the valley. Each evaluation
+/// corrects the predicted spins, mostly at the cost of one factorization; a step takes 20 to 100
+/// solves with this factor. Without constraints, products with S^T S take two of them: the factor
+/// is so near to X - mu M_V that it may stand for it. Gradients, and the spins that a step leads
+/// to, are exact.
 /// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
 template <class SolverTraits = Default_solver_traits,
           class EigensolverTraits = Lobpcg_eigensolver_traits>
@@ -185,7 +185,7 @@ class Potential_search {
   /// half of the gradient of the sum
   Eigen::VectorXd gradient(const Derivative& S) const;
 
-  /// (K + S^T S) d, with the factor at hand in S
+  /// (K + S^T S) d; without constraints, with the factor at hand in S
   Eigen::VectorXd curvature(const Derivative& S, const Eigen::VectorXd& d) const;
 
   static constexpr double least_gain = 1e-2;   // of the sum by a step

@@ -113,7 +113,9 @@ Eigen::VectorXd Potential_search<SolverTraits, EigensolverTraits>::curvature(
     const Derivative& S, const Eigen::VectorXd& d) const
 {
   if (m_residuals.empty()) return m_metric.apply(d);
-  const auto inverse = Derivative::Inverse::factor;
+  using Inverse = typename Derivative::Inverse;
+  // Constraints are kept by exact gradients, which an approximate minimum would work against.
+  const Inverse inverse = m_constraints.empty() ? Inverse::factor : Inverse::iterated;
   const Spins dlambda = S.apply(d, inverse).col(0);
   Block<Quaternion<double>> q = Block<Quaternion<double>>::Constant(dlambda.size(), 1, {});
   for (const Spin_residual* r : m_residuals) q.col(0) += r->gradient(r->change(dlambda));

@@ -141,7 +141,7 @@ bool Potential_search<SolverTraits, EigensolverTraits>::take(const Step& step,
 {
   const Candidate before = m_now;
   std::optional<Dirac_line<SolverTraits>> line;
-  if (m_system.is_closed() && !m_residuals.empty()) line = line_along(step);
+  if (m_system.is_closed() && m_constraints.empty()) line = line_along(step);
   for (double t = line ? best_length(step, *line) : (std::min)(1., 2 * m_last_length);
        t >= shortest; t /= 2) {
     if (m_costs.cancelled) break;
