@@ -116,7 +116,10 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::place_pole(double t, double 
   const double shift = 1e-3 - energy / m_system.unit();
   m_pole.t = t;
   m_pole.gamma = sigma;
-  m_system.set_preconditioner(potential(t, sigma), m_s.seconds, shift);
+  if (m_is_guess)  // its factor is to stand for the inverse, also in `Spin_derivative`
+    m_system.set_potential(potential(t, sigma), m_s.seconds, shift);
+  else
+    m_system.set_preconditioner(potential(t, sigma), m_s.seconds, shift);
   const bool is_first = m_system.shift() == shift * m_system.unit();
   m_s.factorizations += shift > 0 || is_first ? 1 : 2;
 }

@@ -90,7 +90,8 @@ class Dirac_system {
   /// and then 1e-6, 1e-3 and 1e-2, until X is positive definite despite rounding: slivers
   /// need larger ones. For eigenvectors `least` should be 1e-3: with a smaller shift, the solves
   /// amplify rounding errors along the wanted vector, whereas Rayleigh-Ritz removes the effect of
-  /// this shift.
+  /// this shift. A multiple below 0 approximates (X - mu M_V)^-1, where mu is known to be about the
+  /// smallest eigenvalue; if the solver finds the matrix not positive definite then, 1e-3 is tried.
   /// \throw Solver_error if X is not positive definite up to rounding, or memory is short
   void set_potential(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
                      double least = 1e-3)
@@ -98,10 +99,7 @@ class Dirac_system {
     factorize_for(rho, seconds, least, Use::solution);
   }
 
-  /// \brief the same for `precondition()` only: the factor may be less exact.
-  ///
-  /// A shift by less than nothing approximates (X - mu M_V)^-1, where mu is known to be about the
-  /// smallest eigenvalue; if the solver finds X not positive definite then, 1e-3 is tried.
+  /// the same for `precondition()` only: the factor may be less exact
   void set_preconditioner(const Curvature_potential& rho, Dirac_evidence::Seconds& seconds,
                           double least = 1e-3)
   {
