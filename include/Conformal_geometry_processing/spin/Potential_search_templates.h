@@ -61,6 +61,7 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
   m_penalty = 0;
   refresh(few, go_further);
   double last_norm = 0;
+  int creeping = 0;
   for (int i = 0; i < max_steps && !m_costs.cancelled; ++i) {
     const std::optional<Step> step = best_step();
     if (!step) return false;
@@ -72,7 +73,8 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
     const double sum = m_now.sum;
     if (!take(*step, few, go_further)) return false;
     const bool stays_within = norm <= tolerance && m_now.constraints.norm() <= tolerance;
-    if (stays_within && m_now.sum > (1 - least_gain) * sum) return m_last_length > shortest;
+    creeping = stays_within && m_now.sum > (1 - least_gain) * sum ? creeping + 1 : 0;
+    if (creeping == 2) return m_last_length > shortest;  // one such step may lead to a longer one
     last_norm = norm;
   }
   return false;
