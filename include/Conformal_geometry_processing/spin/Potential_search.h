@@ -63,7 +63,8 @@ class Potential_search {
                    std::vector<Spin_residual*> constraints = {}, double smoothness = 0.1);
 
   /// \brief continues from the present rho' until a step would make the sum smaller by less than
-  /// 1 %, or two have made it, and the norm of the constraints is at most `tolerance`.
+  /// 1 %, or two in turn have by less than 2 % each, and the norm of the constraints is at most
+  /// `tolerance`.
   ///
   /// The residuals may have changed since the last call.
   /// \returns whether that was reached; otherwise the present rho' is the best one found

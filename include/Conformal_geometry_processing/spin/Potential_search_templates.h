@@ -73,7 +73,7 @@ bool Potential_search<SolverTraits, EigensolverTraits>::minimize(const Dirac_opt
     const double sum = m_now.sum;
     if (!take(*step, few, go_further)) return false;
     const bool stays_within = norm <= tolerance && m_now.constraints.norm() <= tolerance;
-    creeping = stays_within && m_now.sum > (1 - least_gain) * sum ? creeping + 1 : 0;
+    creeping = stays_within && m_now.sum > (1 - 2 * least_gain) * sum ? creeping + 1 : 0;
     if (creeping == 2) return m_last_length > shortest;  // one such step may lead to a longer one
     last_norm = norm;
   }
