@@ -1,10 +1,14 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Exact_steps.h
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
+
+#include <optional>
+#include <utility>
 
 #include "support/Counted_solver_traits.h"
 #include "support/meshes.h"
@@ -52,6 +56,29 @@ TEST(Exact_steps_costs, are_all_in_the_report)
       EXPECT_EQ(report.seconds.exactness > 0, is_first || report.steps > 1);
     }
   }
+}
+
+TEST(Exact_steps_costs, are_those_of_a_part_of_the_way_where_lengths_exceed_a_bound)
+{
+  const auto run = [](std::optional<double> bound) {
+    CGP::Spin_transformation_options options;
+    options.max_period_defect = 1e-3;
+    options.scales.bound = bound;
+    Transformation transformation(btorus(16), options);
+    const Eigen::VectorXd rho = 6 * (3 * transformation.positions().row(1).array()).sin();
+    return CGP::internal::Exact_steps(transformation, CGP::Curvature_potential::on_vertices(rho),
+                                      options)
+        .run({}, CGP::internal::Always_go_further());
+  };
+  const CGP::Spin_result all = run(std::nullopt), within = run(100), beyond = run(1.1);
+  EXPECT_EQ(within.positions, all.positions);
+  EXPECT_EQ(all.report.reached, 1);
+  EXPECT_GT(all.report.steps, 2);
+  EXPECT_GT(beyond.report.reached, 0);
+  EXPECT_LT(beyond.report.reached, 1);
+  EXPECT_LT(beyond.report.factorizations, all.report.factorizations);
+  const Eigen::VectorXd areas = CGP::vertex_areas(btorus(16));
+  EXPECT_TRUE(CGP::internal::exceeds_bound(beyond.lambda, areas, {1.1, {}, {}}));
 }
 
 TEST(Exact_steps_costs, are_one_factorization_more_for_each_change_that_closes_the_surface)

@@ -54,7 +54,8 @@ class Dirac_branch {
   Dirac_branch(System& system, const Curvature_potential& rho, const Dirac_options& options,
                Dirac_solution& s, const Go_further& go_further);
 
-  void solve();
+  /// \param is_too_far of spins for t rho, t < 1: the branch is followed no further
+  void solve(const Is_too_far& is_too_far = {});
 
   /// \brief finds the eigenpair near an approximate one instead, without following the branch from
   /// 1: one factorization, as a rule.

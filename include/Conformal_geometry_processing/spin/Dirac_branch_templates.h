@@ -41,7 +41,7 @@ Dirac_branch<SolverTraits, EigensolverTraits>::Dirac_branch(System& system,
 }
 
 template <class SolverTraits, class EigensolverTraits>
-void Dirac_branch<SolverTraits, EigensolverTraits>::solve()
+void Dirac_branch<SolverTraits, EigensolverTraits>::solve(const Is_too_far& is_too_far)
 {
   Branch_point at, next;
   double end = 1;
@@ -71,6 +71,7 @@ void Dirac_branch<SolverTraits, EigensolverTraits>::solve()
     }
     at = next;
     if (at.t == 1) return conclude(at);
+    if (is_too_far && is_too_far(m_s.lambda)) break;
     end = 1;
     forget_early_vectors();
     add(m_s.lambda);

@@ -5,6 +5,8 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 
+#include <functional>
+
 namespace Conformal_geometry_processing {
 
 /// \ingroup PkgSpin
@@ -78,6 +80,10 @@ struct Dirac_solution : Dirac_evidence {
                       ///< closed surfaces
   Seconds seconds;    ///< of each stage
 };
+
+/// \ingroup PkgSpin
+/// \brief whether spins on the branch from rho = 0 make the rest of it useless; empty: none do.
+using Is_too_far = std::function<bool(const Quaternion_vector<double>&)>;
 
 /// \ingroup PkgSpin
 /// adds the iterations, factorizations and solves of another solution

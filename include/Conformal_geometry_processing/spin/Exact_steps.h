@@ -38,6 +38,7 @@ class Exact_steps {
   Spin_result run(const Dirac_options& options, const Go_further& go_further);
 
  private:
+  /// ends before where lengths exceed a bound: another rho will be looked for then
   void go_all_the_way(const Dirac_options& options, const Go_further& go_further, Spin_result& all);
 
   /// the part of the missing rho that keeps the edges exact; none if the surface has none any more
@@ -79,13 +80,14 @@ class Exact_steps {
   Transformation& m_transformation;
   const Spin_transformation_options& m_options;
   Period_limit m_limit;
-  Normalized_frame m_frame;       // of the first surface
-  Mesh_view m_before;             // on which the whole path is measured
-  Curvature_potential m_missing;  // remaining rho, on the present surface
-  Eigen::VectorXd m_wanted;       // all of rho, on the present surface
-  Eigen::VectorXd m_left_out;     // part of rho that cannot be realised
-  Eigen::VectorXd m_areas;        // of the surface of `m_missing`
-  Points m_directions;            // prescribed at the boundary, if any
+  Normalized_frame m_frame;        // of the first surface
+  Mesh_view m_before;              // on which the whole path is measured
+  Curvature_potential m_missing;   // remaining rho, on the present surface
+  Eigen::VectorXd m_wanted;        // all of rho, on the present surface
+  Eigen::VectorXd m_left_out;      // part of rho that cannot be realised
+  Eigen::VectorXd m_areas;         // of the surface of `m_missing`
+  Eigen::VectorXd m_vertex_areas;  // of the first surface
+  Points m_directions;             // prescribed at the boundary, if any
 };
 
 }  // namespace internal

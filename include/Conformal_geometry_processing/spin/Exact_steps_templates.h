@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/spin/Exact_steps.h>
 #include <Conformal_geometry_processing/spin/Framed_surface.h>
+#include <Conformal_geometry_processing/spin/Scale_control.h>
 #include <Conformal_geometry_processing/spin/certify.h>
 #include <Conformal_geometry_processing/spin/closed_step_templates.h>
 #include <Conformal_geometry_processing/spin/gauge.h>
@@ -34,7 +35,8 @@ Exact_steps<Transformation>::Exact_steps(Transformation& transformation,
       m_missing(rho),
       m_wanted(rho.values),
       m_left_out(Eigen::VectorXd::Zero(rho.values.size())),
-      m_areas(areas())
+      m_areas(areas()),
+      m_vertex_areas(transformation.system().areas())
 {
   const auto* const directions = transformation.system().directions();
   if (directions) m_directions = directions->targets();
@@ -93,6 +95,7 @@ void Exact_steps<Transformation>::go_all_the_way(const Dirac_options& options,
     append(all.report, next->result.report);
     all.report.reached += step;
     step = next_step(step, next->result.report, 1 - all.report.reached);
+    if (step > 0 && exceeds_bound(all.lambda, m_vertex_areas, m_options.scales)) return;
   }
   all.report.reached = 1;  // up to rounding
 }

@@ -37,6 +37,11 @@ Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
                                     const Eigen::VectorXd& areas, const Scale_control& control);
 
 /// \ingroup PkgSpin
+/// whether there is a bound, and lengths change by more
+bool exceeds_bound(const Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas,
+                   const Scale_control& control);
+
+/// \ingroup PkgSpin
 /// what a search has kept of rho: both are taken without their means, which have no effect
 /// \param areas that belong to the values
 void measure_kept(const Curvature_potential& rho, const Curvature_potential& found,

@@ -70,6 +70,12 @@ CGP_INLINE Spin_report::Scales measured_scales(const Quaternion_vector<double>& 
   return scales;
 }
 
+CGP_INLINE bool exceeds_bound(const Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas,
+                              const Scale_control& control)
+{
+  return control.bound && measured_scales(lambda, areas, control).excess() > 1;
+}
+
 CGP_INLINE void measure_kept(const Curvature_potential& rho, const Curvature_potential& found,
                              const Eigen::VectorXd& areas, Spin_report::Scales& scales)
 {

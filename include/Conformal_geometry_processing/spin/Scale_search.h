@@ -37,26 +37,6 @@ class Scale_search {
   using Search = Potential_search<SolverTraits, EigensolverTraits>;
   using Limit_of_periods = std::function<double(const Dirac_solution&)>;
 
-  /// \param system of the surface, \param rho in 1/length of it
-  /// \param control with a bound; must outlive the object
-  /// \param reconstruction of the surface
-  /// \param exactness to keep handles and holes closed, or null
-  /// \param period_limit of the surface that a solution gives
-  Scale_search(Dirac_system<SolverTraits>& system, Curvature_potential rho,
-               const Scale_control& control,
-               const Poisson_reconstruction<SolverTraits>& reconstruction,
-               const Exactness_constraints* exactness, Limit_of_periods period_limit);
-
-  /// \brief searches w, and a weight for the inexact part of the edges where these do not close up.
-  /// \param share of rho that is wanted, in (0, 1]
-  /// \returns the solution for rho'; that nearest to the bound if none
-  /// is within it
-  Dirac_solution run(double share, const Dirac_options& options, const Go_further& go_further);
-
-  /// the factors of lengths of the last solution, and what it has kept of rho
-  Spin_report::Scales scales() const;
-
- private:
   /// a rho' that was tried
   struct Trial {
     typename Search::Candidate candidate = {};
@@ -72,8 +52,33 @@ class Scale_search {
     double reach() const { return (std::max)(excess, inexact / inexact_limit()); }
   };
 
-  /// tries weights, from 10 in both directions, until the lengths are within the bound
-  void search_weight(const Dirac_options& options, const Go_further& go_further);
+  /// \param system of the surface, \param rho in 1/length of it
+  /// \param control with a bound; must outlive the object
+  /// \param reconstruction of the surface
+  /// \param exactness to keep handles and holes closed, or null
+  /// \param period_limit of the surface that a solution gives
+  Scale_search(Dirac_system<SolverTraits>& system, Curvature_potential rho,
+               const Scale_control& control,
+               const Poisson_reconstruction<SolverTraits>& reconstruction,
+               const Exactness_constraints* exactness, Limit_of_periods period_limit);
+
+  /// \brief searches w, and a weight for the inexact part of the edges where these do not close up.
+  /// \param share of rho that is wanted, in (0, 1]
+  /// \param from what was found for another share, to continue from; otherwise it begins at 0
+  /// \returns the solution for rho'; that nearest to the bound if none
+  /// is within it
+  Dirac_solution run(double share, const std::optional<Trial>& from, const Dirac_options& options,
+                     const Go_further& go_further);
+
+  /// the rho' of the last solution
+  const Trial& best() const { return m_best; }
+
+  /// the factors of lengths of the last solution, and what it has kept of rho
+  Spin_report::Scales scales() const;
+
+ private:
+  /// tries weights, from the first in both directions, until the lengths are within the bound
+  void search_weight(double first, const Dirac_options& options, const Go_further& go_further);
 
   /// \brief where the edges of the best result do not close up, adds their inexact part to the sum,
   /// with weights that grow until they do.

@@ -52,14 +52,17 @@ Scale_search<SolverTraits, EigensolverTraits>::Scale_search(
 
 template <class SolverTraits, class EigensolverTraits>
 Dirac_solution Scale_search<SolverTraits, EigensolverTraits>::run(double share,
+                                                                  const std::optional<Trial>& from,
                                                                   const Dirac_options& options,
                                                                   const Go_further& go_further)
 {
+  const double first_weight = 10;
   m_wanted = share * m_rho.values;
   m_search.restart({m_rho.on, m_wanted});
+  if (from) m_search.restore(from->candidate);
   m_search.reset_costs();
   m_best = m_beyond = Trial();
-  search_weight(options, go_further);
+  search_weight(from ? from->weight : first_weight, options, go_further);
   search_exactness(options, go_further);
   come_up_to_bound(options, go_further);
   m_inexact.set_weight(0);
@@ -73,14 +76,15 @@ Dirac_solution Scale_search<SolverTraits, EigensolverTraits>::run(double share,
 
 // The range shrinks slowly with w, like a small power of it.
 template <class SolverTraits, class EigensolverTraits>
-void Scale_search<SolverTraits, EigensolverTraits>::search_weight(const Dirac_options& options,
+void Scale_search<SolverTraits, EigensolverTraits>::search_weight(double first,
+                                                                  const Dirac_options& options,
                                                                   const Go_further& go_further)
 {
-  const double first_weight = 10, factor = 4, near_bound = 0.95;
-  bool is_minimal = try_weight(first_weight, options, go_further);
+  const double factor = 4, near_bound = 0.95;
+  bool is_minimal = try_weight(first, options, go_further);
   const bool is_within = m_last.excess <= 1;
   const int max_changes = is_within ? 4 : 5;
-  double w = first_weight;
+  double w = first;
   for (int i = 0; i < max_changes && !m_search.costs().cancelled; ++i) {
     const bool is_enough =
         is_within ? m_last.excess > near_bound || !is_minimal : m_last.excess <= 1;

@@ -79,6 +79,9 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
 
     /// the largest log factor relative to the log of the bound, at most 1 within it; 0 without one
     double excess() const;
+
+    /// norm of the difference between the realised rho and rho, relative to that of rho
+    double left_out() const;
   } scales;
 
   /// how the surface was moved to its exact discrete conformal class; none if that was not

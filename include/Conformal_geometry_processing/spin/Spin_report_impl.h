@@ -68,6 +68,12 @@ CGP_INLINE double Spin_report::Scales::excess() const
   return bound > 0 ? (std::max)(std::log(high), -std::log(low)) / std::log(bound) : 0;
 }
 
+CGP_INLINE double Spin_report::Scales::left_out() const
+{
+  const double square = 1 + kept_norm * (kept_norm - 2 * kept_correlation);
+  return std::sqrt((std::max)(square, 0.));
+}
+
 // Comparisons are such that NaN is beyond every limit.
 CGP_INLINE Spin_report::Fault Spin_report::fault() const
 {

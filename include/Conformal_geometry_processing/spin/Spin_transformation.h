@@ -198,8 +198,13 @@ class Spin_transformation {
                        const Dirac_options& options, const internal::Go_further& go_further);
   void move_to_class(Spin_result& result);
 
-  /// `transform()` without control of scale
+  /// `transform()` without control of scale; not converged, or without a surface, where lengths
+  /// exceed their bound
   Spin_result transform_exactly(const Curvature_potential& rho, const Dirac_options& options,
+                                const internal::Go_further& go_further);
+
+  /// likewise `step()`
+  Spin_result step_within_bound(const Curvature_potential& rho, const Dirac_options& options,
                                 const internal::Go_further& go_further);
 
   /// \brief the transformation by the rho' nearest to rho that keeps to the bound on lengths; or to
@@ -221,7 +226,8 @@ class Spin_transformation {
 
   /// lambda, with its part of the report
   Spin_result solve(const Curvature_potential& rho, Dirac_options options,
-                    const internal::Go_further& go_further);
+                    const internal::Go_further& go_further,
+                    const internal::Is_too_far& is_too_far = {});
 
   /// Computes positions from lambda, with the area and the centroid of the mesh, and the
   /// certificate.

@@ -13,6 +13,7 @@
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -86,6 +87,21 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform_free
 }
 
 template <class SolverTraits, class EigensolverTraits>
+Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::step_within_bound(
+    const Curvature_potential& rho, const Dirac_options& options,
+    const internal::Go_further& go_further)
+{
+  const internal::Scale_control& scales = m_options.scales;
+  if (!scales.bound) return step(rho, options, go_further);
+  const auto is_too_far = [&](const Quaternion_vector<double>& lambda) {
+    return exceeds_bound(lambda, system().areas(), scales);
+  };
+  Spin_result result = solve(rho, options, go_further, is_too_far);
+  if (result.report.converged && !is_too_far(result.lambda)) reconstruct(result);
+  return result;
+}
+
+template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
     const Curvature_potential& rho, double share, const internal::Scale_control& control,
     const Dirac_options& options, const internal::Go_further& go_further)
@@ -96,9 +112,10 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
       [&](const internal::Dirac_solution& found) {
         return surface_of(found, closing, options.tolerance).report.period_limit;
       });
-  const auto attempt = [&](double t) {
-    Spin_result found = surface_of(search.run(t, options, m_visits.guarded(go_further)), closing,
-                                   options.tolerance);
+  using Trial = typename decltype(search)::Trial;
+  const auto attempt = [&](double t, const std::optional<Trial>& from) {
+    Spin_result found = surface_of(search.run(t, from, options, m_visits.guarded(go_further)),
+                                   closing, options.tolerance);
     if (!found.report.cancelled) found.report.scales = search.scales();
     return found;
   };
@@ -106,28 +123,32 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
   const auto is_too_much = [](Fault f) {
     return f == Fault::open || f == Fault::scales || f == Fault::map;
   };
-  Spin_result best = attempt(share);
+  Spin_result best = attempt(share, std::nullopt);
   const auto take = [&](Spin_result next, bool is_better) {
     if (is_better || next.report.cancelled) std::swap(best, next);
     internal::add_costs(best.report, next.report);
   };
   const double least_share = 1. / 8;
-  double too_coarse = share < 1 ? 1 : 0;  // a share with which the map is not conformal
+  double too_much = share < 1 ? 1 : 0;
   while (share > least_share && is_too_much(best.report.fault())) {
     const bool is_map = best.report.fault() == Fault::map;
-    too_coarse = is_map ? share : 0;
+    too_much = share;
     share /= 2;
-    Spin_result next = attempt(share);
+    Spin_result next = attempt(share, std::nullopt);
     // Of maps that are not conformal, that of most of rho tells most.
     const bool is_better = !is_map || next.report;
     take(std::move(next), is_better);
   }
-  // A little more of rho shall not mean that half of it is applied.
-  for (int i = 0; i < 2 && too_coarse > 0 && best.report; ++i) {
-    const double middle = (share + too_coarse) / 2;
-    Spin_result next = attempt(middle);
-    const bool is_better(next.report);
-    (is_better ? share : too_coarse) = middle;
+  // A little more of rho shall not mean that half of it is applied. What failed from 0 may be near
+  // to what was found.
+  Trial from = search.best();
+  for (int i = 0; i < 2 && too_much > 0 && best.report; ++i) {
+    const double middle = (share + too_much) / 2;
+    Spin_result next = attempt(middle, from);
+    const bool is_better =
+        next.report && next.report.scales.left_out() < best.report.scales.left_out();
+    (is_better ? share : too_much) = middle;
+    if (is_better) from = search.best();
     take(std::move(next), is_better);
   }
   internal::add_costs(best.report, take_unreported());

@@ -127,7 +127,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform_exac
     const Curvature_potential& rho, const Dirac_options& options,
     const internal::Go_further& go_further)
 {
-  if (!m_options.exactness || !has_loops()) return step(rho, options, go_further);
+  if (!m_options.exactness || !has_loops()) return step_within_bound(rho, options, go_further);
   const Points home = positions();
   const auto go_home = [&] {
     if (positions() != home) set_positions(home);
@@ -200,12 +200,13 @@ void Spin_transformation<SolverTraits, EigensolverTraits>::require_size(
 
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::solve(
-    const Curvature_potential& rho, Dirac_options options, const internal::Go_further& go_further)
+    const Curvature_potential& rho, Dirac_options options, const internal::Go_further& go_further,
+    const internal::Is_too_far& is_too_far)
 {
   const double unit = domain().unit();
   options.kernel_tolerance *= unit;
   Spin_result result = in_units(solve_dirac_equation<EigensolverTraits>(
-      system(), {rho.on, rho.values * unit}, options, m_visits.guarded(go_further)));
+      system(), {rho.on, rho.values * unit}, options, m_visits.guarded(go_further), is_too_far));
   internal::add_costs(result.report, take_unreported());
   return result;
 }

@@ -16,7 +16,7 @@ template class internal::Dirac_branch<Default_solver_traits, Lobpcg_eigensolver_
 template class internal::Directions_search<Default_solver_traits>;
 template internal::Dirac_solution solve_dirac_equation<Lobpcg_eigensolver_traits>(
     internal::Dirac_system<Default_solver_traits>&, const Curvature_potential&,
-    const Dirac_options&, const internal::Go_further&);
+    const Dirac_options&, const internal::Go_further&, const internal::Is_too_far&);
 template internal::Dirac_solution internal::correct_dirac_solution<Lobpcg_eigensolver_traits>(
     internal::Dirac_system<Default_solver_traits>&, const Curvature_potential&,
     const internal::Dirac_solution&, const Dirac_options&, const internal::Go_further&);

@@ -64,14 +64,15 @@ template <class EigensolverTraits, class SolverTraits>
 internal::Dirac_solution solve_dirac_equation(internal::Dirac_system<SolverTraits>& system,
                                               const Curvature_potential& rho,
                                               const Dirac_options& options,
-                                              const internal::Go_further& go_further)
+                                              const internal::Go_further& go_further,
+                                              const internal::Is_too_far& is_too_far)
 {
   if (options.problem == Dirac_options::Eigenproblem::generalized)
     internal::require_generalized(system, rho);
   internal::Dirac_solution s;
   if (system.is_closed()) {
     internal::Dirac_branch<SolverTraits, EigensolverTraits>(system, rho, options, s, go_further)
-        .solve();
+        .solve(is_too_far);
     if (options.problem == Dirac_options::Eigenproblem::generalized && s.converged)
       solve_generalized_dirac(system, rho, options, s, go_further);
     return s;
@@ -114,7 +115,7 @@ namespace Conformal_geometry_processing {
 
 extern template internal::Dirac_solution solve_dirac_equation<Lobpcg_eigensolver_traits>(
     internal::Dirac_system<Default_solver_traits>&, const Curvature_potential&,
-    const Dirac_options&, const internal::Go_further&);
+    const Dirac_options&, const internal::Go_further&, const internal::Is_too_far&);
 extern template internal::Dirac_solution
 internal::correct_dirac_solution<Lobpcg_eigensolver_traits>(
     internal::Dirac_system<Default_solver_traits>&, const Curvature_potential&,

@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Scale_control.h
+#include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Scale_control.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "support/meshes.h"
+
+namespace {
+
+using namespace cgp_test;
+namespace CGP = Conformal_geometry_processing;
+
+}  // namespace
+
+TEST(Scale_control, rejects_what_makes_no_sense)
+{
+  const Mesh_view mesh = icosphere(1);
+  const int n = mesh.size_of_vertices();
+  const auto make = [&](const CGP::Spin_transformation_options& options) {
+    CGP::Spin_transformation<> transformation(mesh, options);
+  };
+  CGP::Spin_transformation_options options;
+  for (const double bound : {1., 0., -2., std::numeric_limits<double>::infinity()}) {
+    options.scales.bound = bound;
+    EXPECT_THROW(make(options), CGP::Precondition_error) << bound;
+  }
+  options.scales.bound = 2;
+  options.scales.factors = Eigen::VectorXd::Ones(n - 1);
+  EXPECT_THROW(make(options), CGP::Precondition_error);
+  options.scales.factors = Eigen::VectorXd::Ones(n);
+  options.scales.factors[7] = 0;
+  try {
+    make(options);
+    FAIL();
+  } catch (const CGP::Precondition_error& e) {
+    EXPECT_NE(std::string(e.what()).find("vertex 7"), std::string::npos) << e.what();
+  }
+  options.scales.factors.resize(0);
+  options.scales.weights = Eigen::VectorXd::Zero(n);
+  EXPECT_THROW(make(options), CGP::Precondition_error);
+  options.scales.weights[3] = -1;
+  EXPECT_THROW(make(options), CGP::Precondition_error);
+}
+
+TEST(Scale_control, measures_lengths_at_unchanged_area)
+{
+  const Mesh_view mesh = icosphere(2);
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  Quaternion_vector<double> lambda =
+      Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {0, 3, 0, 0});
+  auto scales = CGP::internal::measured_scales(lambda, areas, {2., {}, {}});
+  EXPECT_NEAR(scales.low, 1, 1e-12);  // a constant is a similarity
+  EXPECT_NEAR(scales.max, 1, 1e-12);
+  lambda[0] = lambda[0] * std::sqrt(5.);
+  scales = CGP::internal::measured_scales(lambda, areas, {2., {}, {}});
+  const double growth = (areas.sum() + 24 * areas[0]) / areas.sum();
+  EXPECT_NEAR(scales.max, 5 / std::sqrt(growth), 1e-12);
+  EXPECT_NEAR(scales.high, 1 / std::sqrt(growth), 1e-12);  // one vertex is less than 1 %
+}
+
+TEST(Scale_control, is_exceeded_only_where_there_is_a_bound)
+{
+  const Mesh_view mesh = icosphere(2);
+  const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
+  Quaternion_vector<double> lambda =
+      Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0, 0, 0});
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    if (mesh.position(v).x() > 0) lambda[v] = lambda[v] * std::sqrt(3.);
+  const auto is_exceeded = [&](std::optional<double> bound) {
+    return CGP::internal::exceeds_bound(lambda, areas, {bound, {}, {}});
+  };
+  EXPECT_FALSE(is_exceeded(std::nullopt));
+  EXPECT_TRUE(is_exceeded(2));  // 1 / sqrt(5) to 3 / sqrt(5)
+  EXPECT_FALSE(is_exceeded(2.4));
+}
+
+TEST(Scale_control, tells_how_much_of_rho_is_left_out)
+{
+  CGP::Spin_report::Scales scales;
+  EXPECT_EQ(scales.left_out(), 0);
+  scales.kept_norm = .5;
+  EXPECT_NEAR(scales.left_out(), .5, 1e-15);
+  scales.kept_norm = 1;
+  scales.kept_correlation = 0;
+  EXPECT_NEAR(scales.left_out(), std::sqrt(2.), 1e-15);
+}
