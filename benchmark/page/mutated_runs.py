@@ -31,7 +31,8 @@ def run(program, variables, options, seconds):
 
 
 class Mutated_runs:
-    def __init__(self, programs, folder):
+    def __init__(self, programs, folder, budget):
+        self.budget = budget  # seconds of tests for a mutant, as they take without one
         self.reaches = {}  # program -> {test: (seconds, numbers of mutants)}
         (folder / "reached").mkdir(exist_ok=True)
         for program in programs:
@@ -58,8 +59,11 @@ class Mutated_runs:
 
     def judge(self, number):
         """The outcome for a mutant, and the test that kills it."""
-        plans = sorted(self.plans(number), key=lambda plan: plan[0])
+        plans, rest = sorted(self.plans(number), key=lambda plan: plan[0]), self.budget
         for seconds, program, tests in plans:
+            rest -= seconds
+            if rest < 0:
+                break
             outcome, test = run(program, {"CGP_MUTANT": str(number)},
                                 ["--gtest_fail_fast", "--gtest_filter=" + ":".join(tests)],
                                 20 + 10 * seconds)

@@ -58,7 +58,7 @@ TEST(Exact_steps_costs, are_all_in_the_report)
   }
 }
 
-TEST(Exact_steps_costs, are_those_of_a_part_of_the_way_where_lengths_exceed_a_bound)
+TEST(Exact_steps_costs, are_those_of_a_part_of_the_way_where_lengths_exceed_a_bound_by_far)
 {
   const auto run = [](std::optional<double> bound) {
     CGP::Spin_transformation_options options;
@@ -78,7 +78,7 @@ TEST(Exact_steps_costs, are_those_of_a_part_of_the_way_where_lengths_exceed_a_bo
   EXPECT_LT(beyond.report.reached, 1);
   EXPECT_LT(beyond.report.factorizations, all.report.factorizations);
   const Eigen::VectorXd areas = CGP::vertex_areas(btorus(16));
-  EXPECT_TRUE(CGP::internal::exceeds_bound(beyond.lambda, areas, {1.1, {}, {}}));
+  EXPECT_TRUE(CGP::internal::exceeds_bound_by_far(beyond.lambda, areas, {1.1, {}, {}}));
 }
 
 TEST(Exact_steps_costs, are_one_factorization_more_for_each_change_that_closes_the_surface)

@@ -74,6 +74,21 @@ TEST(Scale_search, leaves_alone_what_is_within_the_bound)
   EXPECT_EQ(plain.report.scales.bound, 0);
 }
 
+TEST(Scale_search, leaves_alone_what_has_the_wanted_factors)
+{
+  const Mesh_view mesh = dumbbell(4);
+  const Eigen::VectorXd rho = rings(mesh, .6, 3);
+  const CGP::Spin_result plain = transformed(mesh, rho, bounded_by(std::nullopt));
+  ASSERT_TRUE(plain.report);
+  ASSERT_GT(plain.report.substeps, 1);
+  CGP::Spin_transformation_options options = bounded_by(1.5);
+  options.scales.factors = components(plain.lambda).colwise().squaredNorm().transpose();
+  const CGP::Spin_result r = transformed(mesh, rho, options);
+  EXPECT_TRUE(r.positions == plain.positions);
+  EXPECT_EQ(r.report.factorizations, plain.report.factorizations);
+  EXPECT_NEAR(r.report.scales.excess(), 0, 1e-9);
+}
+
 // More of rho than that would be beyond the bound; and what is kept depends continuously on rho.
 TEST(Scale_search, comes_up_to_the_bound_without_jumps)
 {
@@ -167,7 +182,7 @@ TEST(Scale_search, ignores_places_without_weight)
   const CGP::Spin_result half = transformed(mesh, rho, options);
   EXPECT_TRUE(all.report);
   EXPECT_TRUE(half.report);
-  EXPECT_LT(half.report.scales.left_out(), all.report.scales.left_out());
+  EXPECT_LT(half.report.scales.distance(), all.report.scales.distance());
 }
 
 TEST(Scale_search, comes_at_least_as_near_to_rho_from_a_part_of_it_as_from_none)
@@ -180,17 +195,17 @@ TEST(Scale_search, comes_at_least_as_near_to_rho_from_a_part_of_it_as_from_none)
   CGP::internal::Scale_search<CGP::Default_solver_traits, CGP::Lobpcg_eigensolver_traits> search(
       system, Curvature_potential::on_vertices(rings(mesh, .6, 3)), control, reconstruction,
       nullptr, {});
-  const auto run = [&](double share, const auto& from) {
+  using Trial = std::decay_t<decltype(search.best())>;
+  const auto run = [&](double share, const Trial* from) {
     const auto found = search.run(share, from, {}, CGP::internal::Always_go_further());
     EXPECT_TRUE(found.converged);
     EXPECT_LE(search.scales().excess(), 1);
-    return search.scales().left_out();
+    return search.scales().distance();
   };
-  using Trial = std::decay_t<decltype(search.best())>;
-  const std::optional<Trial> none;
-  const double all = run(1, none), part = run(.75, none);
+  const double all = run(1, nullptr), part = run(.75, nullptr);
   EXPECT_GT(part, 1.05 * all);
-  EXPECT_LT(run(1, std::optional(search.best())), 1.02 * all);
+  const Trial from = search.best();
+  EXPECT_LT(run(1, &from), 1.02 * all);
 }
 
 TEST(Scale_search, keeps_handles_closed)

@@ -38,7 +38,7 @@ class Exact_steps {
   Spin_result run(const Dirac_options& options, const Go_further& go_further);
 
  private:
-  /// ends before where lengths exceed a bound: another rho will be looked for then
+  /// ends after a step with which lengths exceed a bound by far: another rho is looked for then
   void go_all_the_way(const Dirac_options& options, const Go_further& go_further, Spin_result& all);
 
   /// the part of the missing rho that keeps the edges exact; none if the surface has none any more

@@ -95,7 +95,7 @@ void Exact_steps<Transformation>::go_all_the_way(const Dirac_options& options,
     append(all.report, next->result.report);
     all.report.reached += step;
     step = next_step(step, next->result.report, 1 - all.report.reached);
-    if (step > 0 && exceeds_bound(all.lambda, m_vertex_areas, m_options.scales)) return;
+    if (step > 0 && exceeds_bound_by_far(all.lambda, m_vertex_areas, m_options.scales)) return;
   }
   all.report.reached = 1;  // up to rounding
 }

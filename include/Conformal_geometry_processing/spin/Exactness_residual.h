@@ -27,6 +27,7 @@ class Exactness_residual : public Spin_residual {
 
   /// \param c factor of the square of the residual; 0 leaves it out
   void set_weight(double c) { m_weight = c; }
+  double weight() const { return m_weight; }
 
   /// the `closure_residual()`
   double size() const { return m_inexact.norm(); }

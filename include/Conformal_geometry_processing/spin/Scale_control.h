@@ -37,15 +37,17 @@ Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
                                     const Eigen::VectorXd& areas, const Scale_control& control);
 
 /// \ingroup PkgSpin
-/// whether there is a bound, and lengths change by more
-bool exceeds_bound(const Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas,
-                   const Scale_control& control);
+/// \brief whether spins on the way to those of a transformation exceed the bound by so much, the
+/// double log, that these will, too; never where factors are wanted, to which the way leads.
+bool exceeds_bound_by_far(const Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas,
+                          const Scale_control& control);
 
 /// \ingroup PkgSpin
-/// what a search has kept of rho: both are taken without their means, which have no effect
+/// what a search has kept of rho
 /// \param areas that belong to the values
+/// \param is_closed: both are taken without their means, which have no effect then
 void measure_kept(const Curvature_potential& rho, const Curvature_potential& found,
-                  const Eigen::VectorXd& areas, Spin_report::Scales& scales);
+                  const Eigen::VectorXd& areas, bool is_closed, Spin_report::Scales& scales);
 
 }  // namespace internal
 

@@ -70,19 +70,22 @@ CGP_INLINE Spin_report::Scales measured_scales(const Quaternion_vector<double>& 
   return scales;
 }
 
-CGP_INLINE bool exceeds_bound(const Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas,
-                              const Scale_control& control)
+CGP_INLINE bool exceeds_bound_by_far(const Quaternion_vector<double>& lambda,
+                                     const Eigen::VectorXd& areas, const Scale_control& control)
 {
-  return control.bound && measured_scales(lambda, areas, control).excess() > 1;
+  const double margin = 2;
+  return control.bound && control.factors.size() == 0 &&
+         measured_scales(lambda, areas, control).excess() > margin;
 }
 
 CGP_INLINE void measure_kept(const Curvature_potential& rho, const Curvature_potential& found,
-                             const Eigen::VectorXd& areas, Spin_report::Scales& scales)
+                             const Eigen::VectorXd& areas, bool is_closed,
+                             Spin_report::Scales& scales)
 {
-  const auto without_mean = [&](const Eigen::VectorXd& v) {
-    return Eigen::VectorXd(v.array() - areas.dot(v) / areas.sum());
+  const auto effect = [&](const Eigen::VectorXd& v) {
+    return Eigen::VectorXd(v.array() - (is_closed ? areas.dot(v) / areas.sum() : 0));
   };
-  const Eigen::VectorXd a = without_mean(rho.values), b = without_mean(found.values);
+  const Eigen::VectorXd a = effect(rho.values), b = effect(found.values);
   const double wanted = std::sqrt(areas.dot(a.cwiseAbs2()));
   const double kept = std::sqrt(areas.dot(b.cwiseAbs2()));
   if (wanted == 0) return;

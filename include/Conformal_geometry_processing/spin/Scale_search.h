@@ -40,7 +40,8 @@ class Scale_search {
   /// a rho' that was tried
   struct Trial {
     typename Search::Candidate candidate = {};
-    double weight = 0;  // w times m_unit
+    double weight = 0;            // w times m_unit
+    double exactness_weight = 0;  // of the inexact part of the edges
     double excess = std::numeric_limits<double>::infinity();
     double inexact = std::numeric_limits<double>::infinity();
     double open = std::numeric_limits<double>::infinity();  // at most 1: handles count as closed
@@ -64,10 +65,10 @@ class Scale_search {
 
   /// \brief searches w, and a weight for the inexact part of the edges where these do not close up.
   /// \param share of rho that is wanted, in (0, 1]
-  /// \param from what was found for another share, to continue from; otherwise it begins at 0
+  /// \param from what was found for another share, to continue from; null: begins at rho' = 0
   /// \returns the solution for rho'; that nearest to the bound if none
   /// is within it
-  Dirac_solution run(double share, const std::optional<Trial>& from, const Dirac_options& options,
+  Dirac_solution run(double share, const Trial* from, const Dirac_options& options,
                      const Go_further& go_further);
 
   /// the rho' of the last solution
@@ -133,6 +134,7 @@ class Scale_search {
   static double inexact_limit() { return 0.95 * Spin_report::Limits().closure; }
 
   const Surface_ref m_surface;
+  const bool m_is_closed;
   const Curvature_potential m_rho;
   Eigen::VectorXd m_wanted;  // the share of it
   Scale_residual m_scales;

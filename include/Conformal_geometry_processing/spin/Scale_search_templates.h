@@ -36,7 +36,8 @@ Scale_search<SolverTraits, EigensolverTraits>::Scale_search(
     const Poisson_reconstruction<SolverTraits>& reconstruction,
     const Exactness_constraints* exactness, Limit_of_periods period_limit)
     : m_surface(system.surface()),
-      m_rho(effective(std::move(rho), m_surface, system.is_closed())),
+      m_is_closed(system.is_closed()),
+      m_rho(effective(std::move(rho), m_surface, m_is_closed)),
       m_scales(system.areas(), wanted_log_scales(system.areas(), control), control.weights),
       m_inexact(m_surface, reconstruction),
       m_periods(exactness ? std::optional<Period_residual>({system.surface(), *exactness})
@@ -51,18 +52,21 @@ Scale_search<SolverTraits, EigensolverTraits>::Scale_search(
 {}
 
 template <class SolverTraits, class EigensolverTraits>
-Dirac_solution Scale_search<SolverTraits, EigensolverTraits>::run(double share,
-                                                                  const std::optional<Trial>& from,
+Dirac_solution Scale_search<SolverTraits, EigensolverTraits>::run(double share, const Trial* from,
                                                                   const Dirac_options& options,
                                                                   const Go_further& go_further)
 {
-  const double first_weight = 10;
+  double first_weight = 10;
   m_wanted = share * m_rho.values;
   m_search.restart({m_rho.on, m_wanted});
-  if (from) m_search.restore(from->candidate);
+  if (from) {
+    m_search.restore(from->candidate);
+    m_inexact.set_weight(from->exactness_weight);
+    first_weight = from->weight;
+  }
   m_search.reset_costs();
   m_best = m_beyond = Trial();
-  search_weight(from ? from->weight : first_weight, options, go_further);
+  search_weight(first_weight, options, go_further);
   search_exactness(options, go_further);
   come_up_to_bound(options, go_further);
   m_inexact.set_weight(0);
@@ -141,7 +145,8 @@ Spin_report::Scales Scale_search<SolverTraits, EigensolverTraits>::scales() cons
   Spin_report::Scales scales =
       measured_scales(m_best.candidate.solution.lambda, m_areas, m_control);
   scales.weight = m_best.weight;
-  measure_kept(m_rho, m_best.candidate.rho, curvature_areas(m_surface, m_rho.on), scales);
+  measure_kept(m_rho, m_best.candidate.rho, curvature_areas(m_surface, m_rho.on), m_is_closed,
+               scales);
   return scales;
 }
 
@@ -198,8 +203,12 @@ void Scale_search<SolverTraits, EigensolverTraits>::judge(double w)
 {
   const typename Search::Candidate& found = m_search.present();
   m_inexact.set_spins(found.solution.lambda);  // the search may have tried others after it
-  m_last = {found, w, measured_scales(found.solution.lambda, m_areas, m_control).excess(),
-            m_inexact.size(), openness(found)};
+  m_last = {found,
+            w,
+            m_inexact.weight(),
+            measured_scales(found.solution.lambda, m_areas, m_control).excess(),
+            m_inexact.size(),
+            openness(found)};
   if (m_last.reach() > 1 && m_last.reach() < m_beyond.reach()) m_beyond = m_last;
   if (is_better(m_last)) m_best = m_last;
 }

@@ -75,13 +75,13 @@ struct [[nodiscard]] Spin_report : internal::Dirac_evidence {
     double min = 1, max = 1;      ///< and of all of it
     double weight = 0;            ///< w of `internal::Scale_search`; 0: rho was within the bound
     double kept_norm = 1;         ///< norm of the realised rho relative to that of rho
-    double kept_correlation = 1;  ///< between the two, both without their means
+    double kept_correlation = 1;  ///< between the two; on closed surfaces without their means
 
     /// the largest log factor relative to the log of the bound, at most 1 within it; 0 without one
     double excess() const;
 
     /// norm of the difference between the realised rho and rho, relative to that of rho
-    double left_out() const;
+    double distance() const;
   } scales;
 
   /// how the surface was moved to its exact discrete conformal class; none if that was not

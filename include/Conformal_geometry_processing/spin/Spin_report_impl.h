@@ -68,7 +68,7 @@ CGP_INLINE double Spin_report::Scales::excess() const
   return bound > 0 ? (std::max)(std::log(high), -std::log(low)) / std::log(bound) : 0;
 }
 
-CGP_INLINE double Spin_report::Scales::left_out() const
+CGP_INLINE double Spin_report::Scales::distance() const
 {
   const double square = 1 + kept_norm * (kept_norm - 2 * kept_correlation);
   return std::sqrt((std::max)(square, 0.));

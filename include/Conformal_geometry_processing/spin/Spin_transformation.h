@@ -52,7 +52,8 @@ namespace Conformal_geometry_processing {
 ///
 /// With a bound on the change of lengths (`Spin_transformation_options::scales`), a rho beyond it
 /// is replaced by the nearest one within, see `internal::Scale_search`; a rho within it is applied
-/// as it is. The report contains what was kept (`Spin_report::scales`).
+/// as it is, unless lengths are far beyond it on the way. The report contains what was kept
+/// (`Spin_report::scales`).
 ///
 /// On request the result is moved to the exact discrete conformal class of the mesh
 /// (`Spin_transformation_options::exact_conformal_class`), from which the discretisation error
@@ -198,8 +199,8 @@ class Spin_transformation {
                        const Dirac_options& options, const internal::Go_further& go_further);
   void move_to_class(Spin_result& result);
 
-  /// `transform()` without control of scale; not converged, or without a surface, where lengths
-  /// exceed their bound
+  /// `transform()` without control of scale. Where lengths exceed their bound, it may end on the
+  /// way, not converged or with `reached` < 1, and have no positions.
   Spin_result transform_exactly(const Curvature_potential& rho, const Dirac_options& options,
                                 const internal::Go_further& go_further);
 
@@ -207,9 +208,8 @@ class Spin_transformation {
   Spin_result step_within_bound(const Curvature_potential& rho, const Dirac_options& options,
                                 const internal::Go_further& go_further);
 
-  /// \brief the transformation by the rho' nearest to rho that keeps to the bound on lengths; or to
-  /// a half, a quarter, an eighth of rho where its edges or handles stay open or the mesh is too
-  /// coarse for the map to be conformal, and then to more of it, found by bisection.
+  /// \brief the transformation by the rho' nearest to rho that keeps to the bound on lengths, or
+  /// nearest to a share of it (`internal::Share_search`).
   /// \param share of rho to begin with
   /// \pre no positions are prescribed
   Spin_result bound_scales(const Curvature_potential& rho, double share,

@@ -5,15 +5,16 @@
 
 // Transformations with a bound on scales, and those on the exact conformal class.
 
+#include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/spin/Exactness_constraints_templates.h>
 #include <Conformal_geometry_processing/spin/Period_limit.h>
 #include <Conformal_geometry_processing/spin/Scale_search_templates.h>
+#include <Conformal_geometry_processing/spin/Share_search.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/move_to_class.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace Conformal_geometry_processing {
@@ -26,7 +27,8 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
   m_visits.require_no_visit(m_function);
   require_potential(rho);
   Spin_result result = transform_freely(rho, options, go_further);
-  if (!m_options.exact_conformal_class || !result.report.converged) return result;
+  const bool is_found = result.report.converged && !result.report.cancelled;
+  if (!m_options.exact_conformal_class || !is_found) return result;
   return on_class(std::move(result), rho, options, go_further);
 }
 
@@ -93,11 +95,15 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::step_within_bo
 {
   const internal::Scale_control& scales = m_options.scales;
   if (!scales.bound) return step(rho, options, go_further);
-  const auto is_too_far = [&](const Quaternion_vector<double>& lambda) {
-    return exceeds_bound(lambda, system().areas(), scales);
-  };
-  Spin_result result = solve(rho, options, go_further, is_too_far);
-  if (result.report.converged && !is_too_far(result.lambda)) reconstruct(result);
+  const Eigen::VectorXd& areas = system().areas();
+  Spin_result result =
+      solve(rho, options, go_further, [&](const Quaternion_vector<double>& lambda) {
+        return internal::exceeds_bound_by_far(lambda, areas, scales);
+      });
+  const Spin_report& r = result.report;
+  if (r.converged && !r.cancelled &&
+      internal::measured_scales(result.lambda, areas, scales).excess() <= 1)
+    reconstruct(result);
   return result;
 }
 
@@ -107,50 +113,22 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::bound_scales(
     const Dirac_options& options, const internal::Go_further& go_further)
 {
   const auto* const closing = exactness_if_looped(rho.on);
-  internal::Scale_search<SolverTraits, EigensolverTraits> search(
-      system(), {rho.on, rho.values * domain().unit()}, control, reconstruction(), closing,
-      [&](const internal::Dirac_solution& found) {
-        return surface_of(found, closing, options.tolerance).report.period_limit;
-      });
-  using Trial = typename decltype(search)::Trial;
-  const auto attempt = [&](double t, const std::optional<Trial>& from) {
+  internal::Stopwatch watch;
+  const Poisson_reconstruction<SolverTraits>& reconstructs = reconstruction();
+  m_unreported.seconds.reconstruction += watch.lap();
+  using Search = internal::Scale_search<SolverTraits, EigensolverTraits>;
+  Search search(system(), {rho.on, rho.values * domain().unit()}, control, reconstructs, closing,
+                [&](const internal::Dirac_solution& found) {
+                  return surface_of(found, closing, options.tolerance).report.period_limit;
+                });
+  using Trial = typename Search::Trial;
+  internal::Share_search<Trial> shares([&](double t, const Trial* from) {
     Spin_result found = surface_of(search.run(t, from, options, m_visits.guarded(go_further)),
                                    closing, options.tolerance);
     if (!found.report.cancelled) found.report.scales = search.scales();
-    return found;
-  };
-  using Fault = Spin_report::Fault;
-  const auto is_too_much = [](Fault f) {
-    return f == Fault::open || f == Fault::scales || f == Fault::map;
-  };
-  Spin_result best = attempt(share, std::nullopt);
-  const auto take = [&](Spin_result next, bool is_better) {
-    if (is_better || next.report.cancelled) std::swap(best, next);
-    internal::add_costs(best.report, next.report);
-  };
-  const double least_share = 1. / 8;
-  double too_much = share < 1 ? 1 : 0;
-  while (share > least_share && is_too_much(best.report.fault())) {
-    const bool is_map = best.report.fault() == Fault::map;
-    too_much = share;
-    share /= 2;
-    Spin_result next = attempt(share, std::nullopt);
-    // Of maps that are not conformal, that of most of rho tells most.
-    const bool is_better = !is_map || next.report;
-    take(std::move(next), is_better);
-  }
-  // A little more of rho shall not mean that half of it is applied. What failed from 0 may be near
-  // to what was found.
-  Trial from = search.best();
-  for (int i = 0; i < 2 && too_much > 0 && best.report; ++i) {
-    const double middle = (share + too_much) / 2;
-    Spin_result next = attempt(middle, from);
-    const bool is_better =
-        next.report && next.report.scales.left_out() < best.report.scales.left_out();
-    (is_better ? share : too_much) = middle;
-    if (is_better) from = search.best();
-    take(std::move(next), is_better);
-  }
+    return typename internal::Share_search<Trial>::Attempt{std::move(found), search.best()};
+  });
+  Spin_result best = shares.run(share);
   internal::add_costs(best.report, take_unreported());
   return best;
 }

@@ -32,12 +32,15 @@ namespace Conformal_geometry_processing {
 /// \param rho finite values, in 1/length
 /// \param go_further called between iterations with an `Eigensolver_progress`; cancels by returning
 /// false
-/// \param is_too_far on closed surfaces: of spins for t rho, t < 1, that end the search for those
-/// of rho, which counts as not converged then \tparam EigensolverTraits a model of
-/// `SparseHermitianEigensolverTraits`, for closed surfaces \throw Precondition_error if the
-/// generalized problem is requested with rho on vertices, or on a surface with boundary \throw
-/// Solver_error if a factorization fails. Failure to converge is not an error but a field of the
-/// result.
+/// \param is_too_far tells of spins for t rho, t < 1, whether those of rho are of no use any more:
+/// they are not looked for then, and do not count as converged. On closed surfaces only
+///
+/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`, for closed surfaces
+///
+/// \throw Precondition_error if the generalized problem is requested with rho on vertices, or on a
+/// surface with boundary
+/// \throw Solver_error if a factorization fails. Failure to converge is not an error but a field of
+/// the result.
 template <class EigensolverTraits = Lobpcg_eigensolver_traits, class SolverTraits>
 internal::Dirac_solution solve_dirac_equation(
     internal::Dirac_system<SolverTraits>& system, const Curvature_potential& rho,
