@@ -48,7 +48,8 @@ Microseconds per vertex of *native, float*, the default, with amplitude 1, and o
 - **Rho that is strong for the surface.** Along a limb lambda grows exponentially with rho: one
   vector does not become the other by small corrections, so the branch is followed in stages, a
   factorization and a few solves each. A result that collapses is refused at its end: that a stage
-  on the way exceeds a limit does not prove that the end will.
+  on the way exceeds a limit does not prove that the end will. (With a bound on lengths, it is given
+  up where they change by more than the square of it; the rho' that is looked for then is another.)
 - **With a bound on lengths** the spins are computed for ten to fifty rho', a factorization each, and
   each step solves a linear system in rho, with about ten products of two solves. Where limbs make
   the next eigenvalues come near, lambda is far from linear in rho: its derivative is useless after a
