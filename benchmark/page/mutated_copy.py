@@ -11,7 +11,8 @@ import subprocess
 from page.mutations import switchable
 
 LIBRARY = "include/Conformal_geometry_processing"
-COPIED = [".cmake", ".install", "CMakeLists.txt", "benchmark/support", "examples", "include", "test"]
+COPIED = [".cmake", ".install", "CMakeLists.txt", "README.md", "benchmark/support", "doc/licenses",
+          "examples", "include", "test"]
 FLAGS = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w", "-DCGP_BUILD_DOC=OFF",
          "-DCGP_BUILD_BENCHMARKS=OFF", "-DCGP_BUILD_EXAMPLES=OFF", "-DCGP_HTML_REPORT=OFF"]
 ERROR = re.compile(LIBRARY + r"/([\w./]+\.h):(\d+):")

@@ -29,7 +29,7 @@ Spin_report with_excess(double excess)
 struct Surface_that_bears {
   double from_zero, from_another;
   Spin_report::Fault fault = Spin_report::Fault::scales;
-  std::vector<std::pair<double, double>> tried;  // the share, and where from
+  std::vector<std::pair<double, double>> tried = {};  // the share, and where from
 
   Search::Attempt operator()(double share, const double* from)
   {
