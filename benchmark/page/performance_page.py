@@ -60,7 +60,9 @@ Microseconds per vertex of *native, float*, the default, with amplitude 1, and o
 - **A later step of a flow** factors X and the Laplacian anew, measures the surface and certifies
   it; only ordering and analysis are saved.
 - **Surfaces with handles** need a second quaternionic factorization, of X for rho = 0, and about five
-  solves with it for each period (*exactness*): half of the time.
+  solves with it for each period (*exactness*): half of the time. One factor does not do for both: with
+  the other one, rho of amplitudes .25 to 1 takes 6 to 280 iterations instead of 3 to 6, a period 9 to 49
+  instead of 3 to 5 (`benchmark_shared_factor` on eight, elephant, refined_elephant, knot1, rotor, bear).
 - **Memory that is new** has to be cleared by the system, which is dear on virtual machines, for large
   meshes and in P as well. With `MALLOC_TRIM_THRESHOLD_` and `MALLOC_MMAP_THRESHOLD_` of 2000000000
   (glibc), freed memory is kept.
