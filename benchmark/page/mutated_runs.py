@@ -45,8 +45,12 @@ class Mutated_runs:
             if outcome != "survived":
                 record.unlink()
                 raise SystemExit(f"{program.name} {outcome} without a mutant: {test}")
-        lines = [line.split() for line in record.read_text(encoding="utf-8").splitlines()]
-        return {name: (int(time) / 1000, {int(i) for i in ids}) for name, time, *ids in lines}
+        tests = {}
+        # One line from the program, another one from the shared library.
+        for name, time, *ids in map(str.split, record.read_text(encoding="utf-8").splitlines()):
+            _, before = tests.get(name, (0, set()))
+            tests[name] = (int(time) / 1000, before | {int(i) for i in ids})
+        return tests
 
     def plans(self, number):
         """What to run for a mutant: (seconds, program, tests), first all that is quick."""

@@ -152,14 +152,17 @@ TEST(Conformal_deformation, follows_similarities_of_mesh_and_targets)
 {
   const Mesh_view mesh = dumbbell(2);
   auto points = one_moved(mesh, 6, .2);
-  const Points first = Deformation(mesh).deform(points).positions;
+  Deformation here(mesh);
+  const Points first = here.deform(points).positions;
   const Eigen::Affine3d motion = Eigen::Translation3d(7, -2, 3) *
                                  Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 2).normalized()) *
                                  Eigen::Scaling(40.);
   for (auto& p : points) p.target = motion * p.target;
-  const Mesh_view other((motion * mesh.positions()).eval(), mesh.corners());
-  const Points moved = (motion * first).eval(), found = Deformation(other).deform(points).positions;
+  Deformation there({(motion * mesh.positions()).eval(), mesh.corners()});
+  const Points moved = (motion * first).eval(), found = there.deform(points).positions;
   EXPECT_LT((found - moved).norm(), 1e-3 * 40 * first.norm());
+  const Eigen::VectorXd &rho = here.potential().values, &other = there.potential().values;
+  EXPECT_LT((40 * other - rho).norm(), 1e-2 * rho.norm());  // in 1/length
 }
 
 TEST(Conformal_deformation, goes_as_far_as_it_can_without_flips)

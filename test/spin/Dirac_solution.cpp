@@ -46,6 +46,23 @@ TEST(Dirac_evidence, has_curvatures_in_the_unit_of_the_mesh_and_pure_numbers_as_
   EXPECT_EQ(r.steps, 3);
 }
 
+TEST(Dirac_evidence, adds_up_costs)
+{
+  CGP::internal::Dirac_solution a, b;
+  a.iterations = 1, b.iterations = 2;
+  a.factorizations = 4, b.factorizations = 8;
+  a.solves = 16, b.solves = 32;
+  add_costs(a, b);
+  EXPECT_EQ(a.iterations, 3);
+  EXPECT_EQ(a.factorizations, 12);
+  EXPECT_EQ(a.solves, 48);
+  a.seconds = {1, 2, 4}, b.seconds = {8, 16, 32};
+  add_costs(a.seconds, b.seconds);
+  EXPECT_EQ(a.seconds.assembly, 9);
+  EXPECT_EQ(a.seconds.factorization, 18);
+  EXPECT_EQ(a.seconds.eigenvectors, 36);
+}
+
 TEST(Dirac_evidence, has_not_converged_to_what_is_no_number)
 {
   CGP::internal::Dirac_solution s;

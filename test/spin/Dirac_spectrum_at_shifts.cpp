@@ -245,4 +245,13 @@ TEST(Dirac_spectrum_at_shifts, says_how_far_it_is_complete_where_more_is_asked)
   EXPECT_LT(s.complete_radius, 6);
 }
 
+TEST(Dirac_spectrum_at_shifts, is_in_the_unit_of_the_mesh)
+{
+  const Mesh_view mesh = icosphere(2);
+  const Dirac_spectrum here = spectrum(mesh, 4, 1), there = spectrum(scaled(mesh, 5), 4, .2);
+  EXPECT_GT(here.complete_radius, 0);
+  EXPECT_NEAR(5 * there.complete_radius, here.complete_radius, 1e-6);
+  EXPECT_LT((5 * there.eigenvalues - here.eigenvalues).norm(), 1e-6);
+}
+
 }  // namespace
