@@ -65,6 +65,7 @@ TEST(Scale_control, measures_lengths_at_unchanged_area)
   scales = CGP::internal::measured_scales(lambda, areas, {2., {}, {}});
   const double growth = (areas.sum() + 24 * areas[0]) / areas.sum();
   EXPECT_NEAR(scales.max, 5 / std::sqrt(growth), 1e-12);
+  EXPECT_NEAR(scales.min, 1 / std::sqrt(growth), 1e-12);
   EXPECT_NEAR(scales.high, 1 / std::sqrt(growth), 1e-12);  // one vertex is less than 1 %
 }
 
