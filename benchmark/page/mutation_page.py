@@ -13,7 +13,7 @@ Written by `benchmark/mutate`, which breaks the headers of `operators/`, `spin/`
 time: a sign, a factor, a root, a conjugation, a division. A mutant is *killed* if a test that comes past it
 fails, ends early or does not end. All mutants are compiled into one copy of the headers, and the environment
 chooses one, so that each test is compiled once; which line a test comes past is noted in a run without mutants.
-The tests are those of the three folders and of the entry points; of those that come past a mutant, the quickest
+The tests are those of the three folders; of those that come past a mutant, the quickest
 are run, which take {seconds:g} seconds together without it.
 """
 
