@@ -38,7 +38,8 @@ Spin_report::Scales measured_scales(const Quaternion_vector<double>& lambda,
 
 /// \ingroup PkgSpin
 /// \brief whether spins on the way to those of a transformation exceed the bound by so much, the
-/// double log, that these will, too; never where factors are wanted, to which the way leads.
+/// double log, that these are not expected to keep to it; never where factors are wanted, to which
+/// the way leads.
 bool exceeds_bound_by_far(const Quaternion_vector<double>& lambda, const Eigen::VectorXd& areas,
                           const Scale_control& control);
 
