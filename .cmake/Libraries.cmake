@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # The targets users link, all in the namespace Conformal_geometry_processing::
-#   linear_algebra        compiled; algebra/ and linear_algebra/: needs Eigen only
+#   linear_algebra        compiled; threads/, algebra/, linear_algebra/: needs Eigen only
 #   kernels               compiled; the geometry, on flat arrays: needs Eigen only
 #   core                  the headers that take CGAL's meshes
 #   cholmod metis slepc   the headers over one more library each
@@ -36,7 +36,7 @@ endfunction()
 cgp_headers(CGP_CHOLMOD_HEADERS "linear_algebra/adapters/Cholmod_")
 cgp_headers(CGP_METIS_HEADERS "linear_algebra/adapters/Metis_")
 cgp_headers(CGP_SLEPC_HEADERS "linear_algebra/adapters/(Petsc|Slepc)_")
-cgp_headers(CGP_LINEAR_ALGEBRA_HEADERS "(algebra/|linear_algebra/|config|exceptions|version)")
+cgp_headers(CGP_LINEAR_ALGEBRA_HEADERS "(threads/|algebra/|linear_algebra/|config|exceptions|version)")
 list(REMOVE_ITEM CGP_LINEAR_ALGEBRA_HEADERS ${CGP_CHOLMOD_HEADERS} ${CGP_METIS_HEADERS}
      ${CGP_SLEPC_HEADERS})
 cgp_headers(CGP_KERNELS_HEADERS

@@ -29,6 +29,40 @@ TYPED_TEST(Hermitian_sparse_matrix, multiplies_as_the_full_matrix_does)
   EXPECT_LE((real_columns(y) - dense(A) * real_columns(x)).norm(), 1e-13);
 }
 
+TYPED_TEST(Hermitian_sparse_matrix, multiplies_some_rows_only)
+{
+  const auto A = random_hermitian<TypeParam>(random_pattern(12, 1), 2);
+  const auto x = random_block<TypeParam>(12, 1, 3);
+  const auto before = random_block<TypeParam>(12, 1, 4);
+  CGP::Block<TypeParam> y = before;
+  A.multiply_rows(*A.rows(), 3, 7, x.col(0), y.col(0));
+  const CGP::Vector<TypeParam> all = A * x.col(0);
+  for (int i = 0; i < 12; ++i) EXPECT_EQ(y(i, 0), i < 3 || i >= 7 ? before(i, 0) : all[i]);
+}
+
+TYPED_TEST(Hermitian_sparse_matrix, shares_its_rows_with_copies_of_its_pattern_only)
+{
+  auto A = random_hermitian<TypeParam>(random_pattern(12, 1), 2);
+  const auto rows = A.rows();
+  auto copy = A;
+  EXPECT_EQ(A.rows(), rows);
+  EXPECT_EQ(copy.rows(), rows);
+  const auto other = random_hermitian<TypeParam>(random_pattern(9, 5), 6);
+  copy = other;  // with rows that are not known yet
+  const auto x = random_block<TypeParam>(9, 1, 3);
+  EXPECT_EQ(copy * x.col(0), other * x.col(0));
+}
+
+TYPED_TEST(Hermitian_sparse_matrix, sets_some_columns_to_zero)
+{
+  auto A = random_hermitian<TypeParam>(random_pattern(12, 1), 2);
+  const auto before = A;
+  A.set_zero(3, 7);
+  for (int j = 0; j < 12; ++j)
+    for (int i = j; i < 12; ++i)
+      EXPECT_EQ(A.coefficient(i, j), j < 3 || j >= 7 ? before.coefficient(i, j) : TypeParam{});
+}
+
 TYPED_TEST(Hermitian_sparse_matrix, is_its_own_adjoint)
 {
   const auto A = random_hermitian<TypeParam>(random_pattern(12, 4), 5);

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "flow_tools.h"
-#include "linear_algebra/threads.h"
 #include "support/decompositions.h"
+#include "threads/threads.h"
 
 /// Laws of the flow on spheres. The energies of the reference runs come from an implementation of
 /// the same formulas that shares no code with this one.

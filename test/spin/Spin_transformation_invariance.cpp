@@ -8,9 +8,9 @@
 #include <cmath>
 #include <vector>
 
-#include "linear_algebra/threads.h"
 #include "support/dense.h"
 #include "support/meshes.h"
+#include "threads/threads.h"
 
 namespace {
 

@@ -9,13 +9,14 @@ import graphlib
 import sources
 
 LEVEL = {
-    "algebra": 1,
-    "linear_algebra": 2, "mesh": 2,
-    "operators": 3,
-    "conformal_class": 4, "forms": 4, "measure": 4, "painting": 4,
-    "spin": 5,
-    "flow": 6, "parameterization": 6, "surfaces": 6, "curves": 6,
-    "core": 7,
+    "threads": 1,
+    "algebra": 2,
+    "linear_algebra": 3, "mesh": 3,
+    "operators": 4,
+    "conformal_class": 5, "forms": 5, "measure": 5, "painting": 5,
+    "spin": 6,
+    "flow": 7, "parameterization": 7, "surfaces": 7, "curves": 7,
+    "core": 8,
 }
 PROGRAM = "conformal"
 PROGRAM_LEVEL = {
@@ -31,7 +32,7 @@ PROGRAM_LEVEL = {
     ".": 10,
 }
 BASE = {"config.h", "exceptions.h", "version.h"}
-ENTRY_POINTS = 8
+ENTRY_POINTS = 9
 
 
 def place(header):

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "threads.h"
 
-#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
+#include <Conformal_geometry_processing/threads/number_of_threads.h>
 
 #include <dlfcn.h>
 

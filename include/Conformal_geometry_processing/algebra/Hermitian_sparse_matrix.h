@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/algebra/scalar.h>
 
+#include <atomic>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -39,6 +40,43 @@ struct Sparse_pattern {
   }
 };
 
+namespace internal {
+
+/// \ingroup PkgAlgebra
+/// The entries of the strictly lower triangle of a pattern, row by row
+struct Lower_rows {
+  struct Entry {
+    int column, position;
+  };
+  std::vector<int> offsets;    ///< number of rows + 1 positions in `entries`
+  std::vector<Entry> entries;  ///< in each row by ascending columns
+};
+
+Lower_rows lower_rows(const Sparse_pattern& pattern);
+
+/// \ingroup PkgAlgebra
+/// The rows of a pattern that does not change, from the first time that they are asked for; may be
+/// used from several threads.
+class Kept_rows {
+ public:
+  Kept_rows() = default;
+  Kept_rows(const Kept_rows& other) : m_rows(other.kept()) {}
+  Kept_rows& operator=(const Kept_rows& other)
+  {
+    m_rows = other.kept();
+    return *this;
+  }
+
+  std::shared_ptr<const Lower_rows> of(const Sparse_pattern& pattern) const;
+
+ private:
+  std::shared_ptr<const Lower_rows> kept() const { return std::atomic_load(&m_rows); }
+
+  mutable std::shared_ptr<const Lower_rows> m_rows;
+};
+
+}  // namespace internal
+
 /// \ingroup PkgAlgebra
 /// \brief A Hermitian sparse matrix, A_ji = conjugate(A_ij), with values on a fixed pattern.
 ///
@@ -71,7 +109,15 @@ class Hermitian_sparse_matrix {
   Scalar& value(int k) { return m_values[k]; }
   const Scalar& value(int k) const { return m_values[k]; }
 
-  void set_zero() { m_values.setConstant(Scalar{}); }
+  void set_zero() { set_zero(0, size()); }
+
+  /// Sets the columns first <= j < last of the lower triangle to zero
+  void set_zero(int first, int last)
+  {
+    const int* const offsets = m_pattern->offsets.data();
+    if (first < last)
+      m_values.segment(offsets[first], offsets[last] - offsets[first]).setConstant(Scalar{});
+  }
 
   /// The (real) diagonal entry of column j
   FT diagonal(int j) const
@@ -102,18 +148,27 @@ class Hermitian_sparse_matrix {
   template <class X, class Y>
   void multiply(const X& x, Y&& y) const
   {
-    const int* const rows = m_pattern->indices.data();
-    const int* const offsets = m_pattern->offsets.data();
-    y.setConstant(Scalar{});
-    for (int j = 0; j < size(); ++j) {
-      const Scalar x_j = x[j];
-      Scalar sum = m_values[offsets[j]] * x_j;  // the diagonal is first in its column
-      for (int k = offsets[j] + 1; k < offsets[j + 1]; ++k) {
-        const Scalar a = m_values[k];
-        y[rows[k]] += a * x_j;
-        sum += conjugate(a) * x[rows[k]];
-      }
-      y[j] += sum;
+    multiply_rows(*rows(), 0, size(), x, y);
+  }
+
+  /// Returns the rows of the pattern, which are found at the first call; O(size of entries) then
+  std::shared_ptr<const internal::Lower_rows> rows() const { return m_rows.of(*m_pattern); }
+
+  /// \brief Computes the entries first <= i < last of y = A x.
+  /// \param rows those of the pattern
+  template <class X, class Y>
+  void multiply_rows(const internal::Lower_rows& rows, int first, int last, const X& x, Y&& y) const
+  {
+    const int* const indices = m_pattern->indices.data();
+    const int* const columns = m_pattern->offsets.data();
+    for (int i = first; i < last; ++i) {
+      internal::Inner_product<Scalar> sum;
+      const auto* const end = rows.entries.data() + rows.offsets.data()[i + 1];
+      for (const auto* e = rows.entries.data() + rows.offsets.data()[i]; e != end; ++e)
+        sum.add_product(m_values[e->position], x[e->column]);
+      // The rest of row i is conjugate to column i.
+      for (int k = columns[i]; k < columns[i + 1]; ++k) sum.add(m_values[k], x[indices[k]]);
+      y[i] = sum.sum();
     }
   }
 
@@ -130,6 +185,7 @@ class Hermitian_sparse_matrix {
  private:
   std::shared_ptr<const Sparse_pattern> m_pattern;
   Vector<Scalar> m_values;
+  internal::Kept_rows m_rows;
 };
 
 }  // namespace Conformal_geometry_processing

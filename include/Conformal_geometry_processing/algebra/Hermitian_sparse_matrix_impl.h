@@ -7,7 +7,11 @@
 #include <Conformal_geometry_processing/config.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <memory>
+#include <numeric>
+#include <vector>
 
 namespace Conformal_geometry_processing {
 
@@ -19,6 +23,37 @@ CGP_INLINE int Sparse_pattern::find(int i, int j) const
   return it != end && *it == i ? static_cast<int>(it - indices.begin()) : -1;
 }
 
+namespace internal {
+
+CGP_INLINE Lower_rows lower_rows(const Sparse_pattern& pattern)
+{
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  const auto for_each = [&](const auto& visit) {
+    for (int j = 0; j < pattern.size(); ++j)
+      for (int k = pattern.offsets[at(j)] + 1; k < pattern.offsets[at(j) + 1]; ++k)
+        visit(at(pattern.indices[at(k)]), Lower_rows::Entry{j, k});
+  };
+  Lower_rows rows;
+  rows.offsets.assign(at(pattern.size()) + 1, 0);
+  for_each([&](std::size_t i, Lower_rows::Entry) { ++rows.offsets[i + 1]; });
+  std::partial_sum(rows.offsets.begin(), rows.offsets.end(), rows.offsets.begin());
+  rows.entries.resize(at(rows.offsets.back()));
+  std::vector<int> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  for_each([&](std::size_t i, Lower_rows::Entry e) { rows.entries[at(next[i]++)] = e; });
+  return rows;
+}
+
+CGP_INLINE std::shared_ptr<const Lower_rows> Kept_rows::of(const Sparse_pattern& pattern) const
+{
+  std::shared_ptr<const Lower_rows> rows = kept();
+  if (!rows) {
+    rows = std::make_shared<const Lower_rows>(lower_rows(pattern));
+    std::atomic_store(&m_rows, rows);
+  }
+  return rows;
+}
+
+}  // namespace internal
 }  // namespace Conformal_geometry_processing
 
 #endif

@@ -5,9 +5,11 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/algebra/scalar.h>
+#include <Conformal_geometry_processing/threads/parallel_loops.h>
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <type_traits>
 
 /// Allows quaternions in Eigen's matrices, and their multiplication by real numbers.
@@ -67,10 +69,31 @@ Eigen::Map<Eigen::Matrix<FT, 4, Eigen::Dynamic>> components(Quaternion_vector<FT
 
 namespace internal {
 
-// sum_i conjugate(a_i) b_i, from the sum of the 4 x 4 matrices a_i b_i^T, whose rows fit the vector
-// registers; a sum of products would permute components.
-template <class FT>
+/// sum_i conjugate(a_i) b_i, term by term
+template <class Scalar>
 class Inner_product {
+ public:
+  void add(const Scalar& a, const Scalar& b) { m_sum += conjugate(a) * b; }
+
+  /// Adds a b
+  void add_product(const Scalar& a, const Scalar& b) { m_sum += a * b; }
+
+  Inner_product& operator+=(const Inner_product& other)
+  {
+    m_sum += other.m_sum;
+    return *this;
+  }
+
+  Scalar sum() const { return m_sum; }
+
+ private:
+  Scalar m_sum{};
+};
+
+// From the sum of the 4 x 4 matrices a_i b_i^T, whose rows fit the vector registers; a sum of
+// products would permute components.
+template <class FT>
+class Inner_product<Quaternion<FT>> {
  public:
   void add(const Quaternion<FT>& a, const Quaternion<FT>& b)
   {
@@ -79,6 +102,24 @@ class Inner_product {
     m_x += a.x * c;
     m_y += a.y * c;
     m_z += a.z * c;
+  }
+
+  void add_product(const Quaternion<FT>& a, const Quaternion<FT>& b)
+  {
+    const Four c = Eigen::Map<const Four>(&b.w);
+    m_w += a.w * c;
+    m_x -= a.x * c;
+    m_y -= a.y * c;
+    m_z -= a.z * c;
+  }
+
+  Inner_product& operator+=(const Inner_product& other)
+  {
+    m_w += other.m_w;
+    m_x += other.m_x;
+    m_y += other.m_y;
+    m_z += other.m_z;
+    return *this;
   }
 
   Quaternion<FT> sum() const
@@ -92,6 +133,18 @@ class Inner_product {
   Four m_w = Four::Zero(), m_x = Four::Zero(), m_y = Four::Zero(), m_z = Four::Zero();
 };
 
+/// the sum of what `add(i, sum)` adds for 0 <= i < count, on several threads
+template <class Scalar, class Add>
+Scalar inner_product_of(Eigen::Index count, const Add& add)
+{
+  const std::ptrdiff_t at_once = 1024, least = 8;
+  using Sum = Inner_product<Scalar>;
+  const auto add_range = [&](std::ptrdiff_t first, std::ptrdiff_t last, Sum& sum) {
+    for (std::ptrdiff_t i = first; i < last; ++i) add(i, sum);
+  };
+  return sum_of_ranges(count, at_once, Sum(), add_range, least).sum();
+}
+
 }  // namespace internal
 
 /// \ingroup PkgAlgebra
@@ -102,9 +155,9 @@ template <class A, class B, class FT>
 Quaternion<FT> inner_product(const Eigen::MatrixBase<A>& a, const Vector<FT>& m,
                              const Eigen::MatrixBase<B>& b)
 {
-  internal::Inner_product<FT> product;
-  for (Eigen::Index i = 0; i < a.size(); ++i) product.add(m[i] * a[i], b[i]);
-  return product.sum();
+  using Scalar = Quaternion<FT>;
+  return internal::inner_product_of<Scalar>(
+      a.size(), [&](Eigen::Index i, auto& sum) { sum.add(m[i] * a[i], b[i]); });
 }
 
 /// \ingroup PkgAlgebra
@@ -115,9 +168,8 @@ typename A::Scalar inner_product(const Eigen::MatrixBase<A>& a, const Eigen::Mat
   using Scalar = typename A::Scalar;
   using FT = typename Eigen::NumTraits<Scalar>::Real;
   if constexpr (std::is_same_v<Scalar, Quaternion<FT>>) {
-    internal::Inner_product<FT> product;
-    for (Eigen::Index i = 0; i < a.size(); ++i) product.add(a[i], b[i]);
-    return product.sum();
+    return internal::inner_product_of<Scalar>(
+        a.size(), [&](Eigen::Index i, auto& sum) { sum.add(a[i], b[i]); });
   } else {
     return a.dot(b);
   }

@@ -23,6 +23,7 @@
 #include <Conformal_geometry_processing/mesh/well_shaped_faces.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 
@@ -105,6 +106,7 @@ class Conformal_willmore_flow {
   template <class Visitor = Flow_visitor>
   Flow_step_report step(Visitor&& visitor = Visitor())
   {
+    const internal::Thread_team team;
     m_visits.require_no_visit(m_function);
     internal::Stopwatch watch;
     Flow_step_report report;
@@ -136,6 +138,7 @@ class Conformal_willmore_flow {
   template <class Visitor = Flow_visitor>
   Flow_report run(Visitor&& visitor = Visitor())
   {
+    const internal::Thread_team team;
     m_visits.require_no_visit(m_function);
     internal::Stopwatch watch;
     Flow_report report;

@@ -6,7 +6,7 @@
 /// \file linear_algebra/settings.h
 /// \brief Number of threads, and vector units.
 
-#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
+#include <Conformal_geometry_processing/threads/number_of_threads.h>
 
 #endif

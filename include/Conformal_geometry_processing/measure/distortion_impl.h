@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/measure/distortion.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/threads/parallel_loops.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -53,12 +54,12 @@ CGP_INLINE Face_maps::Face_maps(const Mesh_view& mesh, const Points& positions)
       areas(mesh.size_of_faces()),
       new_areas(mesh.size_of_faces())
 {
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+  for_each_index(mesh.size_of_faces(), 512, [&](int f) {
     const Flat_triangle s(mesh.positions(), mesh.corners(f)), t(positions, mesh.corners(f));
     quasi_conformal[f] = quasi_conformal_error(s, t);
     areas[f] = s.area;
     new_areas[f] = t.area;
-  }
+  });
 }
 
 CGP_INLINE Eigen::VectorXd Face_maps::length_scales() const
@@ -149,13 +150,14 @@ CGP_INLINE internal::Length_cross_ratio_change length_cross_ratio_change(const M
                                                                          const Points& positions)
 {
   Eigen::VectorXd log_stretch(mesh.size_of_edges());
-  int interior = 0;
-  for (int k = 0; k < mesh.size_of_edges(); ++k) {
+  internal::for_each_index(mesh.size_of_edges(), 1024, [&](int k) {
     log_stretch[k] = std::log(internal::squared_length(mesh, positions, k) /
                               internal::squared_length(mesh, mesh.positions(), k)) /
                      2;
+  });
+  int interior = 0;
+  for (int k = 0; k < mesh.size_of_edges(); ++k)
     interior += mesh.halfedges_end(k) - mesh.halfedges_begin(k) == 2;
-  }
   if (interior == 0) return {};
   const Eigen::VectorXd change = internal::log_cross_ratios(mesh, log_stretch);
   return {change.norm() / std::sqrt(interior), change.cwiseAbs().maxCoeff()};

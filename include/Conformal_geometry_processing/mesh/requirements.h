@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
+#include <Conformal_geometry_processing/threads/parallel_loops.h>
 
 #include <Eigen/Core>
 
@@ -51,16 +52,26 @@ struct Defect {
   int first = -1;  ///< index of the first one
 
   explicit operator bool() const { return count > 0; }
+
+  /// Adds those of larger index
+  Defect& operator+=(const Defect& later)
+  {
+    if (count == 0) first = later.first;
+    count += later.count;
+    return *this;
+  }
 };
 
-/// Counts the i in [0, n) with `is_bad(i)`
+/// Counts the i in [0, n) with `is_bad(i)`, on several threads
 template <class Is_bad>
-Defect find_defect(Defect::Kind kind, int n, Is_bad is_bad)
+Defect find_defect(Defect::Kind kind, int n, const Is_bad& is_bad)
 {
-  Defect defect{kind};
-  for (int i = 0; i < n; ++i)
-    if (is_bad(i) && defect.count++ == 0) defect.first = i;
-  return defect;
+  const std::ptrdiff_t at_once = 4096;
+  const auto add = [&is_bad](std::ptrdiff_t begin, std::ptrdiff_t end, Defect& defect) {
+    for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i)
+      if (is_bad(i) && defect.count++ == 0) defect.first = i;
+  };
+  return sum_of_ranges(n, at_once, Defect{kind}, add);
 }
 
 // What the requirements below look for.

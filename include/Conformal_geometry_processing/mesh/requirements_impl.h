@@ -108,12 +108,11 @@ CGP_INLINE Defect further_components(const Mesh_view& mesh)
 {
   // Components are numbered in the order of their first vertices.
   const std::vector<int> component = connected_components(mesh);
-  int known = 1;
-  return find_defect(Defect::Kind::further_component, mesh.size_of_vertices(), [&](int v) {
-    const bool is_first = component[static_cast<std::size_t>(v)] == known;
-    known += is_first;
-    return is_first;
-  });
+  Defect defect{Defect::Kind::further_component};
+  for (int v = 0; v < mesh.size_of_vertices(); ++v)
+    if (component[static_cast<std::size_t>(v)] == defect.count + 1 && defect.count++ == 0)
+      defect.first = v;
+  return defect;
 }
 
 CGP_INLINE Defect boundary_edges(const Mesh_view& mesh)

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/operators/sheet_loops.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 
 #include <Eigen/Core>
@@ -18,9 +19,7 @@ namespace Conformal_geometry_processing {
 CGP_INLINE void assemble_dirac_energy(const Surface_ref& surface, const Curvature_potential& rho,
                                       Hermitian_sparse_matrix<Quaternion<double>>& X)
 {
-  X.set_zero();
-  for (int s = 0; s < surface.size_of_sheets(); ++s) {
-    const Sheet sheet = surface.sheet(s);
+  internal::assemble_sheets(surface, X, [&](const Sheet& sheet, const internal::Index_range& own) {
     const Eigen::Vector3d r = rho.at_corners(sheet);
     const Eigen::Matrix3d& e = sheet.vectors;
     const double scale = 1 / (4 * sheet.area), mass = sheet.area / 9;
@@ -32,8 +31,8 @@ CGP_INLINE void assemble_dirac_energy(const Surface_ref& surface, const Curvatur
       x.w = scale * e.col(i).dot(e.col(j)) + mass * r[i] * r[j];
       return x * sheet.share;
     };
-    internal::add_sheet(sheet, entry, X);
-  }
+    internal::add_sheet(sheet, own, entry, X);
+  });
 }
 
 CGP_INLINE Hermitian_sparse_matrix<Quaternion<double>> dirac_energy(const Surface_ref& surface,
@@ -48,8 +47,7 @@ CGP_INLINE Hermitian_sparse_matrix<Quaternion<double>> dirac_form(const Surface_
                                                                   const Curvature_potential& rho)
 {
   Hermitian_sparse_matrix<Quaternion<double>> K(vertex_graph(surface));
-  for (int s = 0; s < surface.size_of_sheets(); ++s) {
-    const Sheet sheet = surface.sheet(s);
+  internal::assemble_sheets(surface, K, [&](const Sheet& sheet, const internal::Index_range& own) {
     const Eigen::Vector3d r = rho.at_corners(sheet);
     const auto entry = [&](int i, int j) {
       const Eigen::Vector3d e = (sheet.vectors.col(i) - sheet.vectors.col(j)) / 12;
@@ -57,8 +55,8 @@ CGP_INLINE Hermitian_sparse_matrix<Quaternion<double>> dirac_form(const Surface_
       k.w = -sheet.area * (r[i] + r[j]) / 18;
       return k * sheet.share;
     };
-    internal::add_sheet(sheet, entry, K);
-  }
+    internal::add_sheet(sheet, own, entry, K);
+  });
   return K;
 }
 
@@ -99,19 +97,21 @@ CGP_INLINE Quaternion_vector<double> apply_dirac_form(const Surface_ref& surface
                                                       const Quaternion_vector<double>& lambda)
 {
   Quaternion_vector<double> result = Quaternion_vector<double>::Constant(lambda.size(), {});
-  for (int s = 0; s < surface.size_of_sheets(); ++s) {
-    const Sheet sheet = surface.sheet(s);
-    const Eigen::Vector3d r = rho.at_corners(sheet);
-    Quaternion<double> average, image;  // as above
-    std::array<Quaternion<double>, 3> row;
-    for (std::size_t c = 0; c < 3; ++c) {
-      row[c] = internal::dirac_row(sheet, r, static_cast<int>(c));
-      average += lambda[sheet.corners[c]] / 3.;
-      image += row[c] * lambda[sheet.corners[c]];
-    }
-    for (std::size_t c = 0; c < 3; ++c)
-      result[sheet.corners[c]] += sheet.share * (image / 6. + conjugate(row[c]) * average / 2.);
-  }
+  internal::for_each_owned_range(surface.size_of_vertices(), [&](const internal::Index_range& own) {
+    internal::for_each_sheet_at(own, surface, [&](const Sheet& sheet) {
+      const Eigen::Vector3d r = rho.at_corners(sheet);
+      Quaternion<double> average, image;  // as above
+      std::array<Quaternion<double>, 3> row;
+      for (std::size_t c = 0; c < 3; ++c) {
+        row[c] = internal::dirac_row(sheet, r, static_cast<int>(c));
+        average += lambda[sheet.corners[c]] / 3.;
+        image += row[c] * lambda[sheet.corners[c]];
+      }
+      for (std::size_t c = 0; c < 3; ++c)
+        if (own.contains(sheet.corners[c]))
+          result[sheet.corners[c]] += sheet.share * (image / 6. + conjugate(row[c]) * average / 2.);
+    });
+  });
   return result;
 }
 
@@ -120,14 +120,20 @@ namespace internal {
 /// Re <B lambda, M_F D lambda>, Re <B lambda, M_F R lambda> and <B lambda, M_F B lambda>
 struct Quotient_terms {
   double dirac = 0, potential = 0, mass = 0;
+
+  Quotient_terms& operator+=(const Quotient_terms& other)
+  {
+    dirac += other.dirac;
+    potential += other.potential;
+    mass += other.mass;
+    return *this;
+  }
 };
 
 CGP_INLINE Quotient_terms quotient_terms(const Surface_ref& surface, const Curvature_potential& rho,
                                          const Quaternion_vector<double>& lambda)
 {
-  Quotient_terms sum;
-  for (int s = 0; s < surface.size_of_sheets(); ++s) {
-    const Sheet sheet = surface.sheet(s);
+  return sum_over_sheets(surface, Quotient_terms(), [&](const Sheet& sheet, Quotient_terms& sum) {
     const Eigen::Vector3d r = rho.at_corners(sheet);
     Quaternion<double> average, dirac, potential;  // 3 B lambda, M D lambda and 3 R lambda there
     for (int c = 0; c < 3; ++c) {
@@ -139,8 +145,7 @@ CGP_INLINE Quotient_terms quotient_terms(const Surface_ref& surface, const Curva
     sum.dirac += sheet.share / 3 * dot(average, dirac);
     sum.potential += sheet.share * sheet.area / 9 * dot(average, potential);
     sum.mass += sheet.share * sheet.area / 9 * squared_norm(average);
-  }
-  return sum;
+  });
 }
 
 }  // namespace internal
@@ -162,19 +167,19 @@ CGP_INLINE double potential_quotient(const Surface_ref& surface, const Curvature
 CGP_INLINE double dirac_misfit(const Surface_ref& surface, const Curvature_potential& rho,
                                const Quaternion_vector<double>& lambda)
 {
-  double energy = 0, mass = 0;
-  for (int s = 0; s < surface.size_of_sheets(); ++s) {
-    const Sheet sheet = surface.sheet(s);
-    const Eigen::Vector3d r = rho.at_corners(sheet);
-    Quaternion<double> image;
-    for (int c = 0; c < 3; ++c) {
-      const auto& l = lambda[sheet.corners[static_cast<std::size_t>(c)]];
-      image += internal::dirac_row(sheet, r, c) * l;
-      mass += sheet.share * sheet.area / 3 * squared_norm(l);
-    }
-    energy += sheet.share * squared_norm(image) / sheet.area;
-  }
-  return std::sqrt(energy / mass);
+  using Terms = Eigen::Array2d;  // energy and mass
+  const Terms sum = internal::sum_over_sheets(
+      surface, Terms(Terms::Zero()), [&](const Sheet& sheet, Terms& terms) {
+        const Eigen::Vector3d r = rho.at_corners(sheet);
+        Quaternion<double> image;
+        for (int c = 0; c < 3; ++c) {
+          const auto& l = lambda[sheet.corners[static_cast<std::size_t>(c)]];
+          image += internal::dirac_row(sheet, r, c) * l;
+          terms[1] += sheet.share * sheet.area / 3 * squared_norm(l);
+        }
+        terms[0] += sheet.share * squared_norm(image) / sheet.area;
+      });
+  return std::sqrt(sum[0] / sum[1]);
 }
 
 }  // namespace Conformal_geometry_processing

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/potential_derivative.h>
+#include <Conformal_geometry_processing/operators/sheet_loops.h>
 
 #include <Eigen/Core>
 
@@ -29,6 +30,21 @@ CGP_INLINE std::array<Quaternion<double>, 3> dirac_rows(const Sheet& sheet,
   return {dirac_row(sheet, r, 0), dirac_row(sheet, r, 1), dirac_row(sheet, r, 2)};
 }
 
+/// Calls `add(sheet, own)` on several threads, with ranges of the values of rho and all sheets that
+/// have one of these
+template <class Add>
+void for_each_sheet_of_potential(const Surface_ref& surface, Curvature_potential::On on,
+                                 Eigen::Index values, const Add& add)
+{
+  for_each_owned_range(static_cast<int>(values), [&](const Index_range& own) {
+    for (int s = 0; s < surface.size_of_sheets(); ++s) {
+      const Sheet sheet = surface.sheet(s);
+      const bool is_on_vertices = on == Curvature_potential::On::vertices;
+      if (is_on_vertices ? own.touches(sheet) : own.contains(sheet.face)) add(sheet, own);
+    }
+  });
+}
+
 CGP_INLINE Block<Quaternion<double>> energy_change(const Surface_ref& surface,
                                                    const Curvature_potential& rho,
                                                    const Quaternion_vector<double>& lambda,
@@ -36,8 +52,7 @@ CGP_INLINE Block<Quaternion<double>> energy_change(const Surface_ref& surface,
 {
   Block<Quaternion<double>> result =
       Block<Quaternion<double>>::Constant(lambda.size(), changes.cols(), {});
-  for (int s = 0; s < surface.size_of_sheets(); ++s) {
-    const Sheet sheet = surface.sheet(s);
+  const auto add = [&](const Sheet& sheet, const Index_range& own) {
     const std::array<Quaternion<double>, 3> row = dirac_rows(sheet, rho);
     Quaternion<double> image;
     for (std::size_t c = 0; c < 3; ++c) image += row[c] * lambda[sheet.corners[c]];
@@ -49,9 +64,13 @@ CGP_INLINE Block<Quaternion<double>> energy_change(const Surface_ref& surface,
         change += d[c] * lambda[sheet.corners[c]];
       }
       for (std::size_t c = 0; c < 3; ++c)
-        result(sheet.corners[c], k) += sheet.share * (d[c] * image + conjugate(row[c]) * change);
+        if (own.contains(sheet.corners[c]))
+          result(sheet.corners[c], k) += sheet.share * (d[c] * image + conjugate(row[c]) * change);
     }
-  }
+  };
+  for_each_owned_range(surface.size_of_vertices(), [&](const Index_range& own) {
+    for_each_sheet_at(own, surface, [&](const Sheet& sheet) { add(sheet, own); });
+  });
   return result;
 }
 
@@ -61,8 +80,7 @@ CGP_INLINE Eigen::MatrixXd energy_gradient(const Surface_ref& surface,
                                            const Block<Quaternion<double>>& z)
 {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rho.values.size(), z.cols());
-  for (int s = 0; s < surface.size_of_sheets(); ++s) {
-    const Sheet sheet = surface.sheet(s);
+  const auto add = [&](const Sheet& sheet, const Index_range& own) {
     const std::array<Quaternion<double>, 3> row = dirac_rows(sheet, rho);
     Quaternion<double> image;
     for (std::size_t c = 0; c < 3; ++c) image += row[c] * lambda[sheet.corners[c]];
@@ -70,12 +88,14 @@ CGP_INLINE Eigen::MatrixXd energy_gradient(const Surface_ref& surface,
       Quaternion<double> other;  // M A z
       for (std::size_t c = 0; c < 3; ++c) other += row[c] * z(sheet.corners[c], k);
       for (std::size_t c = 0; c < 3; ++c) {
+        const int i = potential_index(sheet, rho.on, c);
         const Quaternion<double> product =
             conjugate(z(sheet.corners[c], k)) * image + conjugate(lambda[sheet.corners[c]]) * other;
-        result(potential_index(sheet, rho.on, c), k) += sheet.share / 3 * product.w;
+        if (own.contains(i)) result(i, k) += sheet.share / 3 * product.w;
       }
     }
-  }
+  };
+  for_each_sheet_of_potential(surface, rho.on, rho.values.size(), add);
   return result;
 }
 
@@ -85,14 +105,15 @@ CGP_INLINE Eigen::VectorXd form_gradient(const Surface_ref& surface, Curvature_p
   const bool is_on_vertices = on == Curvature_potential::On::vertices;
   Eigen::VectorXd result =
       Eigen::VectorXd::Zero(is_on_vertices ? surface.size_of_vertices() : surface.size_of_faces());
-  for (int s = 0; s < surface.size_of_sheets(); ++s) {
-    const Sheet sheet = surface.sheet(s);
+  const auto add = [&](const Sheet& sheet, const Index_range& own) {
     Quaternion<double> average;
     for (const int v : sheet.corners) average += lambda[v] / 3.;
     for (std::size_t c = 0; c < 3; ++c)
-      result[potential_index(sheet, on, c)] +=
-          sheet.share * sheet.area / 3 * (conjugate(average) * lambda[sheet.corners[c]]).w;
-  }
+      if (const int i = potential_index(sheet, on, c); own.contains(i))
+        result[i] +=
+            sheet.share * sheet.area / 3 * (conjugate(average) * lambda[sheet.corners[c]]).w;
+  };
+  for_each_sheet_of_potential(surface, on, result.size(), add);
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
+#include <Conformal_geometry_processing/operators/sheet_loops.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -37,27 +38,39 @@ inline int entry_position(const Sparse_pattern& pattern, int row, int column, in
   return is_there ? k : pattern.find(row, column);
 }
 
-/// \brief adds the contribution of a sheet to a matrix.
+/// \brief adds the contribution of a sheet to the columns of some vertices in a matrix.
 /// \param A on `vertex_graph()` of the surface
 /// \param entry the value for corners (i, i) and (i, i + 1), Hermitian: that for (i + 1, i) is the
 /// conjugate
 template <class Scalar, class Entry>
-void add_sheet(const Sheet& sheet, Entry entry, Hermitian_sparse_matrix<Scalar>& A)
+void add_sheet(const Sheet& sheet, const Index_range& own, Entry entry,
+               Hermitian_sparse_matrix<Scalar>& A)
 {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, from = sheet.corners[static_cast<std::size_t>(i)],
               to = sheet.corners[static_cast<std::size_t>(j)];
-    const Scalar diagonal = entry(i, i), forward = entry(i, j), backward = conjugate(forward);
-    Scalar& at_from = A.value(diagonal_position(A.pattern(), from));
-    at_from += diagonal;
-    if (from == to) {
-      at_from += forward + backward;
-      continue;
+    const Scalar forward = entry(i, j), backward = conjugate(forward);
+    if (own.contains(from)) {
+      Scalar& diagonal = A.value(diagonal_position(A.pattern(), from));
+      diagonal += entry(i, i);
+      if (from == to) diagonal += forward + backward;
     }
-    const int edge = sheet.edges[static_cast<std::size_t>(3 - i - j)];
     const auto [column, row] = std::minmax(from, to);
+    if (from == to || !own.contains(column)) continue;
+    const int edge = sheet.edges[static_cast<std::size_t>(3 - i - j)];
     A.value(entry_position(A.pattern(), row, column, edge)) += from > to ? forward : backward;
   }
+}
+
+/// \brief sets A to the sum of what `add(sheet, own)` adds to the columns of the vertices in
+/// `own`, over all sheets that touch these.
+template <class Scalar, class Add>
+void assemble_sheets(const Surface_ref& surface, Hermitian_sparse_matrix<Scalar>& A, const Add& add)
+{
+  for_each_owned_range(A.size(), [&](const Index_range& own) {
+    A.set_zero(own.first, own.last);
+    for_each_sheet_at(own, surface, [&](const Sheet& sheet) { add(sheet, own); });
+  });
 }
 
 }  // namespace internal

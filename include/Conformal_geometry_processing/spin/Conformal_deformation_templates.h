@@ -8,6 +8,7 @@
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
 #include <Conformal_geometry_processing/spin/Control_point_search_templates.h>
 #include <Conformal_geometry_processing/spin/certify.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 
@@ -86,6 +87,7 @@ Spin_result Conformal_deformation<SolverTraits, EigensolverTraits>::deform(
     const std::vector<Control_point>& given, const Dirac_options& options,
     const Go_further& go_further)
 {
+  const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   const std::vector<Control_point> points = all_points(given);
   require_extent(points);

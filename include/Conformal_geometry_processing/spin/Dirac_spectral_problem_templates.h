@@ -13,6 +13,7 @@
 #include <Conformal_geometry_processing/spin/dirac_pencils.h>
 #include <Conformal_geometry_processing/spin/signed_eigenvectors.h>
 #include <Conformal_geometry_processing/spin/spectral_subspace_size.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 
@@ -39,6 +40,7 @@ internal::Dirac_spectrum internal::Dirac_spectral_problem<SolverTraits>::find(
     const Curvature_potential& rho, int count, const internal::Dirac_spectrum_options& options,
     const Go_further& go_further)
 {
+  const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   require_input(rho, count, options.shift);
   set_potential({rho.on, (rho.values.array() + options.shift).matrix() * m_frame.unit()});

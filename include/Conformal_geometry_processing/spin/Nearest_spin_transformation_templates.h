@@ -14,6 +14,7 @@
 #include <Conformal_geometry_processing/spin/curvature_of_spins.h>
 #include <Conformal_geometry_processing/spin/face_spins.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 
@@ -76,6 +77,7 @@ template <class SolverTraits, class EigensolverTraits>
 Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const Dirac_options& options, const internal::Go_further& go_further)
 {
+  const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   const auto is_done = [this](const Nearest_spin_result& r) {
     return m_options.keep_curvature || r.report.cancelled ||

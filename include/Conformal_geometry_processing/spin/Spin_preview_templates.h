@@ -12,6 +12,7 @@
 #include <Conformal_geometry_processing/spin/Spin_preview.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
 #include <Conformal_geometry_processing/spin/nearness_weight.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 
@@ -51,6 +52,7 @@ void Spin_preview<SolverTraits, EigensolverTraits>::restart()
 template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_preview<SolverTraits, EigensolverTraits>::transform(const Curvature_potential& rho)
 {
+  const Thread_team team;
   m_transformation.require_potential(rho);
   Dirac_solution s;
   const Curvature_potential framed{rho.on, rho.values * m_transformation.domain().unit()};

@@ -13,6 +13,7 @@
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/spin/move_to_class.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <cmath>
 #include <utility>
@@ -24,6 +25,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const Curvature_potential& rho, const Dirac_options& options,
     const internal::Go_further& go_further) &
 {
+  const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   require_potential(rho);
   Spin_result result = transform_freely(rho, options, go_further);

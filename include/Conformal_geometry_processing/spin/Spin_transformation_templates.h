@@ -16,6 +16,7 @@
 #include <Conformal_geometry_processing/spin/snap_to_class.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 
@@ -31,6 +32,7 @@ Spin_transformation<SolverTraits, EigensolverTraits>::Spin_transformation(
     const Mesh_view& mesh, const Spin_transformation_options& options, const std::string& function)
     : m_function(function), m_options(options)
 {
+  const internal::Thread_team team;
   internal::Stopwatch watch;
   internal::Framed_surface::require(mesh, options.mollification, function);
   options.scales.require(mesh.size_of_vertices(), function);
@@ -58,6 +60,7 @@ Spin_transformation<SolverTraits, EigensolverTraits>::Stage::Stage(const Mesh_vi
 template <class SolverTraits, class EigensolverTraits>
 void Spin_transformation<SolverTraits, EigensolverTraits>::set_positions(const Points& positions)
 {
+  const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   require_size(positions.cols(), "positions");
   if (system().positions())
@@ -147,6 +150,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::transform(
     const Curvature_potential& rho, const Dirac_options& options,
     const internal::Go_further& go_further) &&
 {
+  const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   // Control of scale needs both factors, the exact class the surface before all steps.
   if (m_options.scales.bound || m_options.exact_conformal_class)
@@ -165,6 +169,7 @@ Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::step(
     const Curvature_potential& rho, const Dirac_options& options,
     const internal::Go_further& go_further)
 {
+  const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   require_potential(rho);
   Spin_result result = solve(rho, options, go_further);
@@ -176,6 +181,7 @@ template <class SolverTraits, class EigensolverTraits>
 Spin_result Spin_transformation<SolverTraits, EigensolverTraits>::integrate(
     Quaternion_vector<double> lambda)
 {
+  const internal::Thread_team team;
   m_visits.require_no_visit(m_function);
   require_size(lambda.size(), "spins");
   Spin_result result;

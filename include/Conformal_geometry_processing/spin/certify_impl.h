@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/spin/certify.h>
+#include <Conformal_geometry_processing/threads/parallel_loops.h>
 
 #include <Eigen/Core>
 
@@ -14,10 +15,10 @@ namespace Conformal_geometry_processing {
 CGP_INLINE Points rotated_normals(const Mesh_view& mesh, const Quaternion_vector<double>& lambda)
 {
   Points normals(3, mesh.size_of_faces());
-  for (int f = 0; f < mesh.size_of_faces(); ++f) {
+  internal::for_each_index(mesh.size_of_faces(), 1024, [&](int f) {
     const auto& v = mesh.corners(f);
     normals.col(f) = spin(lambda[v[0]] + lambda[v[1]] + lambda[v[2]], mesh.double_area_vector(f));
-  }
+  });
   return normals;
 }
 

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/spin/follow_branch.h>
+#include <Conformal_geometry_processing/threads/parallel_loops.h>
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -68,17 +69,22 @@ CGP_INLINE void Dirac_gram::extend(const Surface_ref& surface, const Curvature_p
                                    const Block<Quaternion<double>>& vectors)
 {
   const Eigen::Index old = m_products.cols(), all = images * vectors.cols(), added = all - old;
-  const int sheets = surface.size_of_sheets(), most = 256;  // images of so many fit the cache
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> part(most, 4 * all);
-  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(4 * all, 4 * added);
-  for (int first = 0; first < sheets && added > 0; first += most) {
-    const int count = (std::min)(most, sheets - first);
-    for (int i = 0; i < count; ++i) {
-      const Sheet sheet = surface.sheet(first + i);
-      add_images(sheet, base.at_corners(sheet), rho.at_corners(sheet), vectors, &part(i, 0));
+  if (added == 0) return;
+  const std::ptrdiff_t most = 256,
+                       at_once = 2048;  // images of so many fit the cache; a sum for each
+  const auto add = [&](std::ptrdiff_t begin, std::ptrdiff_t end, Eigen::MatrixXd& sums) {
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> part(most, 4 * all);
+    for (std::ptrdiff_t first = begin; first < end; first += most) {
+      const std::ptrdiff_t count = (std::min)(most, end - first);
+      for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const Sheet sheet = surface.sheet(static_cast<int>(first + i));
+        add_images(sheet, base.at_corners(sheet), rho.at_corners(sheet), vectors, &part(i, 0));
+      }
+      sums.noalias() += part.topRows(count).transpose() * part.topRows(count).rightCols(4 * added);
     }
-    sums.noalias() += part.topRows(count).transpose() * part.topRows(count).rightCols(4 * added);
-  }
+  };
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(4 * all, 4 * added);
+  const Eigen::MatrixXd sums = sum_of_ranges(surface.size_of_sheets(), at_once, zero, add);
   m_products.conservativeResize(all, all);
   for (Eigen::Index j = old; j < all; ++j)
     for (Eigen::Index i = 0; i <= j; ++i) {

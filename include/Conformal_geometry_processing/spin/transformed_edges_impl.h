@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
+#include <Conformal_geometry_processing/threads/parallel_loops.h>
 
 #include <Eigen/Core>
 #include <cmath>
@@ -23,11 +24,11 @@ CGP_INLINE Eigen::MatrixX3d transformed_edges(const Surface_ref& surface,
                                               const Quaternion_vector<double>& lambda)
 {
   Eigen::MatrixX3d edges(surface.size_of_edges(), 3);
-  for (int k = 0; k < surface.size_of_edges(); ++k) {
+  internal::for_each_index(surface.size_of_edges(), 1024, [&](int k) {
     const auto [i, j] = surface.ends(k);
     const Eigen::Vector3d e = surface.position(j) - surface.position(i);
     edges.row(k) = transformed_edge(e, lambda[i], lambda[j]).transpose();
-  }
+  });
   return edges;
 }
 

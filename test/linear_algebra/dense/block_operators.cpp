@@ -3,11 +3,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
 #include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
 #include "linear_algebra/hermitian_matrices.h"
+#include "threads/threads.h"
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
@@ -27,6 +29,26 @@ TEST(Block_operator, multiplies_all_columns_by_masses)
   const auto x = random_block<Q>(12, 3, 5);
   const Eigen::MatrixXd y = real_columns(CGP::block_operator(m)(x));
   EXPECT_EQ(y, four_times(m).asDiagonal() * real_columns(x));
+}
+
+TEST(Block_operator, gives_the_same_bits_for_any_number_of_threads)
+{
+  const int n = 20'000;  // large enough for several ranges
+  const auto A = random_hermitian<Q>(random_pattern(n, 1), 2);
+  const Eigen::VectorXd m = random_numbers(n, 4);
+  const auto x = random_block<Q>(n, 2, 3);
+  const auto all = [&] {
+    const CGP::Block<Q> Ax = CGP::block_operator(A)(x), mx = CGP::block_operator(m)(x);
+    CGP::Block<Q> sum = Ax;
+    CGP::add_combination(sum, mx, CGP::gram_matrix(x, Ax));
+    CGP::replace_by_combination(sum, CGP::gram_matrix(x, x), mx, CGP::gram_matrix(x, mx));
+    return real_columns(sum);
+  };
+  const Eigen::MatrixXd one = all();
+  for (const int threads : {2, 3}) {
+    const Threads setting(threads);
+    EXPECT_EQ(all(), one);
+  }
 }
 
 TEST(Block_operator, writes_where_it_is_told)

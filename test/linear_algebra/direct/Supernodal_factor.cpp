@@ -14,9 +14,9 @@
 
 #include "linear_algebra/dense_fronts.h"
 #include "linear_algebra/symbolic_elimination.h"
-#include "linear_algebra/threads.h"
 #include "support/decompositions.h"
 #include "support/spheres.h"
+#include "threads/threads.h"
 
 namespace cgp_test {
 namespace {

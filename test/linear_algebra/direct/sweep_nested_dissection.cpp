@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "linear_algebra/graphs.h"
-#include "linear_algebra/threads.h"
 #include "support/spheres.h"
+#include "threads/threads.h"
 
 using namespace cgp_test;
 

@@ -7,7 +7,7 @@
 
 #include "linear_algebra/every_unit.h"
 #include "linear_algebra/reduced_solver_laws.h"
-#include "linear_algebra/threads.h"
+#include "threads/threads.h"
 
 namespace cgp_test {
 namespace {

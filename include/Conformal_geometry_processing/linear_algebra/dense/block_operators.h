@@ -6,7 +6,9 @@
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
+#include <Conformal_geometry_processing/threads/parallel_loops.h>
 
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -66,7 +68,11 @@ auto block_operator(const Hermitian_sparse_matrix<Scalar>& A)
 {
   return internal::make_block_operator<Scalar>([&A](const Block<Scalar>& x, Block<Scalar>& y) {
     y.resize(x.rows(), x.cols());
-    for (Eigen::Index c = 0; c < x.cols(); ++c) A.multiply(x.col(c), y.col(c));
+    const auto rows = A.rows();
+    internal::for_each_range(A.size(), 512, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+      for (Eigen::Index c = 0; c < x.cols(); ++c)
+        A.multiply_rows(*rows, static_cast<int>(first), static_cast<int>(last), x.col(c), y.col(c));
+    });
   });
 }
 
@@ -79,8 +85,10 @@ auto block_operator(const Vector<FT>& masses)
   using Scalar = Quaternion<FT>;
   return internal::make_block_operator<Scalar>([&masses](const Block<Scalar>& x, Block<Scalar>& y) {
     y.resize(x.rows(), x.cols());
-    for (Eigen::Index c = 0; c < x.cols(); ++c)
-      for (Eigen::Index i = 0; i < x.rows(); ++i) y(i, c) = masses[i] * x(i, c);
+    internal::for_each_range(x.rows(), 8192, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+      for (Eigen::Index c = 0; c < x.cols(); ++c)
+        for (std::ptrdiff_t i = first; i < last; ++i) y(i, c) = masses[i] * x(i, c);
+    });
   });
 }
 

@@ -4,10 +4,12 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_BLOCK_PRODUCTS_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/threads/parallel_loops.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace Conformal_geometry_processing {
 
@@ -54,14 +56,17 @@ template <class Y, class X, class FT>
 void add_multiple(Y&& y, const X& x, const Quaternion<FT>& q)
 {
   using Four = Eigen::Array<FT, 4, 1>;
-  // x q = x.w q + x.x (i q) + x.y (j q) + x.z (k q), a sum of products of a number and a vector.
-  const Four w(q.w, q.x, q.y, q.z), i(-q.x, q.w, -q.z, q.y), j(-q.y, q.z, q.w, -q.x),
-      k(-q.z, -q.y, q.x, q.w);
-  for (Eigen::Index n = 0; n < x.size(); ++n) {
-    const Quaternion<FT> a = x[n];
-    Eigen::Map<Four> sum(&y.coeffRef(n).w);
-    sum += a.w * w + a.x * i + a.y * j + a.z * k;
-  }
+  const std::ptrdiff_t least = 8192;
+  internal::for_each_range(x.size(), least, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    // x q = x.w q + x.x (i q) + x.y (j q) + x.z (k q), a sum of products of a number and a vector.
+    const Four w(q.w, q.x, q.y, q.z), i(-q.x, q.w, -q.z, q.y), j(-q.y, q.z, q.w, -q.x),
+        k(-q.z, -q.y, q.x, q.w);
+    for (std::ptrdiff_t n = first; n < last; ++n) {
+      const Quaternion<FT> a = x[n];
+      Eigen::Map<Four> sum(&y.coeffRef(n).w);
+      sum += a.w * w + a.x * i + a.y * j + a.z * k;
+    }
+  });
 }
 
 /// \ingroup PkgLinearAlgebra
@@ -94,19 +99,22 @@ void replace_by_combination(Block<Quaternion<FT>>& W, const Block<Quaternion<FT>
 {
   const Eigen::Index rows = V.rows(), most = 256, old = W.cols();
   if (old != D.cols()) W.conservativeResize(rows, (std::max)(old, D.cols()));
-  Block<Quaternion<FT>> part((std::min)(rows, most), D.cols());
-  for (Eigen::Index first = 0; first < rows; first += most) {
-    const Eigen::Index count = (std::min)(most, rows - first);
-    part.setConstant(Quaternion<FT>{});
-    for (Eigen::Index j = 0; j < D.cols(); ++j) {
-      auto target = part.col(j).head(count);
-      for (Eigen::Index k = 0; k < old; ++k)
-        add_multiple(target, W.col(k).segment(first, count), C(k, j));
-      for (Eigen::Index k = 0; k < V.cols(); ++k)
-        add_multiple(target, V.col(k).segment(first, count), D(k, j));
+  const std::ptrdiff_t least = 2048;
+  internal::for_each_range(rows, least, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    Block<Quaternion<FT>> part((std::min)(end - begin, most), D.cols());
+    for (Eigen::Index first = begin; first < end; first += most) {
+      const Eigen::Index count = (std::min)(most, end - first);
+      part.setConstant(Quaternion<FT>{});
+      for (Eigen::Index j = 0; j < D.cols(); ++j) {
+        auto target = part.col(j).head(count);
+        for (Eigen::Index k = 0; k < old; ++k)
+          add_multiple(target, W.col(k).segment(first, count), C(k, j));
+        for (Eigen::Index k = 0; k < V.cols(); ++k)
+          add_multiple(target, V.col(k).segment(first, count), D(k, j));
+      }
+      W.block(first, 0, count, D.cols()) = part.topRows(count);
     }
-    W.block(first, 0, count, D.cols()) = part.topRows(count);
-  }
+  });
   if (old > D.cols()) W.conservativeResize(rows, D.cols());
 }
 

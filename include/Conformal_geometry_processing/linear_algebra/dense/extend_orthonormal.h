@@ -25,10 +25,8 @@ bool extend_orthonormal(Block<Quaternion<FT>>& V, const Vector<FT>& weights,
   const auto norm = [&] { return std::sqrt(inner_product(v, weights, v).w); };
   const FT length = norm(), rounding = FT(1e-12);
   for (int pass = 0; pass < 2; ++pass)
-    for (Eigen::Index j = 0; j < V.cols(); ++j) {
-      const Quaternion_vector<FT> u = V.col(j);
-      add_multiple(v, u, -inner_product(u, weights, v));
-    }
+    for (Eigen::Index j = 0; j < V.cols(); ++j)
+      add_multiple(v, V.col(j), -inner_product(V.col(j), weights, v));
   const FT rest = norm();
   if (!(rest > rounding * length)) return false;
   V.conservativeResize(v.size(), V.cols() + 1);

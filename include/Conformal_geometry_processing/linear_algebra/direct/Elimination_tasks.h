@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_ELIMINATION_TASKS_H
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_structure.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Task_pool.h>
+#include <Conformal_geometry_processing/threads/Task_pool.h>
 
 #include <algorithm>
 #include <array>

@@ -125,6 +125,8 @@ class Supernodal_cholesky {
   template <int numbers, class Number>
   bool substitute(const Factor<Number>& factor, const Block<Scalar>& b, Eigen::Index begin,
                   Eigen::Index end, Block<Scalar>& x) const;
+  static constexpr int pack_at_least = 4096;  // entries, for each thread
+
   template <class Number>
   void pack(const Block<Scalar>& b, Eigen::Index c, int columns, const FT* units, Number* to) const;
   template <class Number>

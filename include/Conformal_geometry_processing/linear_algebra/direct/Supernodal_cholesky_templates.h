@@ -8,61 +8,17 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_substitution.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/choose_ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/largest_number.h>
+#include <Conformal_geometry_processing/threads/parallel_loops.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
 namespace Conformal_geometry_processing {
-
-namespace internal {
-
-template <class Scalar>
-bool is_finite(const Hermitian_sparse_matrix<Scalar>& A)
-{
-  constexpr int planes = Scalar_planes<Scalar>::size;
-  bool is_finite = true;
-  for (int k = 0; k < A.pattern().size_of_entries(); ++k) {
-    typename Scalar_traits<Scalar>::FT c[planes];
-    Scalar_planes<Scalar>::get(A.value(k), c);
-    for (int q = 0; q < planes; ++q) is_finite = is_finite && std::isfinite(c[q]);
-  }
-  return is_finite;
-}
-
-// The power of two just above the numbers of v, which may be too small, or too large, for another
-// type of numbers.
-template <class Column>
-auto power_of_two(const Column& v)
-{
-  using Scalar = typename Column::Scalar;
-  using FT = typename Scalar_traits<Scalar>::FT;
-  constexpr int planes = Scalar_planes<Scalar>::size;
-  FT largest = 0;
-  for (Eigen::Index i = 0; i < v.size(); ++i) {
-    FT c[planes];
-    Scalar_planes<Scalar>::get(v[i], c);
-    for (int q = 0; q < planes; ++q) largest = (std::max)(largest, std::abs(c[q]));
-  }
-  const bool is_usual = largest >= (std::numeric_limits<FT>::min)() && std::isfinite(largest);
-  return is_usual ? std::ldexp(FT(1), (std::min)(std::ilogb(largest) + 1, 1000)) : FT(1);
-}
-
-template <class Real>
-bool is_finite(const Aligned_array<Real>& numbers)
-{
-  bool is_finite = true;
-  for (std::int64_t i = 0; i < numbers.size(); ++i)
-    is_finite = is_finite && std::isfinite(numbers.data()[i]);
-  return is_finite;
-}
-
-}  // namespace internal
 
 template <class Scalar>
 Supernodal_cholesky<Scalar>::Supernodal_cholesky() = default;
@@ -264,12 +220,15 @@ void Supernodal_cholesky<Scalar>::pack(const Block<Scalar>& b, Eigen::Index c, i
                                        const FT* units, Number* to) const
 {
   constexpr int planes = internal::Scalar_planes<Scalar>::size;
-  for (int k : m_structure->order())
-    for (int i = 0; i < columns; ++i, to += planes) {
+  internal::for_each_index(size(), pack_at_least, [&](int place) {
+    const int k = m_structure->order()[static_cast<std::size_t>(place)];
+    Number* const at = to + std::int64_t(place) * columns * planes;
+    for (int i = 0; i < columns; ++i) {
       FT s[planes] = {};
       if (c + i < b.cols()) internal::Scalar_planes<Scalar>::get(b(k, c + i), s);
-      for (int q = 0; q < planes; ++q) to[q] = static_cast<Number>(s[q] / units[i]);
+      for (int q = 0; q < planes; ++q) at[i * planes + q] = static_cast<Number>(s[q] / units[i]);
     }
+  });
 }
 
 template <class Scalar>
@@ -278,13 +237,16 @@ void Supernodal_cholesky<Scalar>::unpack(const Number* from, Eigen::Index c, int
                                          const FT* units, Block<Scalar>& x) const
 {
   constexpr int planes = internal::Scalar_planes<Scalar>::size;
-  for (int k : m_structure->order())
-    for (int i = 0; i < columns; ++i, from += planes) {
-      if (c + i >= x.cols()) continue;
+  const Eigen::Index end = (std::min)(c + columns, x.cols());
+  internal::for_each_index(size(), pack_at_least, [&](int place) {
+    const int k = m_structure->order()[static_cast<std::size_t>(place)];
+    const Number* const at = from + std::int64_t(place) * columns * planes;
+    for (Eigen::Index i = 0; c + i < end; ++i) {
       FT s[planes];
-      for (int q = 0; q < planes; ++q) s[q] = units[i] * from[q];
+      for (int q = 0; q < planes; ++q) s[q] = units[i] * at[i * planes + q];
       x(k, c + i) = internal::Scalar_planes<Scalar>::put(s);
     }
+  });
 }
 
 }  // namespace Conformal_geometry_processing

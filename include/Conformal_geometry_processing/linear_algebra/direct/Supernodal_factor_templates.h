@@ -5,8 +5,8 @@
 
 #include <Conformal_geometry_processing/algebra/scalar.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
+#include <Conformal_geometry_processing/threads/number_of_threads.h>
 
 #include <algorithm>
 #include <atomic>

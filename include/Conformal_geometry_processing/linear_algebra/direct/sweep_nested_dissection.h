@@ -5,8 +5,8 @@
 
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Task_pool.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_cut.h>
+#include <Conformal_geometry_processing/threads/Task_pool.h>
 
 #include <Eigen/Core>
 

@@ -4,9 +4,9 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SWEEP_NESTED_DISSECTION_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/vertex_separator.h>
+#include <Conformal_geometry_processing/threads/number_of_threads.h>
 
 #include <Eigen/Core>
 

@@ -27,6 +27,13 @@ struct Lobpcg_space {
   // S^H N S and S^H K S
   struct Forms {
     Vectors n, k;
+
+    Forms& operator+=(const Forms& other)
+    {
+      n += other.n;
+      k += other.k;
+      return *this;
+    }
   };
 
   Ritz_panel x, w, p;  // iterates; preconditioned residuals; previous steps

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <utility>
 
@@ -30,23 +30,22 @@ CGP_INLINE void complete_hermitian(Coefficients coefficients, Lobpcg_space::Vect
 // Some rows at a time, so that every vector is read once.
 CGP_INLINE Lobpcg_space::Forms Lobpcg_space::forms() const
 {
+  const std::ptrdiff_t at_once = 1024;
   const Vectors zero = Vectors::Constant(size(), size(), {});
-  Forms sum{zero, zero};
-  const Eigen::Index most = 256;
-  for (Eigen::Index first = 0; first < x.v.rows(); first += most) {
-    const Eigen::Index count = (std::min)(most, x.v.rows() - first);
+  const auto add = [this](std::ptrdiff_t first, std::ptrdiff_t last, Forms& sum) {
     Eigen::Index column = 0;
     for (const Ritz_panel* b : panels())
       for (Eigen::Index j = 0; j < b->size(); ++j, ++column) {
         Eigen::Index row = 0;
         for (const Ritz_panel* a : panels())
           for (Eigen::Index i = 0; i < a->size() && row <= column; ++i, ++row) {
-            const auto v = a->v.col(i).segment(first, count);
-            sum.n(row, column) += inner_product(v, b->nv.col(j).segment(first, count));
-            sum.k(row, column) += inner_product(v, b->kv.col(j).segment(first, count));
+            const auto v = a->v.col(i).segment(first, last - first);
+            sum.n(row, column) += inner_product(v, b->nv.col(j).segment(first, last - first));
+            sum.k(row, column) += inner_product(v, b->kv.col(j).segment(first, last - first));
           }
       }
-  }
+  };
+  Forms sum = sum_of_ranges(x.v.rows(), at_once, Forms{zero, zero}, add);
   for (Vectors* form : {&sum.n, &sum.k}) complete_hermitian(x.coefficients, *form);
   return sum;
 }

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <cstddef>
 
 namespace Conformal_geometry_processing {
 
@@ -30,7 +31,12 @@ CGP_INLINE void internal::Ritz_panel::residual(Block<Quaternion<double>>& r) con
 {
   const Vector<double> theta = values();
   r.resize(v.rows(), size());
-  for (Eigen::Index j = 0; j < size(); ++j) r.col(j) = kv.col(j) - theta[j] * nv.col(j);
+  const std::ptrdiff_t least = 8192;
+  for_each_range(v.rows(), least, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    for (Eigen::Index j = 0; j < size(); ++j)
+      r.col(j).segment(first, last - first) = kv.col(j).segment(first, last - first) -
+                                              theta[j] * nv.col(j).segment(first, last - first);
+  });
 }
 
 CGP_INLINE void replace_by_combination(internal::Ritz_panel& p, const Block<Quaternion<double>>& C,

@@ -1,8 +1,8 @@
-// Tests include/Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h
+// Tests include/Conformal_geometry_processing/threads/number_of_threads.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
+#include <Conformal_geometry_processing/threads/number_of_threads.h>
 
 #include <gtest/gtest.h>
 

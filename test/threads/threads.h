@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef TEST_LINEAR_ALGEBRA_THREADS_H
-#define TEST_LINEAR_ALGEBRA_THREADS_H
+#ifndef TEST_THREADS_THREADS_H
+#define TEST_THREADS_THREADS_H
 
-#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
+#include <Conformal_geometry_processing/threads/number_of_threads.h>
 
 namespace cgp_test {
 

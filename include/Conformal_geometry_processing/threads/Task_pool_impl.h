@@ -1,17 +1,16 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_TASK_POOL_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_TASK_POOL_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_THREADS_TASK_POOL_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_THREADS_TASK_POOL_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Task_pool.h>
+#include <Conformal_geometry_processing/threads/Task_pool.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <exception>
 #include <functional>
 #include <mutex>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -25,13 +24,7 @@ CGP_INLINE void internal::Task_pool::run(std::vector<int> tasks,
   m_action = &action;
   m_failure = nullptr;
   m_has_failed = false;
-  std::vector<std::thread> helpers;
-  try {
-    for (int i = 1; i < m_threads; ++i) helpers.emplace_back([this] { work(); });
-  } catch (...) {  // continues with fewer threads
-  }
-  work();
-  for (std::thread& t : helpers) t.join();
+  Thread_team().run(m_threads, [this] { work(); });
   if (m_failure) std::rethrow_exception(m_failure);
 }
 
@@ -39,16 +32,10 @@ CGP_INLINE void internal::Task_pool::push(int task)
 {
   const std::lock_guard<std::mutex> lock(m_mutex);
   m_tasks.push_back(task);
-  announce();
+  m_events.announce();
 }
 
-// All of the following except work_on() and fail() require a locked mutex.
-CGP_INLINE void internal::Task_pool::announce()
-{
-  ++m_events;
-  m_wake.notify_all();
-}
-
+// All of the following except work_on() require a locked mutex.
 CGP_INLINE void internal::Task_pool::work()
 {
   std::unique_lock<std::mutex> lock(m_mutex);
@@ -60,7 +47,7 @@ CGP_INLINE void internal::Task_pool::work()
     else if (Loop* const loop = find_loop())
       help(*loop, lock);
     else
-      wait(lock);
+      m_events.wait(lock);
   }
 }
 
@@ -73,7 +60,7 @@ CGP_INLINE void internal::Task_pool::begin_task(std::unique_lock<std::mutex>& lo
   attempt([&] { (*m_action)(task); });
   lock.lock();
   if (m_has_failed) m_tasks.clear();
-  if (--m_running == 0 && m_tasks.empty()) announce();
+  if (--m_running == 0 && m_tasks.empty()) m_events.announce();
 }
 
 CGP_INLINE internal::Task_pool::Loop* internal::Task_pool::find_loop() const
@@ -90,15 +77,6 @@ CGP_INLINE void internal::Task_pool::help(Loop& loop, std::unique_lock<std::mute
   work_on(loop);
   --loop.helpers;  // the loop may be destroyed from here on
   lock.lock();
-}
-
-CGP_INLINE void internal::Task_pool::wait(std::unique_lock<std::mutex>& lock)
-{
-  const std::int64_t seen = m_events;
-  lock.unlock();
-  for (int i = 0; i < patience && m_events == seen; ++i) std::this_thread::yield();
-  lock.lock();
-  m_wake.wait(lock, [&] { return m_events != seen; });
 }
 
 CGP_INLINE void internal::Task_pool::work_on(Loop& loop)

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_NUMBER_OF_THREADS_IMPL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_NUMBER_OF_THREADS_IMPL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_THREADS_NUMBER_OF_THREADS_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_THREADS_NUMBER_OF_THREADS_IMPL_H
 
-#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads.h>
+#include <Conformal_geometry_processing/threads/number_of_threads.h>
 
 #include <algorithm>
 #include <atomic>

@@ -1,17 +1,17 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_NUMBER_OF_THREADS_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_NUMBER_OF_THREADS_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_THREADS_NUMBER_OF_THREADS_H
+#define CONFORMAL_GEOMETRY_PROCESSING_THREADS_NUMBER_OF_THREADS_H
 
 #include <Conformal_geometry_processing/config.h>
 
 namespace Conformal_geometry_processing {
 
-/// \ingroup PkgLinearAlgebra
+/// \ingroup PkgThreads
 /// \brief Returns the maximal number of threads of a call of this library; the default is 1.
 int number_of_threads();
 
-/// \ingroup PkgLinearAlgebra
+/// \ingroup PkgThreads
 /// \brief Sets the maximal number of threads of all later calls of this library in the process; 0
 /// or less selects the number of hardware threads.
 ///
@@ -25,7 +25,7 @@ void set_number_of_threads(int threads);
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/direct/number_of_threads_impl.h>
+#include <Conformal_geometry_processing/threads/number_of_threads_impl.h>
 #endif
 
 #endif

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_TASK_POOL_H
-#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_TASK_POOL_H
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_THREADS_TASK_POOL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_THREADS_TASK_POOL_H
+
+#include <Conformal_geometry_processing/threads/Signal.h>
 
 #include <algorithm>
 #include <atomic>
-#include <condition_variable>
-#include <cstdint>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -17,7 +17,7 @@ namespace Conformal_geometry_processing {
 
 namespace internal {
 
-/// \ingroup PkgLinearAlgebra
+/// \ingroup PkgThreads
 /// \brief Runs tasks, which may spawn further tasks, on several threads.
 ///
 /// Tasks are numbers. A task may also distribute a loop: idle threads help, so that the last and
@@ -53,7 +53,7 @@ class Task_pool {
     {
       const std::lock_guard<std::mutex> lock(m_mutex);
       m_loops.push_back(&loop);
-      announce();
+      m_events.announce();
     }
     work_on(loop);
     {
@@ -74,14 +74,10 @@ class Task_pool {
     std::atomic<int> next{0}, helpers{0};
   };
 
-  static constexpr int patience = 200;  ///< number of polls before a thread goes to sleep
-
-  void announce();
   void work();
   void begin_task(std::unique_lock<std::mutex>& lock);
   Loop* find_loop() const;
   void help(Loop& loop, std::unique_lock<std::mutex>& lock);
-  void wait(std::unique_lock<std::mutex>& lock);
   void work_on(Loop& loop);
 
   template <class Action>
@@ -100,13 +96,12 @@ class Task_pool {
   const int m_threads;
   const std::function<void(int)>* m_action = nullptr;
   std::mutex m_mutex;
-  std::condition_variable m_wake;
+  Signal m_events;           // that may concern waiting threads
   std::vector<int> m_tasks;  // waiting; the next one is last
   std::vector<Loop*> m_loops;
   int m_running = 0;
   std::exception_ptr m_failure;
   std::atomic<bool> m_has_failed{false};
-  std::atomic<std::int64_t> m_events{0};  // number of events that may concern waiting threads
 };
 
 }  // namespace internal
@@ -114,7 +109,7 @@ class Task_pool {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/direct/Task_pool_impl.h>
+#include <Conformal_geometry_processing/threads/Task_pool_impl.h>
 #endif
 
 #endif
