@@ -22,14 +22,17 @@ from headless_page import read_png
 from studio_page import Studio
 
 CONTROL, MANY_STROKES, ROUNDING = 2, 200, 1e-6  # the error to which WebAssembly and program compute spins
+GUIDED = 1e-5  # that of what a factor in single precision guides
 
 
 def check_same(found, wanted, what, tolerance=ROUNDING):
-    """The numbers of both reports, but those that measure rounding."""
+    """The numbers of both reports, but those that measure rounding. Gaps are bounds from iterates that a factor in
+    single precision has guided, and have its rounding: they differ by up to 4e-7 between vector units, too."""
     numbers = dict(leaves(wanted["result"], ""))
     for place, value in leaves(found["result"], ""):
         if not place.endswith(("residual", "iterations", "factorizations", "solves")):
-            require(math.isclose(value, numbers[place], rel_tol=tolerance, abs_tol=tolerance),
+            near = max(tolerance, GUIDED) if place.endswith("gap") else tolerance
+            require(math.isclose(value, numbers[place], rel_tol=near, abs_tol=near),
                     f"{what}: {place} is {value}, not {numbers[place]}")
     require(found["verified"] is wanted["verified"], f"{what}: verified differs")
 
