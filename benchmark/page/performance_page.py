@@ -66,8 +66,10 @@ Microseconds per vertex of *native, float*, the default, with amplitude 1, and o
 - **Memory that is new** has to be cleared by the system, which is dear on virtual machines, for large
   meshes and in P as well. With `MALLOC_TRIM_THRESHOLD_` and `MALLOC_MMAP_THRESHOLD_` of 2000000000
   (glibc), freed memory is kept.
-- **Two threads**: factorizations, solves and dissection are divided between them. Assembly, products
-  with X, inner products and certificate are not.
+- **Two threads**: all that loops over sheets, rows or vectors is divided between them, with the same
+  bits. Minimum degree ordering and symbolic analysis are not, a tenth to a fifth of a transformation;
+  on surfaces of less than 10,000 vertices the parts are too short, because a thread takes
+  20 to 40 microseconds to wake up.
 - **Multigrid** wins on large spheres only: on every scan it takes many times the iterations, and
   more time than the direct solver. It is therefore never chosen automatically.
 

@@ -75,7 +75,7 @@ internal::Supernodal_factor<Scalar, Real>::Supernodal_factor(
 template <class Scalar, class Real>
 int internal::Supernodal_factor<Scalar, Real>::threads(double seconds)
 {
-  const double worth_it = 1e-3;
+  const double worth_it = 2e-4;  // threads of a team wake up in a fifth of that
   return seconds < worth_it ? 1 : (std::min)(number_of_threads(), 1024);
 }
 
