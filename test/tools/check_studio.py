@@ -21,17 +21,15 @@ from devtools import browser
 from headless_page import read_png
 from studio_page import Studio
 
-CONTROL, MANY_STROKES, ROUNDING = 2, 200, 1e-6  # the error to which WebAssembly and program compute spins
-GUIDED = 1e-5  # that of what a factor in single precision guides
+CONTROL, MANY_STROKES, ROUNDING, GUIDED = 2, 200, 1e-6, 1e-5  # of spins; of gaps, which single precision guides
 
 
 def check_same(found, wanted, what, tolerance=ROUNDING):
-    """The numbers of both reports, but those that measure rounding. Gaps are bounds from iterates that a factor in
-    single precision has guided, and have its rounding: they differ by up to 4e-7 between vector units, too."""
+    """The numbers of both reports, but those that measure rounding."""
     numbers = dict(leaves(wanted["result"], ""))
     for place, value in leaves(found["result"], ""):
+        near = max(tolerance, GUIDED if place.endswith("gap") else 0)
         if not place.endswith(("residual", "iterations", "factorizations", "solves")):
-            near = max(tolerance, GUIDED) if place.endswith("gap") else tolerance
             require(math.isclose(value, numbers[place], rel_tol=near, abs_tol=near),
                     f"{what}: {place} is {value}, not {numbers[place]}")
     require(found["verified"] is wanted["verified"], f"{what}: verified differs")
@@ -44,16 +42,15 @@ def program(conformal, arguments, folder):
 
 
 def points(path):
-    rows = (line.split() for line in path.read_text().splitlines())
-    return [tuple(map(float, row[1:4])) for row in rows if row[:1] == ["v"]]
+    return [tuple(map(float, line.split()[1:4])) for line in path.read_text().splitlines() if line.startswith("v ")]
 
 
 def check_painting(studio, conformal):
     for side in (0, 1):
         studio.stroke(side)
     require(studio.report().get("verified") is True, f"not verified: {studio.words('#reason')}")
-    orange = sum(r > 1.5 * b and r > 90 for row in read_png(studio.picture("painted.png").read_bytes())
-                 for r, g, b in row)
+    picture = read_png(studio.picture("painted.png").read_bytes())
+    orange = sum(r > 1.5 * b and r > 90 for row in picture for r, g, b in row)
     require(orange > 1500, f"only {orange} pixels show paint")
     studio.saved("#save-rho", "bumpy_rho.txt")
     command = studio.words("#command").split()
