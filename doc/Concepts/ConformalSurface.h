@@ -45,6 +45,7 @@ class ConformalSurface {
   /// how many sheets there are
   int size_of_sheets() const;
 
-  /// sheet i; sheets of one triangle follow each other
+  /// sheet i; sheets of one triangle follow each other. Operators call it from several threads at
+  /// the same time if `number_of_threads()` is not 1
   Sheet sheet(int i) const;
 };

@@ -40,6 +40,7 @@ TEST_P(Sheet_loops, visit_the_corners_of_each_vertex_once_in_their_order)
   std::vector<std::vector<int>> expected(static_cast<std::size_t>(mesh.size_of_vertices()));
   for (int f = 0; f < mesh.size_of_faces(); ++f)
     for (const int v : mesh.corners(f)) expected[static_cast<std::size_t>(v)].push_back(f);
+  const CGP::internal::Thread_team team;
   for (const int threads : {1, 2, 3}) {
     const Threads setting(threads);
     std::vector<std::vector<int>> met(expected.size());
@@ -96,6 +97,7 @@ std::vector<Eigen::MatrixXd> all_sums(const CGP::Surface_ref& surface,
 void expect_the_same_bits(const CGP::Surface_ref& surface, const CGP::Curvature_potential& rho)
 {
   const auto one = all_sums(surface, rho);
+  const CGP::internal::Thread_team team;
   for (const int threads : {2, 3}) {
     const Threads setting(threads);
     const auto sums = all_sums(surface, rho);

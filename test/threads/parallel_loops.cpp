@@ -34,6 +34,7 @@ TEST(For_each_range, visits_every_element_once)
 TEST(For_each_range, makes_ranges_that_are_worth_it)
 {
   const Threads setting(4);
+  const Thread_team team;
   for (const int per_thread : {1, 3}) {
     std::mutex mutex;
     std::vector<std::ptrdiff_t> sizes;

@@ -60,8 +60,8 @@ Lower_rows lower_rows(const Sparse_pattern& pattern);
 class Kept_rows {
  public:
   Kept_rows() = default;
-  Kept_rows(const Kept_rows& other) : m_rows(other.kept()) {}
-  Kept_rows& operator=(const Kept_rows& other)
+  Kept_rows(const Kept_rows& other) noexcept : m_rows(other.kept()) {}
+  Kept_rows& operator=(const Kept_rows& other) noexcept
   {
     m_rows = other.kept();
     return *this;
@@ -70,7 +70,7 @@ class Kept_rows {
   std::shared_ptr<const Lower_rows> of(const Sparse_pattern& pattern) const;
 
  private:
-  std::shared_ptr<const Lower_rows> kept() const { return std::atomic_load(&m_rows); }
+  std::shared_ptr<const Lower_rows> kept() const noexcept { return std::atomic_load(&m_rows); }
 
   mutable std::shared_ptr<const Lower_rows> m_rows;
 };

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <string>
 
 /// \file requirements.h
@@ -66,12 +67,12 @@ struct Defect {
 template <class Is_bad>
 Defect find_defect(Defect::Kind kind, int n, const Is_bad& is_bad)
 {
-  const std::ptrdiff_t at_once = 4096;
+  const std::ptrdiff_t at_once = 4096, least = 2;
   const auto add = [&is_bad](std::ptrdiff_t begin, std::ptrdiff_t end, Defect& defect) {
     for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i)
       if (is_bad(i) && defect.count++ == 0) defect.first = i;
   };
-  return sum_of_ranges(n, at_once, Defect{kind}, add);
+  return sum_of_ranges(n, at_once, Defect{kind}, add, least);
 }
 
 // What the requirements below look for.

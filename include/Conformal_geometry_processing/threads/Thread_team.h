@@ -27,6 +27,9 @@ class Thread_team {
   Thread_team();
   ~Thread_team();
 
+  /// whether this thread has a team, whose threads wait already
+  static bool exists();
+
   Thread_team(const Thread_team&) = delete;
   Thread_team& operator=(const Thread_team&) = delete;
 

@@ -33,6 +33,11 @@ CGP_INLINE Thread_team::Thread_team() : m_team(membership().team ? membership().
   membership().team = m_team;
 }
 
+CGP_INLINE bool Thread_team::exists()
+{
+  return membership().team != nullptr;
+}
+
 CGP_INLINE Thread_team::~Thread_team()
 {
   if (m_team != this) return;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -20,21 +21,24 @@ namespace internal {
 /// \brief Calls `visit(first, last)` for ranges that make up 0 <= i < count, on several threads.
 ///
 /// The ranges depend on the number of threads; results must not depend on the ranges.
-/// \param least number of elements that are worth a range: some 20 microseconds of work
-/// \param per_thread number of ranges for each thread; more than one balance uneven work
-/// \throw an exception of `visit`
+/// \param least number of elements that are worth a range to threads that wait: some 20
+/// microseconds of work; five times as many are where threads have to start \param per_thread
+/// number of ranges for each thread; more than one balance uneven work \throw an exception of
+/// `visit`
 template <class Visitor>
 void for_each_range(std::ptrdiff_t count, std::ptrdiff_t least, const Visitor& visit,
                     int per_thread = 4)
 {
-  const std::ptrdiff_t most = count / (std::max)(least, std::ptrdiff_t(1));
+  const std::ptrdiff_t worth_it = Thread_team::exists() ? least : 5 * least;
+  const std::ptrdiff_t most = count / (std::max)(worth_it, std::ptrdiff_t(1));
   const int threads = static_cast<int>((std::min)(most, std::ptrdiff_t(number_of_threads())));
   if (threads <= 1) return visit(std::ptrdiff_t(0), count);
   const std::ptrdiff_t ranges = (std::min)(most, std::ptrdiff_t(threads) * per_thread);
   std::atomic<std::ptrdiff_t> next{0};
   const auto work = [&] {
     for (std::ptrdiff_t i = next++; i < ranges; i = next++)
-      visit(count * i / ranges, count * (i + 1) / ranges);
+      visit(static_cast<std::ptrdiff_t>(std::int64_t(count) * i / ranges),
+            static_cast<std::ptrdiff_t>(std::int64_t(count) * (i + 1) / ranges));
   };
   Thread_team().run(threads, std::cref(work));
 }

@@ -45,6 +45,7 @@ TEST(Block_operator, gives_the_same_bits_for_any_number_of_threads)
     return real_columns(sum);
   };
   const Eigen::MatrixXd one = all();
+  const CGP::internal::Thread_team team;
   for (const int threads : {2, 3}) {
     const Threads setting(threads);
     EXPECT_EQ(all(), one);

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/algebra/scalar.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_factor.h>
 #include <Conformal_geometry_processing/linear_algebra/vector_units/Vector_unit.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 #include <Conformal_geometry_processing/threads/number_of_threads.h>
 
 #include <algorithm>
@@ -75,7 +76,8 @@ internal::Supernodal_factor<Scalar, Real>::Supernodal_factor(
 template <class Scalar, class Real>
 int internal::Supernodal_factor<Scalar, Real>::threads(double seconds)
 {
-  const double worth_it = 2e-4;  // threads of a team wake up in a fifth of that
+  const double worth_it =
+      Thread_team::exists() ? 2e-4 : 1e-3;  // five times the time to wake or start
   return seconds < worth_it ? 1 : (std::min)(number_of_threads(), 1024);
 }
 

@@ -60,7 +60,7 @@ bool is_finite(const Hermitian_sparse_matrix<Scalar>& A)
 }
 
 /// The power of two just above the numbers of v, which may be too small, or too large, for another
-/// type of numbers
+/// type of numbers; 1 if a number is not finite
 template <class Column>
 auto power_of_two(const Column& v)
 {
