@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <type_traits>
+
 #include "linear_algebra/hermitian_matrices.h"
 
 namespace CGP = Conformal_geometry_processing;
@@ -51,6 +53,11 @@ TYPED_TEST(Hermitian_sparse_matrix, shares_its_rows_with_copies_of_its_pattern_o
   copy = other;  // with rows that are not known yet
   const auto x = random_block<TypeParam>(9, 1, 3);
   EXPECT_EQ(copy * x.col(0), other * x.col(0));
+}
+
+TYPED_TEST(Hermitian_sparse_matrix, moves_without_copying)
+{
+  EXPECT_TRUE(std::is_nothrow_move_constructible_v<CGP::Hermitian_sparse_matrix<TypeParam>>);
 }
 
 TYPED_TEST(Hermitian_sparse_matrix, sets_some_columns_to_zero)
