@@ -61,14 +61,18 @@ struct Case {
 template <class Mesh>
 void expect_exact_class(const Mesh_view& reference)
 {
-  Case<Mesh> a(reference, perturbed(reference, .03).positions());
+  const Points before = perturbed(reference, .03).positions();
+  Case<Mesh> a(reference, before);
   const auto report = CGP::snap_to_conformal_class(a.mesh, a.reference_points);
   EXPECT_TRUE(report);
   EXPECT_GT(report.initial_length_cross_ratio.max, 1e-2);
   EXPECT_LT(report.length_cross_ratio.max, 1e-10);
   EXPECT_LT(a.change(), 1e-10);
+  const Eigen::VectorXd moved = (points_of(a.mesh) - before).colwise().norm();
+  const double diagonal = (before.rowwise().maxCoeff() - before.rowwise().minCoeff()).norm(),
+               expected = std::sqrt(moved.squaredNorm() / static_cast<double>(moved.size()));
   EXPECT_GT(report.displacement, 1e-4);
-  EXPECT_LT(report.displacement, .1);
+  EXPECT_NEAR(report.displacement, expected / diagonal, 1e-12);
 }
 
 /// by the named parameter of spin transformations, on one mesh or each of its components

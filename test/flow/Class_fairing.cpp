@@ -50,6 +50,21 @@ TEST(Class_fairing, lowers_the_energy_and_keeps_length_cross_ratios)
   }
 }
 
+// The weight of the class against the energy has a unit.
+TEST(Class_fairing, does_not_depend_on_the_unit_of_length)
+{
+  const Mesh_view mesh = waves_on_an_ellipsoid(fibonacci_sphere(800));
+  const auto region = upper_part(mesh);
+  const Fairing_result expected = faired(mesh, region, in_class);
+  for (const double unit : {1e-3, 1e3}) {
+    const Fairing_result result =
+        faired({unit * mesh.positions(), mesh.corners()}, region, in_class);
+    EXPECT_TRUE(result.report) << result.report.message;
+    EXPECT_LT((result.positions / unit - expected.positions).lpNorm<Eigen::Infinity>(), 1e-5);
+    EXPECT_LT(result.report.conformality.length_cross_ratio.max, 1e-9);
+  }
+}
+
 TEST(Class_fairing, finds_no_less_energy_than_without_the_class)
 {
   const Mesh_view mesh = waves_on_an_ellipsoid(fibonacci_sphere(800));

@@ -103,5 +103,6 @@ TEST(Exact_steps_to_new_directions, leave_out_of_a_strange_rho_what_does_not_clo
   EXPECT_EQ(r.report.steps, 1);
   EXPECT_GT(r.report.missing_share, .001);
   EXPECT_LT(r.report.missing_share, .5);
+  EXPECT_NEAR(r.report.realised_share, 1 - r.report.missing_share, 1e-12);
   EXPECT_GT(r.report.added_share, .01);
 }

@@ -31,4 +31,11 @@ TEST(Number_of_threads, is_that_of_the_machine_for_zero_or_less)
   CGP::set_number_of_threads(1);
 }
 
+TEST(Number_of_threads, has_a_limit)
+{
+  CGP::set_number_of_threads(1000000);
+  EXPECT_EQ(CGP::number_of_threads(), 1024);
+  CGP::set_number_of_threads(1);
+}
+
 }  // namespace

@@ -6,39 +6,14 @@
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/algebra/scalar.h>
 
-#include <atomic>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
 namespace Conformal_geometry_processing {
 
-/// \ingroup PkgAlgebra
-/// \brief The pattern of a Hermitian sparse matrix: its lower triangle, column by column.
-///
-/// Column j holds the rows `indices[offsets[j]] ... indices[offsets[j+1] - 1]`, ascending; the
-/// first one is always the diagonal, j. For a mesh, column j contains vertex j and its neighbours
-/// of larger number, so the pattern has |V| + |E| entries. The real, complex and quaternionic
-/// matrices of a mesh share one pattern, which never changes.
-struct Sparse_pattern {
-  std::vector<int> offsets;  ///< size() + 1 positions in `indices`
-  std::vector<int> indices;  ///< row numbers
-
-  /// Number of rows, which equals the number of columns
-  int size() const { return offsets.empty() ? 0 : static_cast<int>(offsets.size()) - 1; }
-
-  /// Number of stored entries of the lower triangle
-  int size_of_entries() const { return static_cast<int>(indices.size()); }
-
-  /// Position of entry (i, j) among the stored ones, -1 if it is not stored; O(log degree)
-  /// \pre i >= j
-  int find(int i, int j) const;
-
-  friend bool operator==(const Sparse_pattern& a, const Sparse_pattern& b)
-  {
-    return a.offsets == b.offsets && a.indices == b.indices;
-  }
-};
+struct Sparse_pattern;
 
 namespace internal {
 
@@ -52,30 +27,62 @@ struct Lower_rows {
   std::vector<Entry> entries;  ///< in each row by ascending columns
 };
 
-Lower_rows lower_rows(const Sparse_pattern& pattern);
-
 /// \ingroup PkgAlgebra
-/// The rows of a pattern that does not change, from the first time that they are asked for; may be
-/// used from several threads.
+/// \brief The rows of a pattern, from the first time that they are asked for.
+///
+/// A copy of the pattern, which may be changed, has to find its own.
 class Kept_rows {
  public:
   Kept_rows() = default;
-  Kept_rows(const Kept_rows& other) noexcept : m_rows(other.kept()) {}
-  Kept_rows& operator=(const Kept_rows& other) noexcept
+  Kept_rows(const Kept_rows&) noexcept {}
+  Kept_rows& operator=(const Kept_rows&) noexcept
   {
-    m_rows = other.kept();
+    m_rows.reset();
     return *this;
   }
 
-  std::shared_ptr<const Lower_rows> of(const Sparse_pattern& pattern) const;
+  /// May be called from several threads \param pattern always the same
+  const Lower_rows& of(const Sparse_pattern& pattern) const;
 
  private:
-  std::shared_ptr<const Lower_rows> kept() const noexcept { return std::atomic_load(&m_rows); }
-
-  mutable std::shared_ptr<const Lower_rows> m_rows;
+  mutable std::mutex m_mutex;
+  mutable std::unique_ptr<const Lower_rows> m_rows;
 };
 
 }  // namespace internal
+
+/// \ingroup PkgAlgebra
+/// \brief The pattern of a Hermitian sparse matrix: its lower triangle, column by column.
+///
+/// Column j holds the rows `indices[offsets[j]] ... indices[offsets[j+1] - 1]`, ascending; the
+/// first one is always the diagonal, j. For a mesh, column j contains vertex j and its neighbours
+/// of larger number, so the pattern has |V| + |E| entries. The real, complex and quaternionic
+/// matrices of a mesh share one pattern, which never changes.
+struct Sparse_pattern {
+  std::vector<int> offsets;            ///< size() + 1 positions in `indices`
+  std::vector<int> indices;            ///< row numbers
+  internal::Kept_rows kept_rows = {};  ///< of the finished pattern, see `rows()`
+
+  /// Number of rows, which equals the number of columns
+  int size() const { return offsets.empty() ? 0 : static_cast<int>(offsets.size()) - 1; }
+
+  /// Number of stored entries of the lower triangle
+  int size_of_entries() const { return static_cast<int>(indices.size()); }
+
+  /// Position of entry (i, j) among the stored ones, -1 if it is not stored; O(log degree)
+  /// \pre i >= j
+  int find(int i, int j) const;
+
+  /// \brief Its strictly lower triangle row by row, which is found at the first call; O(size of
+  /// entries) then. May be called from several threads.
+  /// \pre nothing changes the pattern any more
+  const internal::Lower_rows& rows() const { return kept_rows.of(*this); }
+
+  friend bool operator==(const Sparse_pattern& a, const Sparse_pattern& b)
+  {
+    return a.offsets == b.offsets && a.indices == b.indices;
+  }
+};
 
 /// \ingroup PkgAlgebra
 /// \brief A Hermitian sparse matrix, A_ji = conjugate(A_ij), with values on a fixed pattern.
@@ -148,17 +155,14 @@ class Hermitian_sparse_matrix {
   template <class X, class Y>
   void multiply(const X& x, Y&& y) const
   {
-    multiply_rows(*rows(), 0, size(), x, y);
+    multiply_rows(0, size(), x, y);
   }
 
-  /// Returns the rows of the pattern, which are found at the first call; O(size of entries) then
-  std::shared_ptr<const internal::Lower_rows> rows() const { return m_rows.of(*m_pattern); }
-
-  /// \brief Computes the entries first <= i < last of y = A x.
-  /// \param rows those of the pattern
+  /// Computes the entries first <= i < last of y = A x
   template <class X, class Y>
-  void multiply_rows(const internal::Lower_rows& rows, int first, int last, const X& x, Y&& y) const
+  void multiply_rows(int first, int last, const X& x, Y&& y) const
   {
+    const internal::Lower_rows& rows = m_pattern->rows();
     const int* const indices = m_pattern->indices.data();
     const int* const columns = m_pattern->offsets.data();
     for (int i = first; i < last; ++i) {
@@ -185,7 +189,6 @@ class Hermitian_sparse_matrix {
  private:
   std::shared_ptr<const Sparse_pattern> m_pattern;
   Vector<Scalar> m_values;
-  internal::Kept_rows m_rows;
 };
 
 }  // namespace Conformal_geometry_processing

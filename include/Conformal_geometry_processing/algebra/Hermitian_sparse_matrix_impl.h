@@ -7,9 +7,9 @@
 #include <Conformal_geometry_processing/config.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <numeric>
 #include <vector>
 
@@ -25,6 +25,7 @@ CGP_INLINE int Sparse_pattern::find(int i, int j) const
 
 namespace internal {
 
+/// Computes what `Sparse_pattern::rows()` keeps
 CGP_INLINE Lower_rows lower_rows(const Sparse_pattern& pattern)
 {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
@@ -43,14 +44,11 @@ CGP_INLINE Lower_rows lower_rows(const Sparse_pattern& pattern)
   return rows;
 }
 
-CGP_INLINE std::shared_ptr<const Lower_rows> Kept_rows::of(const Sparse_pattern& pattern) const
+CGP_INLINE const Lower_rows& Kept_rows::of(const Sparse_pattern& pattern) const
 {
-  std::shared_ptr<const Lower_rows> rows = kept();
-  if (!rows) {
-    rows = std::make_shared<const Lower_rows>(lower_rows(pattern));
-    std::atomic_store(&m_rows, rows);
-  }
-  return rows;
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  if (!m_rows) m_rows = std::make_unique<const Lower_rows>(lower_rows(pattern));
+  return *m_rows;
 }
 
 }  // namespace internal

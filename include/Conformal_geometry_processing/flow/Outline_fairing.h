@@ -32,8 +32,9 @@ class Outline_fairing {
  public:
   /// \brief Chooses the first surface: the one of least energy of three, the patch itself and the
   /// solutions of K f = 0 with K of the patch, and with K of the harmonic surface with unit
-  /// weights, which does not know what the region was filled with. K is updated once. \param patch
-  /// must outlive it \throw Solver_error if the analysis fails
+  /// weights, which does not know what the region was filled with. K is updated once.
+  /// \param patch must outlive it
+  /// \throw Solver_error if the analysis fails
   explicit Outline_fairing(const Fairing_patch& patch);
 
   /// the first surface

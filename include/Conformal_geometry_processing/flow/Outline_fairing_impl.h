@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/flow/Outline_fairing.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
@@ -88,21 +89,15 @@ CGP_INLINE Points internal::Outline_fairing::biharmonic(const Bending_energy& en
   const Mesh_view& mesh = energy.mesh();
   Points f = mesh.positions();
   for (int k = 0; k < m_patch.size(); ++k) f.col(m_patch.free_vertex(k)).setZero();
-  const auto laplacian = [&](const Points& x) {
-    Points sum = Points::Zero(3, x.cols());
-    for (int k = 0; k < mesh.size_of_edges(); ++k) {
-      const auto [i, j] = mesh.ends(k);
-      const Eigen::Vector3d flux = energy.weights()[k] * (x.col(j) - x.col(i));
-      sum.col(i) -= flux, sum.col(j) += flux;
-    }
-    return sum;
-  };
-  Points curvature = laplacian(f);
+  Hermitian_sparse_matrix<double> L(m_laplacian.shared_pattern());
+  assemble_cotan_laplacian(mesh, energy.weights(), L);
+  const auto laplacian = block_operator(L);
+  Block<double> curvature = laplacian(f.transpose());
   for (int v = 0; v < f.cols(); ++v)
-    curvature.col(v) *= m_patch.bends(v) ? -.5 / energy.areas()[v] : 0;
-  const Points force = laplacian(curvature);
+    curvature.row(v) *= m_patch.bends(v) ? -.5 / energy.areas()[v] : 0;
+  const Block<double> force = laplacian(curvature);
   Block<double> b(m_patch.size(), 3), x;
-  for (int k = 0; k < m_patch.size(); ++k) b.row(k) = force.col(m_patch.free_vertex(k)).transpose();
+  for (int k = 0; k < m_patch.size(); ++k) b.row(k) = force.row(m_patch.free_vertex(k));
   require_fairing_solver(m_solver.solve(b, x));
   return moved(m_patch, std::move(f), x.transpose());
 }

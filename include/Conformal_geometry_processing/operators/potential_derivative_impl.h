@@ -36,12 +36,12 @@ template <class Add>
 void for_each_sheet_of_potential(const Surface_ref& surface, Curvature_potential::On on,
                                  Eigen::Index values, const Add& add)
 {
+  const bool is_on_vertices = on == Curvature_potential::On::vertices;
   for_each_owned_range(static_cast<int>(values), [&](const Index_range& own) {
-    for (int s = 0; s < surface.size_of_sheets(); ++s) {
-      const Sheet sheet = surface.sheet(s);
-      const bool is_on_vertices = on == Curvature_potential::On::vertices;
-      if (is_on_vertices ? own.touches(sheet) : own.contains(sheet.face)) add(sheet, own);
-    }
+    const auto concerns = [&](const Sheet& sheet) {
+      return is_on_vertices ? own.touches(sheet) : own.contains(sheet.face);
+    };
+    for_each_sheet_if(surface, concerns, [&](const Sheet& sheet) { add(sheet, own); });
   });
 }
 

@@ -45,14 +45,23 @@ void for_each_owned_range(int count, const Visitor& visit)
 }
 
 /// \ingroup PkgOperators
+/// Calls `add(sheet)` for all sheets with `concerns(sheet)`, in their order
+template <class Concerns, class Add>
+void for_each_sheet_if(const Surface_ref& surface, const Concerns& concerns, const Add& add)
+{
+  for (int s = 0; s < surface.size_of_sheets(); ++s) {
+    const Sheet sheet = surface.sheet(s);
+    if (concerns(sheet)) add(sheet);
+  }
+}
+
+/// \ingroup PkgOperators
 /// Calls `add(sheet)` for all sheets with a corner in the range, in their order
 template <class Add>
 void for_each_sheet_at(const Index_range& own, const Surface_ref& surface, const Add& add)
 {
-  for (int s = 0; s < surface.size_of_sheets(); ++s) {
-    const Sheet sheet = surface.sheet(s);
-    if (own.touches(sheet)) add(sheet);
-  }
+  for_each_sheet_if(
+      surface, [&](const Sheet& sheet) { return own.touches(sheet); }, add);
 }
 
 /// \ingroup PkgOperators

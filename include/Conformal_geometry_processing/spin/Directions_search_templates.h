@@ -56,6 +56,7 @@ Eigensolver_result Directions_search<SolverTraits>::nearest_to_guide(
   if (s.cancelled || (is_one_enough && r.converged && is_solution(r, 0) &&
                       m_system.overlap(r.vectors.col(0), guide()) >= surely_nearest))
     return r;
+  s.solves += columns - 1;  // of the noise
   r = smallest(with_noise(r.vectors, columns), columns, 1e-2, s, go_further);
   if (s.cancelled) return r;
   return smallest(r.vectors, wanted(r), m_options.tolerance, s, go_further);

@@ -107,7 +107,10 @@ Nearest_spin_result Nearest_spin_transformation<SolverTraits, EigensolverTraits>
   if (m_options.keep_curvature) return start;
   if (!m_transformation->system().directions()) {
     Nearest_spin_result same = unchanged();
-    if (!start.report || !(start.distance < same.distance)) start = std::move(same);
+    if (!start.report || !(start.distance < same.distance)) {
+      add_costs(same.report, start.report);
+      start = std::move(same);
+    }
   }
   return searched(std::move(start), options, go_further);
 }

@@ -128,12 +128,16 @@ void Spin_preview<SolverTraits, EigensolverTraits>::improve_nearest(const Curvat
     for (Eigen::Index i = 0; i < r.rows(); ++i) r(i, 0).w += m_weights[i];
     return r;
   };
+  const auto invert = inverse_operator(m_system.solver());
+  const auto precondition = [&](const Vectors& r, Vectors& z) {
+    invert(r, z);
+    ++s.solves;
+  };
   Vectors change;
-  const auto r = conjugate_gradients(apply, inverse_operator(m_system.solver()), rest(), change,
-                                     {tolerance, max_solves - 1});
+  const auto r =
+      conjugate_gradients(apply, precondition, rest(), change, {tolerance, max_solves - 1});
   m_lambda += change.col(0);
   s.iterations = r.iterations;
-  s.solves = r.iterations + 1;
   s.residual = components(Quaternion_vector<double>(rest().col(0))).norm() / m_weights.norm();
   s.converged = r.converged;
   s.seconds.eigenvectors += watch.lap();

@@ -70,8 +70,8 @@ CGP_INLINE void Dirac_gram::extend(const Surface_ref& surface, const Curvature_p
 {
   const Eigen::Index old = m_products.cols(), all = images * vectors.cols(), added = all - old;
   if (added == 0) return;
-  const std::ptrdiff_t most = 256,
-                       at_once = 2048;  // images of so many fit the cache; a sum for each
+  // The images of `most` rows fit the cache; there is a sum for every `at_once` of them.
+  const std::ptrdiff_t most = 256, at_once = 2048;
   const auto add = [&](std::ptrdiff_t begin, std::ptrdiff_t end, Eigen::MatrixXd& sums) {
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> part(most, 4 * all);
     for (std::ptrdiff_t first = begin; first < end; first += most) {

@@ -37,6 +37,7 @@ void solve_with_positions(Dirac_system<SolverTraits>& system, const Curvature_po
   positions.factorize(system.matrix());
   s.seconds.factorization += watch.lap();
   s.lambda = positions.spins(system.matrix());
+  s.solves = 1;
   s.residual = positions.residual(system.matrix(), s.lambda);
   s.seconds.eigenvectors += watch.lap();
 }

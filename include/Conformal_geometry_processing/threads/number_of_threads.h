@@ -13,7 +13,7 @@ int number_of_threads();
 
 /// \ingroup PkgThreads
 /// \brief Sets the maximal number of threads of all later calls of this library in the process; 0
-/// or less selects the number of hardware threads.
+/// or less selects the number of hardware threads, and more than 1024 are 1024.
 ///
 /// The setting is global if the library is compiled as a shared library; if it is linked
 /// statically, or used header-only, each shared library of a program has its own setting.

@@ -28,7 +28,7 @@ CGP_INLINE int number_of_threads()
 CGP_INLINE void set_number_of_threads(int threads)
 {
   const int all = (std::max)(1, static_cast<int>(std::thread::hardware_concurrency()));
-  internal::thread_setting() = threads > 0 ? threads : all;
+  internal::thread_setting() = (std::min)(threads > 0 ? threads : all, 1024);
 }
 
 }  // namespace Conformal_geometry_processing

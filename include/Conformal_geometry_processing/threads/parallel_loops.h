@@ -22,9 +22,9 @@ namespace internal {
 ///
 /// The ranges depend on the number of threads; results must not depend on the ranges.
 /// \param least number of elements that are worth a range to threads that wait: some 20
-/// microseconds of work; five times as many are where threads have to start \param per_thread
-/// number of ranges for each thread; more than one balance uneven work \throw an exception of
-/// `visit`
+///   microseconds of work; five times as many are where threads have to start
+/// \param per_thread number of ranges for each thread; more than one balance uneven work
+/// \throw an exception of `visit`
 template <class Visitor>
 void for_each_range(std::ptrdiff_t count, std::ptrdiff_t least, const Visitor& visit,
                     int per_thread = 4)

@@ -68,10 +68,9 @@ auto block_operator(const Hermitian_sparse_matrix<Scalar>& A)
 {
   return internal::make_block_operator<Scalar>([&A](const Block<Scalar>& x, Block<Scalar>& y) {
     y.resize(x.rows(), x.cols());
-    const auto rows = A.rows();
     internal::for_each_range(A.size(), 512, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
       for (Eigen::Index c = 0; c < x.cols(); ++c)
-        A.multiply_rows(*rows, static_cast<int>(first), static_cast<int>(last), x.col(c), y.col(c));
+        A.multiply_rows(static_cast<int>(first), static_cast<int>(last), x.col(c), y.col(c));
     });
   });
 }

@@ -111,6 +111,8 @@ class Supernodal_cholesky {
   template <class Number>
   using Factor = internal::Supernodal_factor<Scalar, Number>;
 
+  static constexpr int pack_at_least = 4096;  // entries, for each thread
+
   /// what the last factorization has left
   enum class State { no_factor, factor, rough_factor };
 
@@ -125,8 +127,6 @@ class Supernodal_cholesky {
   template <int numbers, class Number>
   bool substitute(const Factor<Number>& factor, const Block<Scalar>& b, Eigen::Index begin,
                   Eigen::Index end, Block<Scalar>& x) const;
-  static constexpr int pack_at_least = 4096;  // entries, for each thread
-
   template <class Number>
   void pack(const Block<Scalar>& b, Eigen::Index c, int columns, const FT* units, Number* to) const;
   template <class Number>

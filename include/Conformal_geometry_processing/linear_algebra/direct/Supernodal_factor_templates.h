@@ -76,9 +76,10 @@ internal::Supernodal_factor<Scalar, Real>::Supernodal_factor(
 template <class Scalar, class Real>
 int internal::Supernodal_factor<Scalar, Real>::threads(double seconds)
 {
-  const double worth_it =
-      Thread_team::exists() ? 2e-4 : 1e-3;  // five times the time to wake or start
-  return seconds < worth_it ? 1 : (std::min)(number_of_threads(), 1024);
+  // what is worth a thread: several times the time in which it wakes up, or starts
+  const double least = Thread_team::exists() ? 1e-4 : 5e-4;
+  const double most = (std::min)(seconds / least, static_cast<double>(number_of_threads()));
+  return (std::max)(1, static_cast<int>(most));
 }
 
 template <class Scalar, class Real>

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 
@@ -68,6 +69,7 @@ lobpcg(const Block_function& apply_k, const Block_function& apply_n,
        const std::function<bool(const Eigensolver_progress&)>& go_further)
 {
   using Vectors = Block<Quaternion<double>>;
+  const Thread_team team;
   Eigensolver_convergence convergence("lobpcg", options, x0);
   Lobpcg_space space;
   auto& [x, w, p] = space;

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/algebra/scalar.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <algorithm>
 #include <cmath>
@@ -157,6 +158,7 @@ conjugate_gradients(const K& apply_k, const T& precondition, const Block<Scalar>
                     Block<Scalar>& x, const internal::Conjugate_gradients_options& options = {})
 {
   using FT = typename internal::Scalar_traits<Scalar>::FT;
+  const internal::Thread_team team;
   internal::Conjugate_gradients<Scalar, K, T> run(apply_k, precondition, b,
                                                   static_cast<FT>(options.tolerance));
   for (int i = 0; i < options.max_iterations && run.step(); ++i) run.turn();

@@ -6,6 +6,7 @@
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Ritz_panel.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <utility>
 
@@ -32,6 +33,7 @@ Eigensolver_result inverse_power_method(const K& apply_k, const N& apply_n, cons
                                         const Eigensolver_options& options = {},
                                         GoFurther go_further = {})
 {
+  const internal::Thread_team team;
   internal::Eigensolver_convergence convergence("inverse_power_method", options, x0);
   internal::Ritz_panel x =
       convergence.initial(make_panel(apply_k, apply_n, std::move(x0), options.coefficients));

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/quaternionic_householder.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 
@@ -97,6 +98,7 @@ CGP_INLINE internal::Krylov_result krylov_schur(
   if (wanted < 1) throw Precondition_error("krylov_schur", "at least one eigenpair must be wanted");
   const auto block =
       static_cast<Eigen::Index>(std::ceil(std::sqrt(static_cast<double>(wanted)))) + 2;
+  const internal::Thread_team team;
   internal::Krylov_space space(pencil, rows, wanted + 9 * block);
   internal::Krylov_result result;
   space.adopt(known.vectors, known.values);

@@ -7,6 +7,7 @@
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Centered_mass.h>
+#include <Conformal_geometry_processing/threads/Thread_team.h>
 
 #include <Eigen/Core>
 
@@ -60,6 +61,7 @@ internal::Subspace_result<Scalar> subspace_iteration(const Hermitian_sparse_matr
                                                      Block<Scalar> x,
                                                      const internal::Subspace_options& options = {})
 {
+  const internal::Thread_team team;
   internal::Subspace_result<Scalar> result;
   B.orthonormalize(x);
   while (result.iterations < options.maximum_number_of_iterations && !result.converged) {

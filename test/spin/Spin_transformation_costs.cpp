@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
+// Tests include/Conformal_geometry_processing/spin/Conformal_deformation.h
+// Tests include/Conformal_geometry_processing/spin/Nearest_spin_transformation.h
+#include <Conformal_geometry_processing/spin/Conformal_deformation.h>
+#include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
+#include <Conformal_geometry_processing/templates.h>
+
+#include <gtest/gtest.h>
+
+#include "boundary_tools.h"
+#include "support/Counted_solver_traits.h"
+#include "support/control_points.h"
+#include "support/limbs.h"
+#include "support/thin_faces.h"
+
+/// Reports count every factorization of X, and every solve with it.
+namespace {
+
+using namespace cgp_test;
+
+using Transformation = CGP::Spin_transformation<Counted_solver_traits>;
+
+Curvature_potential waves(const Mesh_view& mesh, double amplitude)
+{
+  return potential_on_faces(mesh, [&](const Eigen::Vector3d& p) {
+    return amplitude * (std::sin(3 * p.x() + .5) * std::cos(2 * p.y()) + .6 * std::sin(4 * p.z()));
+  });
+}
+
+void expect_counted(const CGP::Spin_report& report)
+{
+  EXPECT_GT(report.solves, 0);
+  EXPECT_EQ(report.factorizations, Counted_solver_traits::quaternionic.factorizations);
+  EXPECT_EQ(report.solves, Counted_solver_traits::quaternionic.solves);
+}
+
+/// of the first transformation, and of one more
+void expect_counted(const Mesh_view& mesh, double amplitude, const CGP::Dirac_options& dirac = {},
+                    const CGP::Spin_transformation_options& options = {})
+{
+  Transformation transformation(mesh, options);
+  for (const double factor : {1., .9}) {
+    Counted_solver_traits::reset();
+    expect_counted(transformation.transform(waves(mesh, factor * amplitude), dirac).report);
+  }
+}
+
+}  // namespace
+
+TEST(Spin_transformation_costs, are_all_in_the_report)
+{
+  for (const double amplitude : {.3, 1., 3.}) {
+    expect_counted(perturbed(icosphere(3), .02), amplitude);
+    expect_counted(dumbbell(2), amplitude);
+    expect_counted(jittered_disk(8, .2), amplitude);
+  }
+}
+
+TEST(Spin_transformation_costs, are_all_in_the_report_of_other_problems)
+{
+  CGP::Dirac_options generalized, smallest;
+  generalized.problem = CGP::Dirac_options::Eigenproblem::generalized;
+  smallest.branch = CGP::Dirac_options::Branch::smallest;
+  for (const CGP::Dirac_options& options : {generalized, smallest})
+    for (const double amplitude : {.3, 1.}) {
+      expect_counted(icosphere(3), amplitude, options);
+      expect_counted(dumbbell(2), amplitude, options);
+    }
+}
+
+TEST(Spin_transformation_costs, are_all_in_the_report_of_intrinsic_triangulations)
+{
+  CGP::Spin_transformation_options options;
+  options.mollification = 1e-3;
+  expect_counted(with_thin_faces(icosphere(3), 1e-6), 1, {}, options);
+  expect_counted(with_thin_faces(btorus(16), 1e-6), 1, {}, options);
+}
+
+TEST(Spin_transformation_costs, are_all_in_the_report_of_new_positions_of_the_boundary)
+{
+  const Mesh_view mesh = cap_from_disk(jittered_disk(8, .2), 1);
+  const auto [p, n] = [&] {
+    return std::pair(at_boundary(mesh,
+                                 [](const Eigen::Vector3d& q, const auto&) -> Eigen::Vector3d {
+                                   return Eigen::Vector3d(1.2 * q.x(), q.y(), q.z());
+                                 }),
+                     at_boundary(mesh, [](const auto&, const auto& frame) -> Eigen::Vector3d {
+                       return frame.col(1);
+                     }));
+  }();
+  for (const double weight : {10., std::numeric_limits<double>::infinity()}) {
+    CGP::Spin_transformation_options options;
+    options.boundary = Boundary_condition::positions(p, n, weight);
+    expect_counted(mesh, .5, {}, options);
+  }
+}
+
+TEST(Spin_transformation_costs, are_all_in_the_report_of_control_points)
+{
+  for (const Mesh_view& mesh : {perturbed(icosphere(3), .02), jittered_disk(8, .2), btorus(16)}) {
+    CGP::internal::Conformal_deformation<Counted_solver_traits> deformation(mesh);
+    for (const double way : {.1, .12}) {
+      Counted_solver_traits::reset();
+      expect_counted(deformation.deform(one_moved(mesh, 5, way)).report);
+    }
+  }
+}
+
+TEST(Spin_transformation_costs, are_all_in_the_report_of_the_nearest_one)
+{
+  for (const Mesh_view& mesh : {perturbed(icosphere(2), .02), btorus(8)})
+    for (const bool keep_curvature : {false, true}) {
+      CGP::Quaternion_vector<double> mu(mesh.size_of_vertices());
+      for (int v = 0; v < mesh.size_of_vertices(); ++v) {
+        const double angle = .3 * mesh.position(v).z();
+        mu[v] = {std::cos(angle), -std::sin(angle), 0, 0};
+      }
+      CGP::Nearest_spin_options options;
+      options.keep_curvature = keep_curvature;
+      Counted_solver_traits::reset();
+      CGP::Nearest_spin_transformation<Counted_solver_traits> nearest(mesh, mu, "test", options);
+      expect_counted(nearest.transform().report);
+    }
+}
