@@ -104,6 +104,28 @@ TEST_F(Conformal_willmore_flow_solvers, factor_two_matrices_in_a_step_of_a_spher
   EXPECT_EQ(Watched_solver_traits::factorizations() - factorizations, 3 * 2);
 }
 
+// Also what trials cost that are not accepted, and snaps to a class.
+TEST_F(Conformal_willmore_flow_solvers, are_counted_in_the_report)
+{
+  CGP::Flow_options large_steps = plain_steps(50, 3);
+  large_steps.backtracking = true;
+  CGP::Flow_options on_class;
+  on_class.max_steps = 3;
+  for (const CGP::Flow_options& options : {plain_steps(.5, 3), large_steps, on_class})
+    for (const Mesh_view& mesh : {bumpy_sphere(2), btorus(12), bumpy_annulus(4)}) {
+      Watched_solver_traits::reset();
+      Flow flow(mesh, options);
+      int factorizations = 0, solves = 0;
+      for (const CGP::Flow_step_report& step : flow.run().steps) {
+        factorizations += step.spin.factorizations;
+        solves += step.spin.solves;
+      }
+      EXPECT_GT(solves, 0);
+      EXPECT_EQ(factorizations, Watched_solver_traits::quaternionic.factorizations);
+      EXPECT_EQ(solves, Watched_solver_traits::quaternionic.solves);
+    }
+}
+
 TEST_F(Conformal_willmore_flow_solvers, are_named_where_they_fail)
 {
   CGP::Flow_report report = report_without(Refused::quaternionic);
