@@ -147,6 +147,14 @@ def flow_table(m):
                   "iterations"], rows) if rows else "Not measured."
 
 
+def spectrum_table(m):
+    rows = [[row["mesh"], row["model"], seconds(row["seconds"]), f"{poisson_ratio(row):.1f}",
+             number(row, "restarts", "{}"), "yes" if row["complete"] else "no"]
+            for row in m.measured("spectrum")]
+    return table(["mesh", "operator", "seconds", "/ P", "restarts", "complete"],
+                 rows) if rows else "Not measured."
+
+
 def thread_table(m):
     rows = [[row["mesh"], row["model"], seconds(row["wall_1"]), seconds(row["wall_2"]),
              f"{row['wall_1'] / row['wall_2']:.2f}"] for row in m.measured("threads")]

@@ -194,6 +194,9 @@ TARGETS = [
            later_step(FLOAT, poisson_ratio), at_most=1.1),
     Target("later step of a flow: symbolic analyses",
            later_step(None, lambda row: row["analyses"]), at_most=0, form="{:.0f}"),
+    Target("first ten eigenvalues of D, and of D - rho: time / P",
+           lambda m: [(f"{row['mesh']}, {row['model']}", poisson_ratio(row))
+                      for row in m.measured("spectrum")], at_most=30),
     Target("2M faces, multigrid: time / P", huge(poisson_ratio), at_most=1.0),
     Target("multigrid from 0.5M faces: exponent of time", multigrid_exponent, at_most=1.1),
     Target("8M faces: gigabytes", largest_gigabytes, at_most=10),

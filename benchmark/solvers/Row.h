@@ -62,6 +62,7 @@ void add_other_transforms(std::vector<Row>& rows);
 void add_strengths(std::vector<Row>& rows);
 void add_multigrid(std::vector<Row>& rows);
 void add_flows(std::vector<Row>& rows);
+void add_spectra(std::vector<Row>& rows);
 void add_threads(std::vector<Row>& rows);
 
 }  // namespace cgp_benchmark

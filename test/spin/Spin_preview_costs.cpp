@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_preview.h
-#include <Conformal_geometry_processing/spin/Spin_preview.h>
+#include <Conformal_geometry_processing/spin/Spin_preview_templates.h>
 #include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>

@@ -71,7 +71,7 @@ TEST(Krylov_schur, finds_the_eigenpairs_of_largest_modulus_with_their_signs)
 TEST(Krylov_schur, finds_every_copy_of_an_eigenvalue_even_more_than_a_block_has_columns)
 {
   Eigen::VectorXd values = reciprocals(100) / 10;
-  values.head(9).setConstant(-2);  // a block for 10 pairs has six columns
+  values.head(9).setConstant(-2);  // a block for 10 pairs has three columns
   values[9] = 1;
   const Spectral_problem problem(values);
   const auto r = CGP::krylov_schur(pencil_of(problem), 100, noise(100), wanting(10));

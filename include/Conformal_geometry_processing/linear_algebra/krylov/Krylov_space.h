@@ -40,6 +40,7 @@ class Krylov_space {
   Eigen::Index capacity() const { return m_V.capacity(); }
   bool has_next() const { return m_next.cols() > 0; }
   bool has_room() const { return size() + m_next.cols() <= m_V.capacity(); }
+  Eigen::Index size_of_next() const { return m_next.cols(); }
   Eigen::Index rows() const { return m_V.rows(); }
 
   /// \brief Takes over eigenvectors, N-orthonormal, without computing their images.
@@ -73,21 +74,17 @@ class Krylov_space {
   void set_projection(const Vector<double>& theta);
 
   /// Sets `m_next` to an N-orthonormal basis of the components of w orthogonal to V, and
-  /// `m_remainder` such that w = V * something + next * remainder.
-  /// \param along_V V^H N w
-  void orthonormalize(Vectors w, Vectors along_V);
-
-  /// the norm of the longest column
-  double longest(const Vectors& w) const;
-
-  /// the coefficients of the components of w in V
-  Vectors along_V(const Vectors& w) const { return m_V.gram(m_pencil.N(w), m_pencil.coefficients); }
+  /// `m_remainder` such that w = V c + next * remainder.
+  /// \param lost the length below which columns are mostly rounding errors
+  /// \return c
+  Vectors orthonormalize(Vectors w, double lost);
 
   const Pencil& m_pencil;
   Row_major_multivector m_V;
   Vectors m_projection;  // capacity x capacity
   Vectors m_next, m_remainder;
-  Eigen::Index m_last = 0;  // the first column of the last block
+  // The first columns of the last block, and of those that T of it is not orthogonal to
+  Eigen::Index m_last = 0, m_coupled = 0;
 };
 
 }  // namespace internal

@@ -16,6 +16,8 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
+constexpr double rounding_share = 1e-10;  // less of a vector is mostly rounding errors
+
 CGP_INLINE Krylov_space::Krylov_space(const Pencil& pencil, Eigen::Index rows,
                                       Eigen::Index capacity)
     : m_pencil(pencil),
@@ -31,25 +33,41 @@ CGP_INLINE void Krylov_space::adopt(const Vectors& eigenvectors, const Vector<do
   set_projection(theta);
 }
 
-CGP_INLINE void Krylov_space::begin_with(Vectors v)
+/// of the norms of the columns of w by N
+CGP_INLINE double longest(const Block<Quaternion<double>>& w, const Block<Quaternion<double>>& Nw)
 {
-  Vectors components = along_V(v);
-  orthonormalize(std::move(v), std::move(components));
+  double square = 0;
+  for (Eigen::Index j = 0; j < w.cols(); ++j)
+    square = (std::max)(square, inner_product(w.col(j), Nw.col(j)).w);
+  return std::sqrt(square);
 }
 
+CGP_INLINE void Krylov_space::begin_with(Vectors v)
+{
+  const double length = longest(v, m_pencil.N(v));
+  (void)orthonormalize(std::move(v), rounding_share * length);
+  m_coupled = size();
+}
+
+// T v has components in the last blocks, and, after a restart, in all columns before it; what else
+// is found of it in V is rounding errors, or those of eigenvectors.
 CGP_INLINE void Krylov_space::extend()
 {
   const Eigen::Index first = size(), count = m_next.cols();
   m_V.append(m_next);
   const Vectors image = m_pencil.K(m_next);
-  Vectors column = m_V.gram(image, m_pencil.coefficients);
+  const Vectors coupling = m_V.gram(image, m_pencil.coefficients, m_coupled);
+  Vectors w = m_pencil.solve(image);
+  const double length = longest(w, image);  // N (N^-1 K v) = K v
+  w -= m_V.combination(coupling, m_coupled);
+  Vectors column = orthonormalize(std::move(w), rounding_share * length);
+  column.bottomRows(coupling.rows()) += coupling;
   for (Eigen::Index j = 0; j < count; ++j)
     for (Eigen::Index i = 0; i < size(); ++i) {
       m_projection(first + j, i) = conjugate(column(i, j));
       m_projection(i, first + j) = column(i, j);
     }
-  m_last = first;
-  orthonormalize(m_pencil.solve(image), std::move(column));  // V^H N (N^-1 K v)
+  m_last = m_coupled = first;
 }
 
 CGP_INLINE Vector<double> Krylov_space::residuals(const Vectors& y) const
@@ -67,6 +85,7 @@ CGP_INLINE void Krylov_space::restart(const Vectors& y, const Vector<double>& th
 {
   m_V.combine(y);
   set_projection(theta);
+  m_coupled = 0;
 }
 
 CGP_INLINE void Krylov_space::set_projection(const Vector<double>& theta)
@@ -76,38 +95,41 @@ CGP_INLINE void Krylov_space::set_projection(const Vector<double>& theta)
       m_projection(i, j) = {i == j ? theta[j] : 0., 0, 0, 0};
 }
 
-CGP_INLINE double Krylov_space::longest(const Vectors& w) const
+// Once more where little was left of w, in which rounding errors would be large.
+CGP_INLINE auto Krylov_space::orthonormalize(Vectors w, double lost) -> Vectors
 {
-  const Vectors Nw = m_pencil.N(w);
-  double square = 0;
-  for (Eigen::Index j = 0; j < w.cols(); ++j)
-    square = (std::max)(square, inner_product(w.col(j), Nw.col(j)).w);
-  return std::sqrt(square);
-}
-
-CGP_INLINE void Krylov_space::orthonormalize(Vectors w, Vectors along_V)
-{
-  const double lost = 1e-10 * longest(w);  // below it, mostly rounding errors
-  for (int pass = 0; pass < 2; ++pass) {
-    if (pass > 0) along_V = this->along_V(w);
-    if (size() > 0) w -= m_V.combination(along_V);
-    const auto gram = hermitian_jacobi(gram_matrix(w, m_pencil.N(w), m_pencil.coefficients));
-    Eigen::Index rank = 0;
-    while (rank < w.cols() &&
-           std::sqrt((std::max)(gram.values[w.cols() - 1 - rank], 0.)) > (pass == 0 ? lost : 0.5))
-      ++rank;
-    Vectors basis = gram.vectors.rightCols(rank), R(rank, w.cols());
-    for (Eigen::Index j = 0; j < rank; ++j) {
-      const double length = std::sqrt(gram.values[w.cols() - rank + j]);
-      for (Eigen::Index i = 0; i < basis.rows(); ++i) {
-        R(j, i) = conjugate(basis(i, j)) * length;
-        basis(i, j) *= 1 / length;
-      }
+  const double much = 0.01;
+  Vectors all = Vectors::Constant(size(), w.cols(), {});
+  m_remainder = Vectors::Constant(w.cols(), w.cols(), {});
+  for (Eigen::Index j = 0; j < w.cols(); ++j) m_remainder(j, j).w = 1;
+  for (bool is_first = true, is_exact = false; !is_exact; is_first = false) {
+    Vectors Nw = m_pencil.N(w);
+    const double before = longest(w, Nw);
+    if (size() > 0) {
+      const Vectors along_V = m_V.gram(Nw, m_pencil.coefficients);
+      add_combination(all, along_V, m_remainder);
+      w -= m_V.combination(along_V);
+      Nw = m_pencil.N(w);
     }
+    const auto gram = hermitian_jacobi(gram_matrix(w, Nw, m_pencil.coefficients));
+    const double least = is_first ? lost : 0.5;
+    Eigen::Index rank = 0;
+    const auto length = [&](Eigen::Index j) {
+      return std::sqrt((std::max)(gram.values[w.cols() - 1 - j], 0.));
+    };
+    while (rank < w.cols() && length(rank) > least) ++rank;
+    is_exact = rank == 0 || length(rank - 1) >= much * before;
+    Vectors basis = gram.vectors.rightCols(rank), R(rank, w.cols());
+    for (Eigen::Index j = 0; j < rank; ++j)
+      for (Eigen::Index i = 0; i < basis.rows(); ++i) {
+        R(j, i) = conjugate(basis(i, j)) * length(rank - 1 - j);
+        basis(i, j) *= 1 / length(rank - 1 - j);
+      }
     w = Conformal_geometry_processing::combination(w, basis);
-    m_remainder = pass == 0 ? R : Conformal_geometry_processing::combination(R, m_remainder);
+    m_remainder = Conformal_geometry_processing::combination(R, m_remainder);
   }
   m_next = std::move(w);
+  return all;
 }
 
 }  // namespace internal

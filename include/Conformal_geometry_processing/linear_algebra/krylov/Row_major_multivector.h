@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+
 namespace Conformal_geometry_processing {
 
 namespace internal {
@@ -33,11 +35,11 @@ class Row_major_multivector {
   /// Returns the columns first .. first + count - 1
   Vectors columns(Eigen::Index first, Eigen::Index count) const;
 
-  /// \brief Returns this^H w, size() x w.cols()
-  Vectors gram(const Vectors& w, Coefficients coefficients) const;
+  /// \brief Returns V^H w for the columns V from `begin` on, (size() - begin) x w.cols()
+  Vectors gram(const Vectors& w, Coefficients coefficients, Eigen::Index begin = 0) const;
 
-  /// \brief Returns this C
-  Vectors combination(const Vectors& C) const;
+  /// \brief Returns V C for the columns V from `begin` on
+  Vectors combination(const Vectors& C, Eigen::Index begin = 0) const;
 
   /// \brief Replaces the columns by their combinations with C, some rows at a time.
   void combine(const Vectors& C);
@@ -45,9 +47,32 @@ class Row_major_multivector {
  private:
   using Numbers = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  Eigen::Ref<const Numbers> used() const { return m_numbers.leftCols(4 * m_size); }
+  Eigen::Ref<const Numbers> used(Eigen::Index begin = 0) const
+  {
+    return m_numbers.middleCols(4 * begin, 4 * (m_size - begin));
+  }
 
-  static Numbers numbers(const Vectors& v);
+  /// Calls `visit(first, count)` for parts of rows that fit the cache
+  template <class Visitor>
+  static void for_each_part(Eigen::Index begin, Eigen::Index end, const Visitor& visit)
+  {
+    const Eigen::Index most = 256;
+    for (Eigen::Index first = begin; first < end; first += most)
+      visit(first, (std::min)(most, end - first));
+  }
+
+  /// v as real numbers, row by row
+  template <class Rows>
+  static Numbers numbers(const Rows& v)
+  {
+    Numbers all(v.rows(), 4 * v.cols());
+    for (Eigen::Index j = 0; j < v.cols(); ++j)
+      for (Eigen::Index i = 0; i < v.rows(); ++i) {
+        const Quaternion<double> q = v(i, j);
+        all.template block<1, 4>(i, 4 * j) << q.w, q.x, q.y, q.z;
+      }
+    return all;
+  }
 
   /// q -> q c for each entry c, as real matrices that act on rows (w, x, y, z)
   static Numbers right_factors(const Vectors& C);

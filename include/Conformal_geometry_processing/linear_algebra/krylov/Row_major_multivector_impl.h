@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Row_major_multivector.h>
+#include <Conformal_geometry_processing/threads/parallel_loops.h>
 
 #include <Eigen/Core>
 
@@ -15,11 +16,12 @@ namespace Conformal_geometry_processing {
 
 CGP_INLINE void internal::Row_major_multivector::append(const Vectors& v)
 {
-  for (Eigen::Index j = 0; j < v.cols(); ++j, ++m_size)
-    for (Eigen::Index i = 0; i < v.rows(); ++i) {
-      const Quaternion<double> q = v(i, j);
-      m_numbers.block<1, 4>(i, 4 * m_size) << q.w, q.x, q.y, q.z;
-    }
+  const auto set = [&](Eigen::Index first, Eigen::Index count) {
+    m_numbers.block(first, 4 * m_size, count, 4 * v.cols()) = numbers(v.middleRows(first, count));
+  };
+  for_each_range(rows(), 4096,
+                 [&](Eigen::Index begin, Eigen::Index end) { for_each_part(begin, end, set); });
+  m_size += v.cols();
 }
 
 CGP_INLINE internal::Row_major_multivector::Vectors internal::Row_major_multivector::columns(
@@ -35,10 +37,18 @@ CGP_INLINE internal::Row_major_multivector::Vectors internal::Row_major_multivec
 }
 
 CGP_INLINE internal::Row_major_multivector::Vectors internal::Row_major_multivector::gram(
-    const Vectors& w, internal::Coefficients coefficients) const
+    const Vectors& w, internal::Coefficients coefficients, Eigen::Index begin_of_columns) const
 {
-  const Numbers products = used().transpose() * numbers(w);
-  Vectors G(size(), w.cols());
+  const Eigen::Ref<const Numbers> V = used(begin_of_columns);
+  const Eigen::Index at_once = 4096;  // a sum for each
+  const auto add = [&](Eigen::Index begin, Eigen::Index end, Numbers& sum) {
+    for_each_part(begin, end, [&](Eigen::Index first, Eigen::Index count) {
+      sum.noalias() += V.middleRows(first, count).transpose() * numbers(w.middleRows(first, count));
+    });
+  };
+  const Numbers zero = Numbers::Zero(V.cols(), 4 * w.cols());
+  const Numbers products = sum_of_ranges(rows(), at_once, zero, add);
+  Vectors G(V.cols() / 4, w.cols());
   for (Eigen::Index j = 0; j < G.cols(); ++j)
     for (Eigen::Index i = 0; i < G.rows(); ++i) {
       const Eigen::Matrix4d p = products.block<4, 4>(4 * i, 4 * j);
@@ -51,35 +61,33 @@ CGP_INLINE internal::Row_major_multivector::Vectors internal::Row_major_multivec
 }
 
 CGP_INLINE internal::Row_major_multivector::Vectors internal::Row_major_multivector::combination(
-    const Vectors& C) const
+    const Vectors& C, Eigen::Index begin_of_columns) const
 {
-  const Numbers products = used() * right_factors(C);
+  const Eigen::Ref<const Numbers> V = used(begin_of_columns);
+  const Numbers factors = right_factors(C);
   Vectors v(rows(), C.cols());
-  for (Eigen::Index j = 0; j < v.cols(); ++j)
-    for (Eigen::Index i = 0; i < v.rows(); ++i)
-      v(i, j) = {products(i, 4 * j), products(i, 4 * j + 1), products(i, 4 * j + 2),
-                 products(i, 4 * j + 3)};
+  const auto set = [&](Eigen::Index first, Eigen::Index count) {
+    const Numbers products = V.middleRows(first, count) * factors;
+    for (Eigen::Index j = 0; j < v.cols(); ++j)
+      for (Eigen::Index i = 0; i < count; ++i)
+        v(first + i, j) = {products(i, 4 * j), products(i, 4 * j + 1), products(i, 4 * j + 2),
+                           products(i, 4 * j + 3)};
+  };
+  for_each_range(rows(), 1024,
+                 [&](Eigen::Index begin, Eigen::Index end) { for_each_part(begin, end, set); });
   return v;
 }
 
 CGP_INLINE void internal::Row_major_multivector::combine(const Vectors& C)
 {
   const Numbers factors = right_factors(C);
-  const Eigen::Index most = 512;
-  for (Eigen::Index first = 0; first < rows(); first += most) {
-    const Eigen::Index count = (std::min)(most, rows() - first);
+  const auto replace = [&](Eigen::Index first, Eigen::Index count) {
     const Numbers part = used().middleRows(first, count) * factors;
     m_numbers.block(first, 0, count, part.cols()) = part;
-  }
+  };
+  for_each_range(rows(), 1024,
+                 [&](Eigen::Index begin, Eigen::Index end) { for_each_part(begin, end, replace); });
   m_size = C.cols();
-}
-
-CGP_INLINE internal::Row_major_multivector::Numbers internal::Row_major_multivector::numbers(
-    const Vectors& v)
-{
-  internal::Row_major_multivector panel(v.rows(), v.cols());
-  panel.append(v);
-  return std::move(panel.m_numbers);
 }
 
 CGP_INLINE internal::Row_major_multivector::Numbers internal::Row_major_multivector::right_factors(

@@ -26,9 +26,9 @@ struct Krylov_options {
 /// Progress reported after every block of vectors, and before every restart
 struct Krylov_progress {
   int restart = 0;    ///< restarts done
-  int converged = 0;  ///< eigenpairs found before the last restart
+  int converged = 0;  ///< wanted eigenpairs found so far
   int vectors = 0;    ///< in the space
-  int capacity = 0;   ///< of the space: a restart comes when it is full
+  int capacity = 0;   ///< of the space: a restart comes when it is full, or before
 };
 
 /// \ingroup PkgLinearAlgebra
@@ -50,12 +50,12 @@ struct Krylov_result {
 ///
 /// With N = (A - s)^2 and K = A - s those are the eigenvalues s + 1/theta of A next to s. Full
 /// orthogonalization makes it possible to find multiple eigenvalues: as many copies as a block has
-/// columns, at least sqrt(wanted) + 2; further copies are found by restarts from random vectors
-/// beside all pairs whenever these have converged, until they stay as they are. Deterministic, if
-/// `noise` is.
+/// columns, sqrt(wanted) or at least three; further copies are found by restarts from two random
+/// vectors beside all pairs whenever these have converged, until they stay as they are. Looks at
+/// the pairs whenever the space has grown by an eighth. Deterministic, if `noise` is.
 ///
-/// Costs one K, one solution and about 100 (wanted + 6 sqrt(wanted)) n operations for each of the
-/// vectors; the memory of 2 wanted + 10 sqrt(wanted) of them.
+/// Costs one K, one solution, two N and about 100 (wanted + 6 sqrt(wanted)) n operations for each
+/// of the vectors; the memory of wanted + 12 sqrt(wanted) of them.
 ///
 /// \param rows n
 /// \param noise called with a number of columns: returns that many vectors in the space, new ones
