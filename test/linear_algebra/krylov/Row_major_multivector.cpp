@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "linear_algebra/hermitian_matrices.h"
+#include "threads/threads.h"
 
 namespace CGP = Conformal_geometry_processing;
 using namespace cgp_test;
@@ -23,6 +26,15 @@ CGP::internal::Row_major_multivector panel(const CGP::Block<Q>& v, int capacity)
   return p;
 }
 
+/// its columns from `first` on
+CGP::Block<Q> columns(const CGP::internal::Row_major_multivector& p, int first)
+{
+  const int count = static_cast<int>(p.size()) - first;
+  CGP::Block<Q> one = CGP::Block<Q>::Constant(count, count, {});
+  for (int j = 0; j < count; ++j) one(j, j).w = 1;
+  return p.combination(one, first);
+}
+
 }  // namespace
 
 TEST(Row_major_multivector, holds_the_columns_that_it_was_given)
@@ -32,7 +44,7 @@ TEST(Row_major_multivector, holds_the_columns_that_it_was_given)
   EXPECT_EQ(p.rows(), n);
   EXPECT_EQ(p.size(), 3);
   EXPECT_EQ(p.capacity(), 5);
-  EXPECT_EQ(real_columns(p.columns(1, 2)), real_columns(CGP::Block<Q>(V.rightCols(2))));
+  EXPECT_EQ(real_columns(columns(p, 1)), real_columns(CGP::Block<Q>(V.rightCols(2))));
 }
 
 TEST(Row_major_multivector, has_the_inner_products_of_its_columns)
@@ -49,6 +61,34 @@ TEST(Row_major_multivector, has_the_inner_products_of_its_columns)
     }
 }
 
+TEST(Row_major_multivector, has_those_of_its_last_columns)
+{
+  const auto V = random_block<Q>(n, 3, 1), W = random_block<Q>(n, 2, 2);
+  const Eigen::MatrixXd expected = dense(CGP::Block<Q>(V.rightCols(2))).transpose() * dense(W);
+  const auto found = panel(V, 5).gram(W, CGP::internal::Coefficients::quaternions, 1);
+  EXPECT_LE((dense(found) - expected).norm(), 1e-11);
+}
+
+// Rows that no number of threads divides, in products whose last bits depend on their size.
+TEST(Row_major_multivector, has_the_same_bits_for_any_number_of_threads)
+{
+  const int rows = 12001;
+  for (const int count : {1, 3, 5}) {
+    const auto V = random_block<Q>(rows, 20, 1), C = random_block<Q>(20, count, 2),
+               W = random_block<Q>(rows, count, 3);
+    const auto results = [&](int threads) {
+      const Threads setting(threads);
+      CGP::internal::Row_major_multivector p = panel(V, 20);
+      const auto G = p.gram(W, CGP::internal::Coefficients::quaternions);
+      const auto VC = p.combination(C);
+      p.combine(C);
+      return std::array{real_columns(G), real_columns(VC), real_columns(columns(p, 0))};
+    };
+    const auto expected = results(1);
+    for (const int threads : {2, 3, 5}) EXPECT_EQ(results(threads), expected);
+  }
+}
+
 TEST(Row_major_multivector, combines_its_columns_from_the_right)
 {
   const auto V = random_block<Q>(n, 3, 3), C = random_block<Q>(3, 2, 4);
@@ -57,5 +97,5 @@ TEST(Row_major_multivector, combines_its_columns_from_the_right)
   EXPECT_LE((dense(p.combination(C)) - expected).norm(), 1e-11);
   p.combine(C);
   EXPECT_EQ(p.size(), 2);
-  EXPECT_LE((dense(p.columns(0, 2)) - expected).norm(), 1e-11);
+  EXPECT_LE((dense(columns(p, 0)) - expected).norm(), 1e-11);
 }

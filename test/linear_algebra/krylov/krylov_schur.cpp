@@ -32,9 +32,9 @@ CGP::internal::Pencil pencil_of(const Spectral_problem& problem)
   return pencil;
 }
 
-auto noise(int n)
+auto noise(int n, std::uint64_t first = 0)
 {
-  return [n, seed = std::uint64_t(0)](Eigen::Index columns) mutable {
+  return [n, seed = first](Eigen::Index columns) mutable {
     return random_block<Q>(n, static_cast<int>(columns), ++seed);
   };
 }
@@ -79,6 +79,67 @@ TEST(Krylov_schur, finds_every_copy_of_an_eigenvalue_even_more_than_a_block_has_
   for (int j = 0; j < 9; ++j) EXPECT_NEAR(r.values[j], -2, 1e-12);
   EXPECT_NEAR(r.values[9], 1, 1e-12);
   EXPECT_LT(problem.sine(r.vectors.leftCols(9), 9), 1e-7);
+}
+
+/// `copies` of 1 after the larger `first`, then .999, .998, ...
+Eigen::VectorXd before_a_dense_rest(const std::vector<double>& first, int copies)
+{
+  Eigen::VectorXd values(150);
+  const int count = static_cast<int>(first.size());
+  for (int i = 0; i < 150; ++i)
+    values[i] = i < count ? first[at(i)] : (std::min)(1., 1 - .001 * (i - count - copies + 1));
+  return values;
+}
+
+// Random vectors show a mixture of the copy that is missing and of what comes next.
+TEST(Krylov_schur, finds_every_copy_where_the_next_eigenvalues_are_near)
+{
+  const auto expect_found = [](const Eigen::VectorXd& values, int wanted, auto coefficients,
+                               int times) {
+    const Spectral_problem problem(values);
+    CGP::internal::Pencil pencil = pencil_of(problem);
+    pencil.coefficients = coefficients;
+    for (std::uint64_t seed : {0, 100, 200}) {
+      const auto r = CGP::krylov_schur(pencil, 150, noise(150, seed), wanting(wanted));
+      ASSERT_TRUE(r.converged);
+      for (int j = 0; j < wanted; ++j) EXPECT_NEAR(r.values[j], values[j / times], 1e-9);
+    }
+  };
+  using CGP::internal::Coefficients;
+  for (const int copies : {4, 5})
+    expect_found(before_a_dense_rest({10, 9, 8, 7, 6, 5}, copies), 10, Coefficients::quaternions,
+                 1);
+  expect_found(before_a_dense_rest({}, 12), 14, Coefficients::quaternions, 1);
+  expect_found(before_a_dense_rest({}, 3), 14, Coefficients::reals, 4);
+}
+
+TEST(Krylov_schur, finds_eigenvalues_much_larger_than_the_others)
+{
+  for (const double large : {1e4, 1e6}) {
+    Eigen::VectorXd values = reciprocals(60);
+    values[0] = values[1] = large;
+    const Spectral_problem problem(values);
+    CGP::internal::Pencil pencil = pencil_of(problem);
+    pencil.coefficients = CGP::internal::Coefficients::reals;
+    for (std::uint64_t seed = 0; seed < 600; seed += 100) {
+      const auto r = CGP::krylov_schur(pencil, 60, noise(60, seed), wanting(10));
+      for (int j = 0; j < 8; ++j) EXPECT_NEAR(r.values[j], large, 1e-9 * large);
+    }
+  }
+}
+
+TEST(Krylov_schur, refuses_a_mass_that_is_not_finite)
+{
+  const Spectral_problem problem(reciprocals(60));
+  for (const int broken : {1, 4}) {
+    CGP::internal::Pencil pencil = pencil_of(problem);
+    pencil.N = [&, N = pencil.N, calls = 0](const Block& x) mutable {
+      Block y = N(x);
+      if (++calls == broken) y(3, 0).x = std::numeric_limits<double>::quiet_NaN();
+      return y;
+    };
+    EXPECT_THROW((void)CGP::krylov_schur(pencil, 60, noise(60), wanting(4)), CGP::Solver_error);
+  }
 }
 
 /// noise without the eigenvectors from `missing[k]` on to the fourth one, the k-th time

@@ -84,12 +84,17 @@ CGP_INLINE internal::Hermitian_eigen_decomposition<Quaternion<double>> quaternio
 {
   const Eigen::Index d = A.rows();
   const internal::Quaternionic_tridiagonalization T = tridiagonalized(std::move(A));
+  // Eigen compares the square of a subdiagonal entry with the diagonal, which has another unit.
+  const double largest = (std::max)(T.diagonal.lpNorm<Eigen::Infinity>(),
+                                    T.subdiagonal.lpNorm<Eigen::Infinity>()),
+               unit = largest > 0 ? largest : 1;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
   if (!T.diagonal.allFinite() || !T.subdiagonal.allFinite() ||
-      solver.computeFromTridiagonal(T.diagonal, T.subdiagonal).info() != Eigen::Success)
+      solver.computeFromTridiagonal(T.diagonal / unit, T.subdiagonal / unit).info() !=
+          Eigen::Success)
     throw Solver_error("quaternionic_householder", "no convergence");
   internal::Hermitian_eigen_decomposition<Quaternion<double>> result{
-      solver.eigenvalues(), Block<Quaternion<double>>(d, d)};
+      unit * solver.eigenvalues(), Block<Quaternion<double>>(d, d)};
   const auto numbers = [d](auto* data) { return Eigen::Map<Eigen::MatrixXd>(data, 4 * d, d); };
   numbers(&result.vectors.data()->w).noalias() =
       Eigen::Map<const Eigen::MatrixXd>(&T.Q.data()->w, 4 * d, d) * solver.eigenvectors();

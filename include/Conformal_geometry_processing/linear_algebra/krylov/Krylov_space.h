@@ -73,6 +73,23 @@ class Krylov_space {
   /// Sets the projection on eigenvectors
   void set_projection(const Vector<double>& theta);
 
+  static constexpr double rounding = 1e-10;  // less of a vector is mostly rounding errors
+
+  /// w = (w basis) factor, up to what was left out, where w basis is orthonormal; and the length of
+  /// the shortest vector that it was made of
+  struct Gram_basis {
+    Vectors basis, factor;
+    double shortest;
+  };
+
+  /// \param gram of w
+  /// \param least shorter combinations are left out
+  static Gram_basis gram_basis(const Vectors& gram, double least);
+
+  /// of the norms of the columns of w by N
+  /// \throw Solver_error if they are not finite
+  static double longest(const Vectors& w, const Vectors& Nw);
+
   /// Sets `m_next` to an N-orthonormal basis of the components of w orthogonal to V, and
   /// `m_remainder` such that w = V c + next * remainder.
   /// \param lost the length below which columns are mostly rounding errors

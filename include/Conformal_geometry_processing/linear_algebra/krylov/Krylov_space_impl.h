@@ -11,12 +11,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace Conformal_geometry_processing {
 namespace internal {
-
-constexpr double rounding_share = 1e-10;  // less of a vector is mostly rounding errors
 
 CGP_INLINE Krylov_space::Krylov_space(const Pencil& pencil, Eigen::Index rows,
                                       Eigen::Index capacity)
@@ -33,19 +32,10 @@ CGP_INLINE void Krylov_space::adopt(const Vectors& eigenvectors, const Vector<do
   set_projection(theta);
 }
 
-/// of the norms of the columns of w by N
-CGP_INLINE double longest(const Block<Quaternion<double>>& w, const Block<Quaternion<double>>& Nw)
-{
-  double square = 0;
-  for (Eigen::Index j = 0; j < w.cols(); ++j)
-    square = (std::max)(square, inner_product(w.col(j), Nw.col(j)).w);
-  return std::sqrt(square);
-}
-
 CGP_INLINE void Krylov_space::begin_with(Vectors v)
 {
   const double length = longest(v, m_pencil.N(v));
-  (void)orthonormalize(std::move(v), rounding_share * length);
+  (void)orthonormalize(std::move(v), rounding * length);
   m_coupled = size();
 }
 
@@ -60,7 +50,7 @@ CGP_INLINE void Krylov_space::extend()
   Vectors w = m_pencil.solve(image);
   const double length = longest(w, image);  // N (N^-1 K v) = K v
   w -= m_V.combination(coupling, m_coupled);
-  Vectors column = orthonormalize(std::move(w), rounding_share * length);
+  Vectors column = orthonormalize(std::move(w), rounding * length);
   column.bottomRows(coupling.rows()) += coupling;
   for (Eigen::Index j = 0; j < count; ++j)
     for (Eigen::Index i = 0; i < size(); ++i) {
@@ -95,41 +85,51 @@ CGP_INLINE void Krylov_space::set_projection(const Vector<double>& theta)
       m_projection(i, j) = {i == j ? theta[j] : 0., 0, 0, 0};
 }
 
+CGP_INLINE double Krylov_space::longest(const Vectors& w, const Vectors& Nw)
+{
+  double square = 0;
+  for (Eigen::Index j = 0; j < w.cols(); ++j) {
+    const double next = inner_product(w.col(j), Nw.col(j)).w;
+    if (!std::isfinite(next)) throw Solver_error("Krylov_space", "the numbers are not finite");
+    square = (std::max)(square, next);
+  }
+  return std::sqrt(square);
+}
+
+CGP_INLINE Krylov_space::Gram_basis Krylov_space::gram_basis(const Vectors& gram, double least)
+{
+  const auto pairs = hermitian_jacobi(gram);
+  const Vector<double> lengths = pairs.values.cwiseMax(0).cwiseSqrt();  // ascending
+  const Eigen::Index rank = (lengths.array() > least).count(), first = lengths.size() - rank;
+  Gram_basis b{pairs.vectors.rightCols(rank), Vectors(rank, gram.cols()),
+               rank > 0 ? lengths[first] : std::numeric_limits<double>::infinity()};
+  for (Eigen::Index j = 0; j < rank; ++j)
+    for (Eigen::Index i = 0; i < gram.cols(); ++i) {
+      b.factor(j, i) = conjugate(b.basis(i, j)) * lengths[first + j];
+      b.basis(i, j) *= 1 / lengths[first + j];
+    }
+  return b;
+}
+
 // Once more where little was left of w, in which rounding errors would be large.
 CGP_INLINE auto Krylov_space::orthonormalize(Vectors w, double lost) -> Vectors
 {
-  const double much = 0.01;
-  Vectors all = Vectors::Constant(size(), w.cols(), {});
+  const double little = 0.01, of_unit_vectors = 0.5;
+  Vectors along_V = Vectors::Constant(size(), w.cols(), {});
   m_remainder = Vectors::Constant(w.cols(), w.cols(), {});
   for (Eigen::Index j = 0; j < w.cols(); ++j) m_remainder(j, j).w = 1;
-  for (bool is_first = true, is_exact = false; !is_exact; is_first = false) {
-    Vectors Nw = m_pencil.N(w);
+  for (bool is_exact = false; !is_exact; lost = of_unit_vectors) {
+    const Vectors Nw = m_pencil.N(w), now = m_V.gram(Nw, m_pencil.coefficients);
     const double before = longest(w, Nw);
-    if (size() > 0) {
-      const Vectors along_V = m_V.gram(Nw, m_pencil.coefficients);
-      add_combination(all, along_V, m_remainder);
-      w -= m_V.combination(along_V);
-      Nw = m_pencil.N(w);
-    }
-    const auto gram = hermitian_jacobi(gram_matrix(w, Nw, m_pencil.coefficients));
-    const double least = is_first ? lost : 0.5;
-    Eigen::Index rank = 0;
-    const auto length = [&](Eigen::Index j) {
-      return std::sqrt((std::max)(gram.values[w.cols() - 1 - j], 0.));
-    };
-    while (rank < w.cols() && length(rank) > least) ++rank;
-    is_exact = rank == 0 || length(rank - 1) >= much * before;
-    Vectors basis = gram.vectors.rightCols(rank), R(rank, w.cols());
-    for (Eigen::Index j = 0; j < rank; ++j)
-      for (Eigen::Index i = 0; i < basis.rows(); ++i) {
-        R(j, i) = conjugate(basis(i, j)) * length(rank - 1 - j);
-        basis(i, j) *= 1 / length(rank - 1 - j);
-      }
-    w = Conformal_geometry_processing::combination(w, basis);
-    m_remainder = Conformal_geometry_processing::combination(R, m_remainder);
+    add_combination(along_V, now, m_remainder);
+    w -= m_V.combination(now);
+    const Gram_basis b = gram_basis(gram_matrix(w, m_pencil.N(w), m_pencil.coefficients), lost);
+    w = Conformal_geometry_processing::combination(w, b.basis);
+    m_remainder = Conformal_geometry_processing::combination(b.factor, m_remainder);
+    is_exact = b.shortest >= little * before;
   }
   m_next = std::move(w);
-  return all;
+  return along_V;
 }
 
 }  // namespace internal

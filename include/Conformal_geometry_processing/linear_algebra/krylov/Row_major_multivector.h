@@ -4,10 +4,12 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_ROW_MAJOR_MULTIVECTOR_H
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
+#include <Conformal_geometry_processing/threads/parallel_loops.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace Conformal_geometry_processing {
 
@@ -32,9 +34,6 @@ class Row_major_multivector {
   /// \pre the capacity suffices for the columns of v
   void append(const Vectors& v);
 
-  /// Returns the columns first .. first + count - 1
-  Vectors columns(Eigen::Index first, Eigen::Index count) const;
-
   /// \brief Returns V^H w for the columns V from `begin` on, (size() - begin) x w.cols()
   Vectors gram(const Vectors& w, Coefficients coefficients, Eigen::Index begin = 0) const;
 
@@ -52,13 +51,27 @@ class Row_major_multivector {
     return m_numbers.middleCols(4 * begin, 4 * (m_size - begin));
   }
 
-  /// Calls `visit(first, count)` for parts of rows that fit the cache
+  static constexpr Eigen::Index part = 256;  // rows that fit the cache
+
+  /// Calls `visit(first, count)` for parts of the rows begin ... end - 1
   template <class Visitor>
   static void for_each_part(Eigen::Index begin, Eigen::Index end, const Visitor& visit)
   {
-    const Eigen::Index most = 256;
-    for (Eigen::Index first = begin; first < end; first += most)
-      visit(first, (std::min)(most, end - first));
+    for (Eigen::Index first = begin; first < end; first += part)
+      visit(first, (std::min)(part, end - first));
+  }
+
+  /// \brief The same for all rows, on several threads.
+  ///
+  /// Parts are the same for any number of threads: the last bits of a product depend on its size.
+  template <class Visitor>
+  void for_each_part(const Visitor& visit) const
+  {
+    const std::ptrdiff_t least = 4;
+    for_each_range((rows() + part - 1) / part, least,
+                   [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+                     for_each_part(first * part, (std::min)(last * part, rows()), visit);
+                   });
   }
 
   /// v as real numbers, row by row

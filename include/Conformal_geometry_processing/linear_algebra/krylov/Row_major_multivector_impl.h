@@ -5,12 +5,8 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Row_major_multivector.h>
-#include <Conformal_geometry_processing/threads/parallel_loops.h>
 
 #include <Eigen/Core>
-
-#include <algorithm>
-#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -19,28 +15,15 @@ CGP_INLINE void internal::Row_major_multivector::append(const Vectors& v)
   const auto set = [&](Eigen::Index first, Eigen::Index count) {
     m_numbers.block(first, 4 * m_size, count, 4 * v.cols()) = numbers(v.middleRows(first, count));
   };
-  for_each_range(rows(), 4096,
-                 [&](Eigen::Index begin, Eigen::Index end) { for_each_part(begin, end, set); });
+  for_each_part(set);
   m_size += v.cols();
-}
-
-CGP_INLINE internal::Row_major_multivector::Vectors internal::Row_major_multivector::columns(
-    Eigen::Index first, Eigen::Index count) const
-{
-  Vectors v(rows(), count);
-  for (Eigen::Index j = 0; j < count; ++j)
-    for (Eigen::Index i = 0; i < rows(); ++i) {
-      const auto q = m_numbers.block<1, 4>(i, 4 * (first + j));
-      v(i, j) = {q[0], q[1], q[2], q[3]};
-    }
-  return v;
 }
 
 CGP_INLINE internal::Row_major_multivector::Vectors internal::Row_major_multivector::gram(
     const Vectors& w, internal::Coefficients coefficients, Eigen::Index begin_of_columns) const
 {
   const Eigen::Ref<const Numbers> V = used(begin_of_columns);
-  const Eigen::Index at_once = 4096;  // a sum for each
+  const Eigen::Index at_once = 16 * part;  // a sum for each
   const auto add = [&](Eigen::Index begin, Eigen::Index end, Numbers& sum) {
     for_each_part(begin, end, [&](Eigen::Index first, Eigen::Index count) {
       sum.noalias() += V.middleRows(first, count).transpose() * numbers(w.middleRows(first, count));
@@ -73,8 +56,7 @@ CGP_INLINE internal::Row_major_multivector::Vectors internal::Row_major_multivec
         v(first + i, j) = {products(i, 4 * j), products(i, 4 * j + 1), products(i, 4 * j + 2),
                            products(i, 4 * j + 3)};
   };
-  for_each_range(rows(), 1024,
-                 [&](Eigen::Index begin, Eigen::Index end) { for_each_part(begin, end, set); });
+  for_each_part(set);
   return v;
 }
 
@@ -82,11 +64,10 @@ CGP_INLINE void internal::Row_major_multivector::combine(const Vectors& C)
 {
   const Numbers factors = right_factors(C);
   const auto replace = [&](Eigen::Index first, Eigen::Index count) {
-    const Numbers part = used().middleRows(first, count) * factors;
-    m_numbers.block(first, 0, count, part.cols()) = part;
+    const Numbers products = used().middleRows(first, count) * factors;
+    m_numbers.block(first, 0, count, products.cols()) = products;
   };
-  for_each_range(rows(), 1024,
-                 [&](Eigen::Index begin, Eigen::Index end) { for_each_part(begin, end, replace); });
+  for_each_part(replace);
   m_size = C.cols();
 }
 

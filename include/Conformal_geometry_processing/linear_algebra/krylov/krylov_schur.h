@@ -19,11 +19,11 @@ namespace internal {
 struct Krylov_options {
   int wanted = 1;
   double tolerance = 1e-9;  ///< bound on `Krylov_result::residuals`
-  int max_restarts = 100;
+  int max_restarts = 100;   ///< one at least is needed to look for further copies
 };
 
 /// \ingroup PkgLinearAlgebra
-/// Progress reported after every block of vectors, and before every restart
+/// Progress reported after every block of vectors
 struct Krylov_progress {
   int restart = 0;    ///< restarts done
   int converged = 0;  ///< wanted eigenpairs found so far
@@ -51,8 +51,9 @@ struct Krylov_result {
 /// With N = (A - s)^2 and K = A - s those are the eigenvalues s + 1/theta of A next to s. Full
 /// orthogonalization makes it possible to find multiple eigenvalues: as many copies as a block has
 /// columns, sqrt(wanted) or at least three; further copies are found by restarts from two random
-/// vectors beside all pairs whenever these have converged, until they stay as they are. Looks at
-/// the pairs whenever the space has grown by an eighth. Deterministic, if `noise` is.
+/// vectors beside all pairs whenever these have converged, until they stay as they are and the next
+/// pair is seen to be another one. Looks at the pairs whenever the space has grown by an eighth.
+/// Deterministic, if `noise` is.
 ///
 /// Costs one K, one solution, two N and about 100 (wanted + 6 sqrt(wanted)) n operations for each
 /// of the vectors; the memory of wanted + 12 sqrt(wanted) of them.
@@ -61,8 +62,8 @@ struct Krylov_result {
 /// \param noise called with a number of columns: returns that many vectors in the space, new ones
 /// each time
 /// \param go_further called with `Krylov_progress` after every block; false cancels
-/// \param known eigenpairs of the same pencil, such as those of a run that wanted fewer: they are
-/// kept and not computed again
+/// \param known eigenpairs of the same pencil, converged to the same tolerance, such as those of a
+/// run that wanted fewer: they are kept and not computed again
 /// \pre `known` are at most as many as are wanted
 /// \throw Precondition_error if `wanted` is less than one or exceeds the number of eigenpairs
 /// \throw Solver_error if an operator returns values that are not finite

@@ -77,24 +77,34 @@ struct Ritz_pairs {
   Hermitian_eigen_decomposition<Quaternion<double>> all;  // of the projection, dominant first
   Eigen::Index found = 0;                                 // wanted ones that there are, and ...
   Eigen::Index converged = 0;                             // ... how many of these have converged
-  bool is_next_known = false;  // a few digits of the first one beside them, if there is one
+  bool is_next_beside = false;  // the next one is known well enough to tell that it is not wanted
+  bool is_settled = false, is_cancelled = false;
 
   bool have_converged() const { return converged == found; }
   Vector<double> values() const { return all.values.head(found); }
 };
 
+// A vector between a missing copy of the last wanted pair and the pairs after it has a residual of
+// their distance. Where that is large, a few digits of the next one do.
+CGP_INLINE bool is_next_beside(const Vector<double>& values, const Vector<double>& residuals,
+                               Eigen::Index found, double tolerance)
+{
+  const double few_digits = 1e-2, share_of_gap = 0.3;
+  if (found == values.size()) return false;
+  const double next = std::abs(values[found]), gap = std::abs(values[found - 1]) - next,
+               enough = (std::min)(few_digits * next, share_of_gap * gap);
+  return residuals[found] <= (std::max)(enough, tolerance * next);
+}
+
 CGP_INLINE Ritz_pairs ritz_pairs(const Krylov_space& space, const Krylov_options& options)
 {
-  const double few_digits = 1e-2;
   Ritz_pairs p;
   p.all = dominant_first(quaternionic_householder(space.projection()));
-  const Vector<double>& values = p.all.values;
-  p.found = (std::min)(values.size(), Eigen::Index(options.wanted));
+  p.found = (std::min)(p.all.values.size(), Eigen::Index(options.wanted));
   const Vector<double> residuals = space.residuals(p.all.vectors);
   p.converged = converged_pairs(p.values(), residuals, options.tolerance);
-  p.is_next_known =
-      !space.has_next() ||
-      (p.found < values.size() && residuals[p.found] <= few_digits * std::abs(values[p.found]));
+  p.is_next_beside =
+      !space.has_next() || is_next_beside(p.all.values, residuals, p.found, options.tolerance);
   return p;
 }
 
@@ -105,45 +115,60 @@ class Krylov_growth {
                 const std::function<bool(const Krylov_progress&)>& go_further)
       : m_space(space), m_options(options), m_go_further(go_further)
   {
-    progress.capacity = static_cast<int>(space.capacity());
+    m_progress.capacity = static_cast<int>(space.capacity());
   }
 
-  /// \param before the values that had converged when random vectors were added, if they were. If
-  /// they have stayed as they are, and the random vectors show the one that comes next, nothing is
-  /// missing. An eigenvalue that is would have come first.
-  Ritz_pairs run(const Vector<double>& before)
+  /// \param before the values that had converged when random vectors were added, if they were. It
+  /// is settled that nothing is missing if they stay, and the random vectors, in which a larger one
+  /// would come first, have shown the next one.
+  Ritz_pairs run(int restart, const Vector<double>& before)
   {
     const Eigen::Index first_blocks = 3;
+    m_progress.restart = restart;
     Eigen::Index size_of_look = m_space.size() + first_blocks * m_space.size_of_next();
     for (;;) {
-      const bool is_full = !m_space.has_next() || !m_space.has_room();
-      if (!is_full) m_space.extend();
-      is_cancelled = !tell();
-      if (!is_full && !is_cancelled && m_space.size() < size_of_look) continue;
+      const bool is_cancelled = !extend();
+      if (can_grow() && !is_cancelled && m_space.size() < size_of_look) continue;
       Ritz_pairs p = ritz_pairs(m_space, m_options);
       const bool is_old = has_nothing_new(p.values(), before, m_options.tolerance);
-      is_settled = p.converged == m_options.wanted && is_old && (p.is_next_known || is_full);
-      progress.converged = static_cast<int>(p.converged);
-      if (is_full || is_cancelled || is_settled || (p.have_converged() && !is_old)) return p;
+      p.is_cancelled = is_cancelled;
+      p.is_settled = !is_cancelled && p.converged == m_options.wanted && is_old &&
+                     (p.is_next_beside || !can_grow());
+      m_progress.converged = static_cast<int>(p.converged);
+      if (!can_grow() || is_cancelled || p.is_settled || (p.have_converged() && !is_old)) return p;
       size_of_look = m_space.size() + (std::max)(m_space.size_of_next(), m_space.size() / 8);
     }
   }
 
-  bool is_settled = false, is_cancelled = false;
-  Krylov_progress progress;
-
  private:
+  bool can_grow() const { return m_space.has_next() && m_space.has_room(); }
+
   /// \return whether it may go further
-  bool tell()
+  bool extend()
   {
-    progress.vectors = static_cast<int>(m_space.size());
-    return !m_go_further || m_go_further(progress);
+    if (!can_grow()) return true;
+    m_space.extend();
+    m_progress.vectors = static_cast<int>(m_space.size());
+    return !m_go_further || m_go_further(m_progress);
   }
 
   Krylov_space& m_space;
   const Krylov_options& m_options;
   const std::function<bool(const Krylov_progress&)>& m_go_further;
+  Krylov_progress m_progress;
 };
+
+CGP_INLINE Krylov_result result_of(const Krylov_space& space, const Pencil& pencil,
+                                   const Ritz_pairs& pairs)
+{
+  Krylov_result r;
+  r.values = pairs.values();
+  r.vectors = space.combination(pairs.all.vectors.leftCols(pairs.found));
+  r.residuals = true_residuals(pencil, r.vectors, r.values);
+  r.converged = pairs.is_settled;
+  r.cancelled = pairs.is_cancelled;
+  return r;
+}
 
 }  // namespace internal
 
@@ -157,31 +182,28 @@ CGP_INLINE internal::Krylov_result krylov_schur(
   const Eigen::Index wanted = options.wanted;
   if (wanted < 1) throw Precondition_error("krylov_schur", "at least one eigenpair must be wanted");
   const auto root = static_cast<Eigen::Index>(std::sqrt(static_cast<double>(wanted)));
-  const Eigen::Index block = (std::max)(Eigen::Index(3), root), block_of_others = 2;
+  const Eigen::Index block = (std::max)(Eigen::Index(3), root);
+  const Eigen::Index few = 2;  // random vectors that look for what is missing: mostly nothing is
   const internal::Thread_team team;
   internal::Krylov_space space(pencil, rows, wanted + 12 * block);
   internal::Krylov_growth growth(space, options, go_further);
-  internal::Krylov_result result;
   space.adopt(known.vectors, known.values);
   space.begin_with(noise(block));
-  for (Vector<double> before;; ++result.restarts) {  // the values when all converged the last time
-    growth.progress.restart = result.restarts;
-    const internal::Ritz_pairs pairs = growth.run(before);
-    result.converged = growth.is_settled;
-    result.cancelled = growth.is_cancelled;
-    if (result.converged || result.cancelled || result.restarts == options.max_restarts) {
-      result.values = pairs.values();
-      result.vectors = space.combination(pairs.all.vectors.leftCols(pairs.found));
-      result.residuals = internal::true_residuals(pencil, result.vectors, result.values);
+  Vector<double> before;  // the values when all converged the last time
+  for (int restarts = 0;; ++restarts) {
+    const internal::Ritz_pairs pairs = growth.run(restarts, before);
+    if (pairs.is_settled || pairs.is_cancelled || restarts == options.max_restarts) {
+      internal::Krylov_result result = internal::result_of(space, pencil, pairs);
+      result.restarts = restarts;
       return result;
     }
     const bool have_converged = pairs.have_converged();
     if (have_converged) before = pairs.values();
-    const Eigen::Index most = (std::min)(wanted + block, space.size()),
-                       kept = have_converged ? pairs.found : most;
+    const Eigen::Index kept =
+        have_converged ? pairs.found : (std::min)(wanted + block, space.size());
     space.restart(pairs.all.vectors.leftCols(kept), pairs.all.values.head(kept));
     if (!have_converged && space.has_next()) continue;
-    space.begin_with(noise(block_of_others));
+    space.begin_with(noise(few));
     if (!space.has_next() && pairs.found < wanted)
       throw Precondition_error("krylov_schur", std::to_string(wanted) +
                                                    " eigenpairs are wanted, of a matrix with " +
