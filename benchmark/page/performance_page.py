@@ -63,6 +63,9 @@ Microseconds per vertex of *native, float*, the default, with amplitude 1, and o
   solves with it for each period (*exactness*): half of the time. One factor does not do for both: with
   the other one, rho of amplitudes .25 to 1 takes 6 to 280 iterations instead of 3 to 6, a period 9 to 49
   instead of 3 to 5 (`benchmark_shared_factor` on eight, elephant, refined_elephant, knot1, rotor, bear).
+- **Spectra** need about a hundred vectors; orthogonalizing them costs as much as the solves. Fewer
+  pairs than seventeen to twenty at first take a tenth less on most meshes and twice as much on others,
+  where more have to be found then (bull, for five and for thirty eigenvalues).
 - **Memory that is new** has to be cleared by the system, which is dear on virtual machines, for large
   meshes and in P as well. With `MALLOC_TRIM_THRESHOLD_` and `MALLOC_MMAP_THRESHOLD_` of 2000000000
   (glibc), freed memory is kept.

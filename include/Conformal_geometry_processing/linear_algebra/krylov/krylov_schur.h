@@ -50,10 +50,10 @@ struct Krylov_result {
 ///
 /// With N = (A - s)^2 and K = A - s those are the eigenvalues s + 1/theta of A next to s. Full
 /// orthogonalization makes it possible to find multiple eigenvalues: as many copies as a block has
-/// columns, sqrt(wanted) or at least three; further copies are found by restarts from two random
-/// vectors beside all pairs whenever these have converged, until they stay as they are and the next
-/// pair is seen to be another one. Looks at the pairs whenever the space has grown by an eighth.
-/// Deterministic, if `noise` is.
+/// columns, sqrt(wanted) - 1 or at least three; further copies are found by restarts from two
+/// random vectors beside all pairs whenever these have converged, until they stay as they are and
+/// the next pair is seen to be another one. Looks at the pairs whenever the space has grown by an
+/// eighth. Deterministic, if `noise` is.
 ///
 /// Costs one K, one solution, two N and about 100 (wanted + 6 sqrt(wanted)) n operations for each
 /// of the vectors; the memory of wanted + 12 sqrt(wanted) of them.

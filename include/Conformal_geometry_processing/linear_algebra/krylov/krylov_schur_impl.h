@@ -182,7 +182,7 @@ CGP_INLINE internal::Krylov_result krylov_schur(
   const Eigen::Index wanted = options.wanted;
   if (wanted < 1) throw Precondition_error("krylov_schur", "at least one eigenpair must be wanted");
   const auto root = static_cast<Eigen::Index>(std::sqrt(static_cast<double>(wanted)));
-  const Eigen::Index block = (std::max)(Eigen::Index(3), root);
+  const Eigen::Index block = (std::max)(Eigen::Index(3), root - 1);
   const Eigen::Index few = 2;  // random vectors that look for what is missing: mostly nothing is
   const internal::Thread_team team;
   internal::Krylov_space space(pencil, rows, wanted + 12 * block);
