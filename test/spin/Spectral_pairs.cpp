@@ -82,6 +82,17 @@ TEST(Spectral_pairs, resolve_what_does_not_oscillate_from_edge_to_edge_though_it
   EXPECT_EQ(internal::resolved_nearest_first(p).size(), 4);
 }
 
+// On a mesh whose vertices have two colors, what changes its sign with them has averages of zero.
+TEST(Spectral_pairs, do_not_resolve_what_averaging_cancels)
+{
+  internal::Spectral_pairs p = four_pairs(9);
+  p.quotients[3] = -1e10;
+  const internal::Spectral_pairs r = internal::resolved_nearest_first(p);
+  EXPECT_EQ(r.size(), 3);
+  EXPECT_EQ(r.reach, p.energies[3]);
+  EXPECT_TRUE(r.is_limited_by_mesh);
+}
+
 TEST(Spectral_pairs, resolve_constants_whose_image_is_zero)
 {
   internal::Spectral_pairs p = four_pairs(9);

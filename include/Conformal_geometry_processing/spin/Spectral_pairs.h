@@ -57,8 +57,9 @@ bool is_window_complete(const Spectral_pairs& pairs, Eigen::Index count);
 /// A vector that oscillates from edge to edge is orthogonal to its image under D, and its quotient
 /// is a number near -rho - s without a meaning: it is not resolved if its squared error is more
 /// than half of |D v|^2, and that exceeds 1 / h^2. (Eigenvectors next to zero have small images,
-/// and on a jagged boundary an error as large, which leaves them what they are.) What such vectors
-/// have displaced may be missing from their energy on, which limits the reach.
+/// and on a jagged boundary an error as large, which leaves them what they are.) Nor is it if the
+/// square of the quotient exceeds the energy by as much: averaging to faces cancels it. What such
+/// vectors have displaced may be missing from their energy on, which limits the reach.
 Spectral_pairs resolved_nearest_first(const Spectral_pairs& pairs);
 
 }  // namespace internal

@@ -50,7 +50,8 @@ CGP_INLINE internal::Spectral_pairs internal::resolved_nearest_first(
   double reach = pairs.reach;
   std::vector<Eigen::Index> order;
   for (Eigen::Index k = 0; k < pairs.size(); ++k)
-    if (2 * errors[k] <= pairs.squared_images[k] || pairs.squared_images[k] <= pairs.slow_energy)
+    if (2 * std::abs(errors[k]) <= pairs.squared_images[k] ||
+        pairs.squared_images[k] <= pairs.slow_energy)
       order.push_back(k);
     else
       reach = (std::min)(reach, pairs.energies[k]);
