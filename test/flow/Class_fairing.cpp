@@ -50,7 +50,7 @@ TEST(Class_fairing, lowers_the_energy_and_keeps_length_cross_ratios)
   }
 }
 
-// The weight of the class against the energy has a unit.
+// The class and the energy are weighed in a frame of the size of the mesh.
 TEST(Class_fairing, does_not_depend_on_the_unit_of_length)
 {
   const Mesh_view mesh = waves_on_an_ellipsoid(fibonacci_sphere(800));
