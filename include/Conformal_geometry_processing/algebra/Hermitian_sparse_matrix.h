@@ -41,7 +41,8 @@ class Kept_rows {
     return *this;
   }
 
-  /// May be called from several threads \param pattern always the same
+  /// May be called from several threads
+  /// \param pattern always the same
   const Lower_rows& of(const Sparse_pattern& pattern) const;
 
  private:

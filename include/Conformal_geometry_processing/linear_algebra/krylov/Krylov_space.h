@@ -100,7 +100,7 @@ class Krylov_space {
   Row_major_multivector m_V;
   Vectors m_projection;  // capacity x capacity
   Vectors m_next, m_remainder;
-  // The first columns of the last block, and of those that T of it is not orthogonal to
+  // The first columns of the last block, and of those in which T of the next one has components
   Eigen::Index m_last = 0, m_coupled = 0;
 };
 
