@@ -35,9 +35,12 @@ else()
   file(GLOB examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.cpp)
   foreach(example IN LISTS examples)
     cmake_path(GET example STEM name)
+    set(arguments ${PROJECT_BINARY_DIR}/examples/${name})
+    if(name STREQUAL "first_program" AND TARGET conformal)
+      list(APPEND arguments $<TARGET_FILE:conformal>)
+    endif()
     add_test(NAME examples.${name} COMMAND ${Python3_EXECUTABLE}
-             ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_example.py
-             ${PROJECT_BINARY_DIR}/examples/${name})
+             ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_example.py ${arguments})
   endforeach()
 endif()
 

@@ -8,7 +8,7 @@
 
 #include "canonical_metric_checks.h"
 
-namespace {
+namespace cgp_test::canonical_metric_openmesh_tests {
 
 struct Double_traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
@@ -16,11 +16,11 @@ struct Double_traits : OpenMesh::DefaultTraits {
 };
 using Surface = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
 
-}  // namespace
-
 TEST(Canonical_metric_of_an_OpenMesh, is_that_of_its_triangles)
 {
   // CGAL 5.5 writes the points of OpenMesh through float.
   Surface mesh = cgp_test::to_cgal_mesh<Surface>(cgp_test::torus_to_measure());
   cgp_test::expect_canonical_metric(mesh, 1e-5);
 }
+
+}  // namespace cgp_test::canonical_metric_openmesh_tests

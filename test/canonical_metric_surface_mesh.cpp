@@ -11,9 +11,8 @@
 
 #include "canonical_metric_checks.h"
 
-namespace {
+namespace cgp_test::canonical_metric_surface_mesh_tests {
 
-using namespace cgp_test;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 
@@ -31,8 +30,6 @@ std::string refusal(const Mesh_view& view)
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Canonical_metric_of_a_Surface_mesh, is_that_of_its_triangles)
 {
@@ -71,3 +68,5 @@ TEST(Canonical_metric_of_a_Surface_mesh, refuses_what_has_none_and_writes_nothin
   broken.set_positions(p);
   EXPECT_NE(refusal(broken).find("vertex 5"), std::string::npos);
 }
+
+}  // namespace cgp_test::canonical_metric_surface_mesh_tests

@@ -8,9 +8,8 @@
 
 #include "components_checks.h"
 
-namespace {
+namespace cgp_test::components_cancelled_tests {
 
-using namespace cgp_test;
 namespace params = CGP::parameters;
 using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
@@ -34,8 +33,6 @@ struct Visitor_that_cancels_once : CGP::Flow_visitor {
     return false;
   }
 };
-
-}  // namespace
 
 TEST(Components_that_are_cancelled, are_not_begun)
 {
@@ -76,3 +73,5 @@ TEST(Components_that_are_cancelled, stop_where_they_are_in_a_flow)
   for (std::size_t p = 1; p < 3; ++p)
     EXPECT_EQ(columns(points, all.vertices[p]), parts[p].positions());
 }
+
+}  // namespace cgp_test::components_cancelled_tests

@@ -9,16 +9,13 @@
 
 #include "components_checks.h"
 
-namespace {
+namespace cgp_test::components_openmesh_tests {
 
-using namespace cgp_test;
 struct Double_traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;
 };
 using Surface = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
-
-}  // namespace
 
 TEST(Components_of_an_OpenMesh, spin_as_they_do_alone)
 {
@@ -34,3 +31,5 @@ TEST(Components_of_an_OpenMesh, are_flattened_as_they_are_alone)
 {
   expect_flat_images_as_alone<Surface>();
 }
+
+}  // namespace cgp_test::components_openmesh_tests

@@ -7,12 +7,9 @@
 
 #include "components_checks.h"
 
-namespace {
+namespace cgp_test::components_polyhedron_3_tests {
 
-using namespace cgp_test;
 using Surface = CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
-
-}  // namespace
 
 TEST(Components_of_a_Polyhedron_3, spin_as_they_do_alone)
 {
@@ -28,3 +25,5 @@ TEST(Components_of_a_Polyhedron_3, are_flattened_as_they_are_alone)
 {
   expect_flat_images_as_alone<Surface>();
 }
+
+}  // namespace cgp_test::components_polyhedron_3_tests

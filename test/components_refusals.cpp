@@ -16,9 +16,8 @@
 
 #include "components_checks.h"
 
-namespace {
+namespace cgp_test::components_refusals_tests {
 
-using namespace cgp_test;
 namespace params = CGP::parameters;
 using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Vertex = Surface::Vertex_index;
@@ -67,8 +66,6 @@ struct Solver_traits_without_memory {
   template <class Scalar>
   using Solver = Solver_without_memory<Scalar>;
 };
-
-}  // namespace
 
 TEST_F(Components_that_fail, are_refused_where_one_is_wanted)
 {
@@ -215,3 +212,5 @@ TEST(Components_of_a_mesh_with_garbage, are_those_of_its_triangles)
     EXPECT_EQ(columns(view_of(mesh).positions(), all.vertices[p]), view_of(alone).positions());
   }
 }
+
+}  // namespace cgp_test::components_refusals_tests

@@ -7,12 +7,9 @@
 
 #include "components_checks.h"
 
-namespace {
+namespace cgp_test::components_surface_mesh_tests {
 
-using namespace cgp_test;
 using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-
-}  // namespace
 
 TEST(Components_of_a_Surface_mesh, spin_as_they_do_alone)
 {
@@ -28,3 +25,5 @@ TEST(Components_of_a_Surface_mesh, are_flattened_as_they_are_alone)
 {
   expect_flat_images_as_alone<Surface>();
 }
+
+}  // namespace cgp_test::components_surface_mesh_tests

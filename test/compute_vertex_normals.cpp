@@ -11,15 +11,12 @@
 #include "support/cgal_meshes.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::compute_vertex_normals_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 using Surface = CGAL::Surface_mesh<Point>;
-
-}  // namespace
 
 TEST(Compute_vertex_normals, fills_the_map_of_the_mesh_traits)
 {
@@ -57,3 +54,5 @@ TEST(Compute_vertex_normals, leaves_the_map_alone_when_it_refuses_the_mesh)
   EXPECT_THROW(CGP::compute_vertex_normals(mesh, normals), CGP::Precondition_error);
   for (auto v : vertices(mesh)) EXPECT_EQ(get(normals, v), Vector(0, 0, 0));
 }
+
+}  // namespace cgp_test::compute_vertex_normals_tests

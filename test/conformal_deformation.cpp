@@ -19,9 +19,8 @@
 #include "support/control_points.h"
 #include "support/limbs.h"
 
-namespace {
+namespace cgp_test::conformal_deformation_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
@@ -64,8 +63,6 @@ bool has(const std::string& text, const char* words)
 {
   return text.find(words) != std::string::npos;
 }
-
-}  // namespace
 
 TEST(Conformal_deformation_of_a_mesh, moves_vertices_to_their_targets)
 {
@@ -167,3 +164,5 @@ TEST(Conformal_deformation_of_a_mesh, takes_a_polyhedron)
   EXPECT_TRUE(CGP::conformal_deformation(mesh, one));
   EXPECT_LT(CGAL::squared_distance(all[3]->point(), to), 1e-20);
 }
+
+}  // namespace cgp_test::conformal_deformation_tests

@@ -17,11 +17,10 @@
 #include "support/meshes.h"
 #include "support/views.h"
 
-namespace {
+namespace cgp_test::conformal_fairing_tests {
 
 namespace CGP = Conformal_geometry_processing;
 namespace PMP = CGAL::Polygon_mesh_processing;
-using namespace cgp_test;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
@@ -70,8 +69,6 @@ void expect_no_dent()
   EXPECT_TRUE(CGP::conformal_fairing(mesh, faces_where(mesh, is_high), outline));
   EXPECT_LT(distance_from_unit_sphere(view_of(mesh).positions()), 1e-2);
 }
-
-}  // namespace
 
 TEST(Conformal_fairing, takes_a_dent_out_of_any_mesh_type)
 {
@@ -166,3 +163,5 @@ TEST(Conformal_fairing, refuses_faces_of_another_mesh_and_tolerances_that_are_no
   region.clear();
   EXPECT_THROW((void)CGP::conformal_fairing(mesh, region), CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::conformal_fairing_tests

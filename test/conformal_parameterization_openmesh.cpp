@@ -8,9 +8,7 @@
 
 #include "conformal_parameterization_checks.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::conformal_parameterization_openmesh_tests {
 
 struct Double_traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
@@ -18,9 +16,9 @@ struct Double_traits : OpenMesh::DefaultTraits {
 };
 using Surface = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
 
-}  // namespace
-
 TEST(Conformal_parameterization_of_an_OpenMesh, is_that_of_its_triangles)
 {
   expect_parameterization_of_the_view(to_cgal_mesh<Surface>(cap_to_map()), 1e-12);
 }
+
+}  // namespace cgp_test::conformal_parameterization_openmesh_tests

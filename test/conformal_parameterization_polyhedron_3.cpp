@@ -7,14 +7,13 @@
 
 #include "conformal_parameterization_checks.h"
 
-namespace {
+namespace cgp_test::conformal_parameterization_polyhedron_3_tests {
 
-using namespace cgp_test;
 using Surface = CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
-
-}  // namespace
 
 TEST(Conformal_parameterization_of_a_Polyhedron_3, is_that_of_its_triangles)
 {
   expect_parameterization_of_the_view(to_cgal_mesh<Surface>(cap_to_map()), 1e-12);
 }
+
+}  // namespace cgp_test::conformal_parameterization_polyhedron_3_tests

@@ -16,9 +16,8 @@
 #include "conformal_parameterization_checks.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::conformal_parameterization_surface_mesh_tests {
 
-using namespace cgp_test;
 namespace params = CGP::parameters;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -53,8 +52,6 @@ void expect_untouched(const Surface& mesh, const Surface::Property_map<Vertex, P
 {
   for (const Vertex v : vertices(mesh)) EXPECT_EQ(uv[v], Plane_point(7, 7));
 }
-
-}  // namespace
 
 TEST(Conformal_parameterization_of_a_Surface_mesh, is_that_of_its_triangles_without_garbage)
 {
@@ -210,3 +207,5 @@ TEST(Spectral_conformal_parameterizer_3, returns_that_it_has_not_converged)
             SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
   expect_untouched(mesh, uv);
 }
+
+}  // namespace cgp_test::conformal_parameterization_surface_mesh_tests

@@ -8,9 +8,8 @@
 
 #include "conformal_willmore_flow_boundary_checks.h"
 
-namespace {
+namespace cgp_test::conformal_willmore_flow_boundary_tests {
 
-using namespace cgp_test;
 namespace params = CGP::parameters;
 using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
@@ -32,8 +31,6 @@ bool refuses(Surface mesh, const NamedParameters& np, const std::string& reason)
   }
   return false;
 }
-
-}  // namespace
 
 TEST(Conformal_willmore_flow_of_a_disk, leaves_its_boundary_free)
 {
@@ -66,3 +63,5 @@ TEST(Conformal_willmore_flow_of_a_disk, refuses_normals_and_boundaries_of_closed
   EXPECT_TRUE(refuses(to_cgal_mesh<Surface>(icosphere(1)), params::boundary_direction(tangent),
                       "the surface is closed"));
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_boundary_tests

@@ -8,15 +8,13 @@
 
 #include "conformal_willmore_flow_boundary_checks.h"
 
-namespace {
+namespace cgp_test::conformal_willmore_flow_openmesh_tests {
 
 struct Double_traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;
 };
 using Surface = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
-
-}  // namespace
 
 TEST(Conformal_willmore_flow_of_an_OpenMesh, is_that_of_its_triangles)
 {
@@ -29,3 +27,5 @@ TEST(Conformal_willmore_flow_of_an_OpenMesh, turns_its_boundary)
   cgp_test::expect_flow_with_binormals(
       cgp_test::to_cgal_mesh<Surface>(cgp_test::bumpy_cap_of_few_faces()), 1e-6);
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_openmesh_tests

@@ -6,12 +6,9 @@
 
 #include "conformal_willmore_flow_boundary_checks.h"
 
-namespace {
+namespace cgp_test::conformal_willmore_flow_polyhedron_3_tests {
 
-using namespace cgp_test;
 using Surface = CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
-
-}  // namespace
 
 TEST(Conformal_willmore_flow_of_a_Polyhedron_3, is_that_of_its_triangles)
 {
@@ -22,3 +19,5 @@ TEST(Conformal_willmore_flow_of_a_Polyhedron_3, turns_its_boundary)
 {
   expect_flow_with_binormals(to_cgal_mesh<Surface>(bumpy_cap_of_few_faces()), 1e-14);
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_polyhedron_3_tests

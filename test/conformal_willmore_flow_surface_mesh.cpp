@@ -12,9 +12,8 @@
 
 #include "conformal_willmore_flow_checks.h"
 
-namespace {
+namespace cgp_test::conformal_willmore_flow_surface_mesh_tests {
 
-using namespace cgp_test;
 namespace params = CGP::parameters;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
@@ -66,8 +65,6 @@ std::string refusal(const Mesh_view& view)
   }
   return "";
 }
-
-}  // namespace
 
 TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, is_that_of_its_triangles)
 {
@@ -204,3 +201,5 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, refuses_what_is_no_surface_and
                CGP::Precondition_error);
   EXPECT_EQ(view_of(mesh).positions(), before.positions());
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_surface_mesh_tests

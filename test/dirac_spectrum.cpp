@@ -11,9 +11,8 @@
 #include "support/bounded_meshes.h"
 #include "support/polyhedra.h"
 
-namespace {
+namespace cgp_test::dirac_spectrum_tests {
 
-using namespace cgp_test;
 namespace params = CGP::parameters;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -108,4 +107,4 @@ TEST(Dirac_sphere_of_a_Surface_mesh, leaves_what_is_no_sphere_alone)
   EXPECT_TRUE(before.view().positions() == after.view().positions());
 }
 
-}  // namespace
+}  // namespace cgp_test::dirac_spectrum_tests

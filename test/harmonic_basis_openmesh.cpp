@@ -8,9 +8,7 @@
 
 #include "harmonic_basis_checks.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::harmonic_basis_openmesh_tests {
 
 struct Double_traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
@@ -18,10 +16,10 @@ struct Double_traits : OpenMesh::DefaultTraits {
 };
 using Surface = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
 
-}  // namespace
-
 TEST(Harmonic_basis_of_an_OpenMesh, is_that_of_its_triangles)
 {
   expect_harmonic_forms(to_cgal_mesh<Surface>(holed_block(2)), 2);
   expect_basis_of_the_view(to_cgal_mesh<Surface>(btorus(8)));
 }
+
+}  // namespace cgp_test::harmonic_basis_openmesh_tests

@@ -6,13 +6,10 @@
 
 #include "harmonic_basis_checks.h"
 
-namespace {
+namespace cgp_test::harmonic_basis_polyhedron_3_tests {
 
-using namespace cgp_test;
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Surface = CGAL::Polyhedron_3<Kernel>;
-
-}  // namespace
 
 TEST(Harmonic_basis_of_a_Polyhedron_3, is_that_of_its_triangles)
 {
@@ -20,3 +17,5 @@ TEST(Harmonic_basis_of_a_Polyhedron_3, is_that_of_its_triangles)
   expect_basis_of_the_view(to_cgal_mesh<Surface>(btorus(8)));
   EXPECT_TRUE((std::is_same_v<decltype(CGP::harmonic_basis(Surface()))::Vector, Kernel::Vector_3>));
 }
+
+}  // namespace cgp_test::harmonic_basis_polyhedron_3_tests

@@ -15,9 +15,8 @@
 #include "harmonic_basis_checks.h"
 #include "support/bounded_meshes.h"
 
-namespace {
+namespace cgp_test::harmonic_basis_surface_mesh_tests {
 
-using namespace cgp_test;
 namespace params = CGP::parameters;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -42,8 +41,6 @@ std::string message_of_refusal(const Mesh_view& view)
   }
   return "not refused";
 }
-
-}  // namespace
 
 TEST(Harmonic_basis_of_a_Surface_mesh, is_that_of_its_triangles)
 {
@@ -172,3 +169,5 @@ TEST(Harmonic_basis_of_a_Surface_mesh, refuses_random_forms_on_unsuitable_meshes
     EXPECT_THROW((void)CGP::harmonic_basis(to_cgal_mesh<Surface>(view), random),
                  CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::harmonic_basis_surface_mesh_tests

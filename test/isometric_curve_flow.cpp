@@ -16,10 +16,9 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace cgp_test::isometric_curve_flow_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 template <class Kernel>
 std::vector<typename Kernel::Point_2> points_of(const Curve& curve)
@@ -236,4 +235,4 @@ TEST(Isometric_curve_flow_of_ranges, takes_points_of_ones_own_with_their_traits)
     EXPECT_NEAR(points[static_cast<std::size_t>(i)].thousand_x, 1000 * result(0, i), 1e-9);
 }
 
-}  // namespace
+}  // namespace cgp_test::isometric_curve_flow_tests

@@ -8,7 +8,7 @@
 
 #include "moebius_transform_checks.h"
 
-namespace {
+namespace cgp_test::moebius_transform_openmesh_tests {
 
 struct Double_traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
@@ -16,11 +16,11 @@ struct Double_traits : OpenMesh::DefaultTraits {
 };
 using Surface = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
 
-}  // namespace
-
 TEST(Moebius_transform_of_an_OpenMesh, moves_each_vertex_by_the_map)
 {
   // CGAL 5.5 writes the points of OpenMesh through float.
   cgp_test::expect_moebius_transforms(cgp_test::to_cgal_mesh<Surface>(cgp_test::sphere_to_invert()),
                                       1e-4);
 }
+
+}  // namespace cgp_test::moebius_transform_openmesh_tests

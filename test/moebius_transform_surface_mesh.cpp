@@ -11,9 +11,8 @@
 
 #include "moebius_transform_checks.h"
 
-namespace {
+namespace cgp_test::moebius_transform_surface_mesh_tests {
 
-using namespace cgp_test;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 
@@ -36,8 +35,6 @@ double volume(const Mesh_view& mesh, const Surface& moved)
 {
   return CGP::signed_volume({points_of(moved), mesh.corners()});
 }
-
-}  // namespace
 
 TEST(Moebius_transform_of_a_Surface_mesh, moves_each_vertex_by_the_map)
 {
@@ -121,3 +118,5 @@ TEST(Invert_in_sphere, refuses_a_center_on_a_vertex_and_a_radius_that_is_none)
   EXPECT_NE(refusal(mesh, invert(Point(0, 0, 0), infinity)), "");
   EXPECT_NE(refusal(mesh, invert(Point(infinity, 0, 0), 1)), "");
 }
+
+}  // namespace cgp_test::moebius_transform_surface_mesh_tests

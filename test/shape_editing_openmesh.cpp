@@ -10,17 +10,13 @@
 
 #include "shape_editing_checks.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::shape_editing_openmesh_tests {
 
 struct Double_traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;
 };
 using Surface = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
-
-}  // namespace
 
 TEST(Shape_editing_of_an_OpenMesh, is_that_of_its_triangles)
 {
@@ -29,3 +25,5 @@ TEST(Shape_editing_of_an_OpenMesh, is_that_of_its_triangles)
   expect_minimal_surface(to_cgal_mesh<Surface>(cap_to_flatten()), 1e-6);
   expect_filtered_curvature(to_cgal_mesh<Surface>(icosphere(2)));
 }
+
+}  // namespace cgp_test::shape_editing_openmesh_tests

@@ -9,12 +9,9 @@
 
 #include "shape_editing_checks.h"
 
-namespace {
+namespace cgp_test::shape_editing_polyhedron_3_tests {
 
-using namespace cgp_test;
 using Surface = CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
-
-}  // namespace
 
 TEST(Shape_editing_of_a_Polyhedron_3, is_that_of_its_triangles)
 {
@@ -22,3 +19,5 @@ TEST(Shape_editing_of_a_Polyhedron_3, is_that_of_its_triangles)
   expect_minimal_surface(to_cgal_mesh<Surface>(cap_to_flatten()), 1e-12);
   expect_filtered_curvature(to_cgal_mesh<Surface>(icosphere(2)));
 }
+
+}  // namespace cgp_test::shape_editing_polyhedron_3_tests

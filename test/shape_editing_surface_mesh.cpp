@@ -10,9 +10,8 @@
 
 #include "shape_editing_checks.h"
 
-namespace {
+namespace cgp_test::shape_editing_surface_mesh_tests {
 
-using namespace cgp_test;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 
@@ -29,8 +28,6 @@ std::string refusal(Surface& mesh, Call call)
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Nearest_spin_transform_of_a_Surface_mesh, is_that_of_its_triangles)
 {
@@ -123,3 +120,5 @@ TEST(Filter_curvature_on_a_Surface_mesh, refuses_what_it_cannot_filter)
   map[Surface::Vertex_index(7)] = 1;
   EXPECT_NE(filter(CGP::parameters::filter_weight(-1.)).find("weight"), std::string::npos);
 }
+
+}  // namespace cgp_test::shape_editing_surface_mesh_tests

@@ -22,10 +22,9 @@
 #include "support/tori.h"
 #include "support/views.h"
 
-namespace {
+namespace cgp_test::snap_to_conformal_class_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
@@ -94,8 +93,6 @@ void expect_exact_spin_transform(const Mesh_view& reference)
     EXPECT_GT((points_of(a.mesh) - reference.positions()).norm(), .1);
   }
 }
-
-}  // namespace
 
 TEST(Snap_to_conformal_class, is_a_parameter_of_spin_transformations)
 {
@@ -171,3 +168,5 @@ TEST(Snap_to_conformal_class, refuses_edges_without_length_and_points_that_are_n
   EXPECT_THROW((void)CGP::snap_to_conformal_class(b.mesh, b.reference_points),
                CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::snap_to_conformal_class_tests

@@ -18,9 +18,8 @@
 
 #include "spin_transform_checks.h"
 
-namespace {
+namespace cgp_test::spin_transform_tests {
 
-using namespace cgp_test;
 namespace params = CGP::parameters;
 using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Vertex = Surface::Vertex_index;
@@ -57,8 +56,6 @@ struct Counter : CGP::Spin_visitor {
   bool go_further() { return count < limit; }
   int count = 0, limit;
 };
-
-}  // namespace
 
 TEST_F(Spin_transform, overwrites_the_points_with_those_of_the_result)
 {
@@ -148,3 +145,5 @@ TEST_F(Spin_transform, is_watched_and_stopped_by_a_visitor)
   expect_untouched();
   for (const Vertex v : vertices(mesh)) EXPECT_EQ(lambda[v].coeffs(), initial.coeffs());
 }
+
+}  // namespace cgp_test::spin_transform_tests

@@ -12,9 +12,8 @@
 
 #include "spin_transform_boundary_checks.h"
 
-namespace {
+namespace cgp_test::spin_transform_boundary_tests {
 
-using namespace cgp_test;
 namespace params = CGP::parameters;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -55,8 +54,6 @@ class Spin_transform_with_boundary : public testing::Test {
   Surface mesh = to_cgal_mesh<Surface>(disk(6));
   const Mesh_view before = view_of(mesh);
 };
-
-}  // namespace
 
 TEST_F(Spin_transform_with_boundary, keeps_the_directions_that_are_only_named)
 {
@@ -156,3 +153,5 @@ TEST_F(Spin_transform_with_boundary, leaves_the_mesh_if_a_map_of_the_boundary_th
       std::runtime_error);
   expect_untouched(mesh);
 }
+
+}  // namespace cgp_test::spin_transform_boundary_tests

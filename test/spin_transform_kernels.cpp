@@ -7,9 +7,7 @@
 
 #include "spin_transform_checks.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::spin_transform_kernels_tests {
 
 /// positions and eigenvalue for rho in the number type of the kernel
 template <class Kernel>
@@ -25,8 +23,6 @@ void expect_transformation_with()
   EXPECT_EQ(view_of(mesh).positions(), expected.positions);
 }
 
-}  // namespace
-
 TEST(Spin_transform_with_inexact_constructions, is_that_of_the_triangles)
 {
   expect_transformation_with<CGAL::Exact_predicates_inexact_constructions_kernel>();
@@ -36,3 +32,5 @@ TEST(Spin_transform_with_exact_constructions, reads_and_writes_numbers_of_the_ke
 {
   expect_transformation_with<CGAL::Exact_predicates_exact_constructions_kernel>();
 }
+
+}  // namespace cgp_test::spin_transform_kernels_tests

@@ -9,15 +9,13 @@
 #include "dirac_spectrum_checks.h"
 #include "spin_transform_boundary_checks.h"
 
-namespace {
+namespace cgp_test::spin_transform_openmesh_tests {
 
 struct Double_traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;
 };
 using Surface = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
-
-}  // namespace
 
 TEST(Spin_transform_of_an_OpenMesh, is_that_of_its_triangles)
 {
@@ -41,3 +39,5 @@ TEST(Dirac_sphere_of_an_OpenMesh, is_that_of_its_triangles)
 {
   cgp_test::expect_dirac_sphere(cgp_test::to_cgal_mesh<Surface>(cgp_test::icosphere(3)), 1e-6);
 }
+
+}  // namespace cgp_test::spin_transform_openmesh_tests

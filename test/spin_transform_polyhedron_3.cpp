@@ -8,12 +8,9 @@
 #include "dirac_spectrum_checks.h"
 #include "spin_transform_boundary_checks.h"
 
-namespace {
+namespace cgp_test::spin_transform_polyhedron_3_tests {
 
-using namespace cgp_test;
 using Surface = CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
-
-}  // namespace
 
 TEST(Spin_transform_of_a_Polyhedron_3, is_that_of_its_triangles)
 {
@@ -47,3 +44,5 @@ TEST(Dirac_sphere_of_a_Polyhedron_3, is_that_of_its_triangles)
 {
   expect_dirac_sphere(to_cgal_mesh<Surface>(icosphere(3)), 1e-9);
 }
+
+}  // namespace cgp_test::spin_transform_polyhedron_3_tests

@@ -18,9 +18,8 @@
 #include "spin_transform_checks.h"
 #include "support/thin_faces.h"
 
-namespace {
+namespace cgp_test::spin_transform_refusals_tests {
 
-using namespace cgp_test;
 namespace params = CGP::parameters;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
@@ -91,8 +90,6 @@ class Spin_transform_that_fails : public testing::Test {
     return rho_of_section_3(before.position(static_cast<int>(v)));
   };
 };
-
-}  // namespace
 
 TEST(Spin_transform_of_unsuitable_input, refuses_surfaces_it_cannot_transform)
 {
@@ -206,3 +203,5 @@ TEST(Spin_transform_with_mollification, takes_handles_and_boundaries)
     EXPECT_LT(greatest_distance(view_of(mesh).positions(), expected.positions), 1e-9);
   }
 }
+
+}  // namespace cgp_test::spin_transform_refusals_tests

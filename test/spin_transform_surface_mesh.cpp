@@ -7,9 +7,8 @@
 
 #include "spin_transform_boundary_checks.h"
 
-namespace {
+namespace cgp_test::spin_transform_surface_mesh_tests {
 
-using namespace cgp_test;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 
@@ -28,8 +27,6 @@ Surface sphere_with_garbage()
 {
   return with_garbage(sphere_to_transform());
 }
-
-}  // namespace
 
 TEST(Spin_transform_of_a_Surface_mesh, is_that_of_its_triangles)
 {
@@ -109,3 +106,5 @@ TEST(Spin_transform_of_a_Surface_mesh, closes_handles_up_to_the_limit_that_it_is
     EXPECT_GT(report.period_defect, 0);
   }
 }
+
+}  // namespace cgp_test::spin_transform_surface_mesh_tests

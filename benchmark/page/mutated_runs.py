@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Runs compiled tests with one mutant switched on, only those that come past it, the quickest first."""
 
+import collections
 import os
 import re
 import resource
@@ -53,13 +54,14 @@ class Mutated_runs:
         return tests
 
     def plans(self, number):
-        """What to run for a mutant: (seconds, program, tests), first all that is quick."""
+        """What to run for a mutant: (seconds, program, tests of a suite), first all that is quick."""
         for program, tests in self.reaches.items():
             times = {t: seconds for t, (seconds, ids) in tests.items() if number in ids}
-            for is_slow in (False, True):
-                some = [t for t, seconds in times.items() if (seconds > QUICK) == is_slow]
-                if some:
-                    yield sum(times[t] for t in some), program, some
+            suites = collections.defaultdict(list)
+            for test, seconds in times.items():
+                suites[test.partition(".")[0], seconds > QUICK].append(test)
+            for some in suites.values():
+                yield sum(times[t] for t in some), program, some
 
     def judge(self, number):
         """The outcome for a mutant, and the test that kills it."""

@@ -53,6 +53,17 @@ void require_finite_numbers(CLI::App& app)
     require_finite_numbers(*group);
 }
 
+const char* const how_to_build_all =
+    "cmake -DCGP_COMMANDS=all BUILD_FOLDER && cmake --build BUILD_FOLDER --target conformal";
+
+/// Names the commands that this program was built without; empty where it has all.
+std::string about_other_commands()
+{
+  std::string names;
+  for (const std::string& name : commands_not_built()) names += (names.empty() ? "" : ", ") + name;
+  return names.empty() ? "" : "Built without " + names + "; to build them:\n" + how_to_build_all;
+}
+
 class Parser {
  public:
   Parser() : m_app(about, "conformal"), m_commands(commands())
@@ -65,6 +76,7 @@ class Parser {
       command.add_options(app, m_common);
       require_finite_numbers(app);
     }
+    m_app.footer(about_other_commands());  // commands would inherit it
   }
 
   Command_line parse(int argc, const char* const* argv)
@@ -96,9 +108,18 @@ class Parser {
   void require_command(const std::string& name) const
   {
     if (name.empty() || name[0] == '-' || find(name) != nullptr) return;
+    require_that_it_was_built(name);
     std::string all;
     for (const Command& command : m_commands) all += command.name + ", ";
     throw Failure(Exit_code::usage, "unknown command '" + name + "'; try: " + all + "or --help");
+  }
+
+  static void require_that_it_was_built(const std::string& name)
+  {
+    for (const std::string& other : commands_not_built())
+      if (other == name)
+        throw Failure(Exit_code::usage,
+                      "this program was built without '" + name + "'; try: " + how_to_build_all);
   }
 
   // In `--wrong 3 input`, where 3 was parsed as the input, the option is the error.

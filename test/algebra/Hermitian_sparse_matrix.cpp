@@ -9,11 +9,10 @@
 
 #include "linear_algebra/hermitian_matrices.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Q = CGP::Quaternion<double>;
+namespace cgp_test::hermitian_sparse_matrix_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Q = CGP::Quaternion<double>;
 
 template <class Scalar>
 class Hermitian_sparse_matrix : public testing::Test {};
@@ -21,14 +20,12 @@ class Hermitian_sparse_matrix : public testing::Test {};
 using Scalars = testing::Types<double, Q>;
 TYPED_TEST_SUITE(Hermitian_sparse_matrix, Scalars);
 
-}  // namespace
-
 TYPED_TEST(Hermitian_sparse_matrix, multiplies_as_the_full_matrix_does)
 {
   const auto A = random_hermitian<TypeParam>(random_pattern(12, 1), 2);
   const auto x = random_block<TypeParam>(12, 1, 3);
   const CGP::Block<TypeParam> y = A * x.col(0);
-  EXPECT_LE((real_columns(y) - dense(A) * real_columns(x)).norm(), 1e-13);
+  EXPECT_LE((real_columns(y) - real_form(A) * real_columns(x)).norm(), 1e-13);
 }
 
 TYPED_TEST(Hermitian_sparse_matrix, multiplies_some_rows_only)
@@ -60,7 +57,7 @@ TYPED_TEST(Hermitian_sparse_matrix, sets_some_columns_to_zero)
 TYPED_TEST(Hermitian_sparse_matrix, is_its_own_adjoint)
 {
   const auto A = random_hermitian<TypeParam>(random_pattern(12, 4), 5);
-  EXPECT_EQ(dense(A), dense(A).transpose());
+  EXPECT_EQ(real_form(A), real_form(A).transpose());
   for (int j = 0; j < 12; ++j)
     EXPECT_EQ(A.coefficient(j, j),
               CGP::internal::Scalar_traits<TypeParam>::from_real(A.diagonal(j)));
@@ -83,10 +80,10 @@ TYPED_TEST(Hermitian_sparse_matrix, starts_at_zero_and_shares_its_pattern)
   CGP::Hermitian_sparse_matrix<TypeParam> A(pattern);
   EXPECT_EQ(&A.pattern(), pattern.get());
   EXPECT_EQ(A.shared_pattern(), pattern);
-  EXPECT_TRUE(dense(A).isZero(0));
+  EXPECT_TRUE(real_form(A).isZero(0));
   A.value(2) = CGP::internal::Scalar_traits<TypeParam>::from_real(1);
   A.set_zero();
-  EXPECT_TRUE(dense(A).isZero(0));
+  EXPECT_TRUE(real_form(A).isZero(0));
 }
 
 TEST(Hermitian_sparse_matrix_of_quaternions, is_right_linear)
@@ -104,3 +101,5 @@ TEST(Hermitian_sparse_matrix_of_nothing, has_no_rows)
 {
   EXPECT_EQ(CGP::Hermitian_sparse_matrix<double>().size(), 0);
 }
+
+}  // namespace cgp_test::hermitian_sparse_matrix_tests

@@ -13,10 +13,9 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::moebius_map_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using CGP::imaginary;
 using CGP::Moebius_map;
 using CGP::norm;
@@ -47,8 +46,6 @@ std::string message(const Moebius_map& map, const Points& points)
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Moebius_map, is_the_identity_at_first)
 {
@@ -208,3 +205,5 @@ TEST(Moebius_map, refuses_points_that_go_to_infinity_by_their_number)
   p.col(17).setConstant(1e-3);
   EXPECT_EQ(message(map, p), "");
 }
+
+}  // namespace cgp_test::moebius_map_tests

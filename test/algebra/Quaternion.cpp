@@ -11,9 +11,9 @@
 #include <limits>
 #include <random>
 
-namespace CGP = Conformal_geometry_processing;
+namespace cgp_test::quaternion_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 template <class FT>
 class Quaternion : public testing::Test {
@@ -42,8 +42,6 @@ class Quaternion : public testing::Test {
 
 using Fields = testing::Types<float, double, long double>;
 TYPED_TEST_SUITE(Quaternion, Fields);
-
-}  // namespace
 
 TYPED_TEST(Quaternion, multiplies_the_units_as_Hamilton_did)
 {
@@ -137,3 +135,5 @@ TYPED_TEST(Quaternion, spins_as_a_rotation_matrix_does)
   const Eigen::Matrix<TypeParam, 3, 1> expected = Eigen::AngleAxis<TypeParam>(theta, u) * v;
   this->expect_near(CGP::spin(Q{std::cos(theta / 2), t[0], t[1], t[2]}, v), expected);
 }
+
+}  // namespace cgp_test::quaternion_tests

@@ -7,11 +7,11 @@
 
 #include <random>
 
+namespace cgp_test::quaternion_vector_tests {
+
 namespace CGP = Conformal_geometry_processing;
 using Q = CGP::Quaternion<double>;
 using V = CGP::Quaternion_vector<double>;
-
-namespace {
 
 V random_vector(int n, unsigned seed)
 {
@@ -21,8 +21,6 @@ V random_vector(int n, unsigned seed)
   for (Q& q : v) q = {number(generator), number(generator), number(generator), number(generator)};
   return v;
 }
-
-}  // namespace
 
 TEST(Quaternion_vector, starts_at_zero)
 {
@@ -68,3 +66,5 @@ TEST(Inner_product, weighs_squared_norms_by_the_masses)
   EXPECT_EQ(CGP::inner_product(a, m, a), (Q{492, 0, 0, 0}));
   EXPECT_EQ(CGP::inner_product(a, a), (Q{146, 0, 0, 0}));
 }
+
+}  // namespace cgp_test::quaternion_vector_tests

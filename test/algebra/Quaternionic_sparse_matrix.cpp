@@ -7,11 +7,11 @@
 
 #include <random>
 
+namespace cgp_test::quaternionic_sparse_matrix_tests {
+
 namespace CGP = Conformal_geometry_processing;
 using Q = CGP::Quaternion<double>;
 using Matrix = CGP::internal::Quaternionic_sparse_matrix<double>;
-
-namespace {
 
 const Matrix::Corners corners = {{0, 1, 2}, {2, 1, 3}, {3, 4, 0}, {4, 2, 0}};
 
@@ -40,8 +40,6 @@ class Quaternionic_sparse_matrix : public testing::Test {
   std::mt19937 m_generator{11};
   std::uniform_real_distribution<double> m_number{-1, 1};
 };
-
-}  // namespace
 
 TEST_F(Quaternionic_sparse_matrix, multiplies_the_values_of_a_row_by_those_at_its_corners)
 {
@@ -88,3 +86,5 @@ TEST_F(Quaternionic_sparse_matrix, starts_at_zero)
   for (int f = 0; f < 4; ++f)
     for (int c = 0; c < 3; ++c) EXPECT_EQ(a.value(f, c), Q{});
 }
+
+}  // namespace cgp_test::quaternionic_sparse_matrix_tests

@@ -11,8 +11,7 @@
 
 #include "linear_algebra/reduced_problem.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::reduced_basis_tests {
 
 using Basis = CGP::internal::Reduced_basis<double>;
 using Q = Quaternion<double>;
@@ -107,5 +106,4 @@ TEST(Reduced_basis, refuses_another_number_of_planes_than_of_rows)
   EXPECT_THROW(Basis(3, {0, 1}, {}), CGP::Precondition_error);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::reduced_basis_tests

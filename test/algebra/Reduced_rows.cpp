@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+namespace cgp_test::reduced_rows_tests {
+
 namespace CGP = Conformal_geometry_processing;
 using CGP::internal::Reduced_rows;
 
@@ -42,3 +44,5 @@ TEST(Reduced_rows, refuse_a_row_that_comes_twice)
 {
   EXPECT_THROW(Reduced_rows(5, {1, 2, 1}), CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::reduced_rows_tests

@@ -8,8 +8,7 @@
 
 #include "linear_algebra/hermitian_matrices.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::scalar_planes_tests {
 
 template <class Scalar>
 class Scalar_planes : public testing::Test {
@@ -39,5 +38,4 @@ TEST(Scalar_planes, of_floats_are_components_too)
   for (int q = 0; q < 4; ++q) EXPECT_EQ(parts[q], float(q + 1));
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::scalar_planes_tests

@@ -9,14 +9,12 @@
 #include <thread>
 #include <vector>
 
-namespace CGP = Conformal_geometry_processing;
+namespace cgp_test::sparse_pattern_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 // The path 0 - 1 - 2, and the edge 0 - 3.
 const CGP::Sparse_pattern pattern{{0, 3, 5, 6, 7}, {0, 1, 3, 1, 2, 2, 3}};
-
-}  // namespace
 
 TEST(Sparse_pattern, counts_rows_and_entries)
 {
@@ -73,3 +71,5 @@ TEST(Sparse_pattern, finds_its_rows_once_for_several_threads)
   for (std::thread& t : threads) t.join();
   EXPECT_EQ(seen, std::vector<const CGP::internal::Lower_rows*>(8, &other.rows()));
 }
+
+}  // namespace cgp_test::sparse_pattern_tests

@@ -7,10 +7,10 @@
 
 #include <random>
 
+namespace cgp_test::quaternion_blocks_tests {
+
 namespace CGP = Conformal_geometry_processing;
 using Q = CGP::Quaternion<double>;
-
-namespace {
 
 Q random_quaternion(std::mt19937& generator)
 {
@@ -22,8 +22,6 @@ Eigen::Vector4d vector(const Q& q)
 {
   return {q.w, q.x, q.y, q.z};
 }
-
-}  // namespace
 
 TEST(Real_block, is_the_multiplication_from_the_left)
 {
@@ -91,3 +89,5 @@ TEST(Complex_coordinates, can_be_undone)
     EXPECT_EQ(CGP::quaternion(c[2 * i], c[2 * i + 1]), v[i]);
   }
 }
+
+}  // namespace cgp_test::quaternion_blocks_tests

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace cgp_test::random_quaternions_tests {
+
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Random_quaternions, are_the_same_for_the_same_seed_only)
@@ -32,3 +34,5 @@ TEST(Random_quaternions, have_independent_components_uniform_around_zero)
   const Eigen::Matrix4d covariance = c.transpose() * c / n;
   EXPECT_LT((covariance - Eigen::Matrix4d::Identity() / 12).cwiseAbs().maxCoeff(), deviation);
 }
+
+}  // namespace cgp_test::random_quaternions_tests

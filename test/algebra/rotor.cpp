@@ -8,10 +8,10 @@
 #include <cmath>
 #include <random>
 
+namespace cgp_test::rotor_tests {
+
 namespace CGP = Conformal_geometry_processing;
 using Vector3 = Eigen::Vector3d;
-
-namespace {
 
 Vector3 random_direction(std::mt19937& generator)
 {
@@ -25,8 +25,6 @@ void expect_turns(const Vector3& u, const Vector3& v, double tolerance)
   EXPECT_NEAR(CGP::norm(q), 1, 1e-14);
   EXPECT_LE((CGP::spin(q, u) - v).norm(), tolerance);
 }
-
-}  // namespace
 
 TEST(Rotor, turns_u_into_v)
 {
@@ -69,3 +67,5 @@ TEST(Rotor, turns_u_into_nearly_minus_u)
     expect_turns(u, v, 3e-8);
   }
 }
+
+}  // namespace cgp_test::rotor_tests

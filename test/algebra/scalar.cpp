@@ -7,6 +7,8 @@
 
 #include <complex>
 
+namespace cgp_test::scalar_tests {
+
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Scalar_traits, turn_numbers_into_scalars_and_back)
@@ -21,3 +23,5 @@ TEST(Scalar_traits, turn_numbers_into_scalars_and_back)
   EXPECT_EQ(CGP::conjugate(2.), 2.);
   EXPECT_EQ(CGP::conjugate(std::complex<double>(1, 2)), std::complex<double>(1, -2));
 }
+
+}  // namespace cgp_test::scalar_tests

@@ -7,9 +7,8 @@
 
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::spherical_harmonic_tests {
 
-using namespace cgp_test;
 using Conformal_geometry_processing::spherical_harmonic;
 using Complex = std::complex<double>;
 
@@ -65,4 +64,4 @@ TEST(Spherical_harmonic, vanishes_at_the_poles_and_beyond_its_degree)
   EXPECT_EQ(spherical_harmonic(2, -3, pole), 0.);
 }
 
-}  // namespace
+}  // namespace cgp_test::spherical_harmonic_tests

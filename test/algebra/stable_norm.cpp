@@ -7,11 +7,9 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::stable_norm_tests {
 
 namespace CGP = Conformal_geometry_processing;
-
-}  // namespace
 
 TEST(Stable_norm, is_the_length_at_every_size)
 {
@@ -33,3 +31,5 @@ TEST(Stable_norm, leaves_zero_where_it_is)
 {
   EXPECT_EQ(CGP::stable_normalized(Eigen::Vector3d::Zero()), Eigen::Vector3d::Zero());
 }
+
+}  // namespace cgp_test::stable_norm_tests

@@ -63,7 +63,7 @@ class Sparse_hermitian_solver_archetype {
     if (!m_analyzed || at(A.size()) != m_ordering.size() ||
         (shift.size() != 0 && shift.size() != A.size()))
       return CGP::Solver_status::wrong_state;
-    const Eigen::MatrixXd D = shift.size() == 0 ? dense(A) : dense(plus_diagonal(A, shift));
+    const Eigen::MatrixXd D = shift.size() == 0 ? real_form(A) : real_form(plus_diagonal(A, shift));
     m_factorized = false;
     if (!D.allFinite()) return CGP::Solver_status::numerical_issue;
     m_llt.compute(D);

@@ -11,10 +11,9 @@
 #include "concepts/Sparse_hermitian_solver_archetype.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::canonical_metric_archetypes_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 /// all that is known of it: it is made from a number, on purpose
 struct Density {
@@ -25,8 +24,6 @@ struct Density {
 
 template <class Key>
 using Density_map = Writable_map_archetype<Key, Density, Eigen::VectorXd>;
-
-}  // namespace
 
 TEST(Canonical_metric_of_archetypes, needs_no_more_than_the_concepts_offer)
 {
@@ -48,3 +45,5 @@ TEST(Canonical_metric_of_archetypes, needs_no_more_than_the_concepts_offer)
           .maxCoeff(),
       1e-12);
 }
+
+}  // namespace cgp_test::canonical_metric_archetypes_tests

@@ -11,12 +11,9 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::conformal_fairing_archetypes_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-
-}  // namespace
 
 TEST(Conformal_fairing_of_archetypes, needs_no_more_than_the_concepts_offer)
 {
@@ -39,3 +36,5 @@ TEST(Conformal_fairing_of_archetypes, needs_no_more_than_the_concepts_offer)
       CGP::internal::fair_region(view, is_in_region, {false}, "test", [] { return true; });
   EXPECT_EQ(points, expected.positions);
 }
+
+}  // namespace cgp_test::conformal_fairing_archetypes_tests

@@ -11,6 +11,8 @@
 
 #include "support/bounded_meshes.h"
 
+namespace cgp_test::conformal_parameterization_archetypes_tests {
+
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Conformal_parameterization_of_archetypes, needs_no_more_than_the_concepts_offer)
@@ -27,3 +29,5 @@ TEST(Conformal_parameterization_of_archetypes, needs_no_more_than_the_concepts_o
   ASSERT_TRUE(report);
   EXPECT_LT((uv - CGP::spectral_parameterization(view).z).cwiseAbs().maxCoeff(), 1e-12);
 }
+
+}  // namespace cgp_test::conformal_parameterization_archetypes_tests

@@ -15,10 +15,9 @@
 #include "concepts/Sparse_hermitian_solver_archetype.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::conformal_willmore_flow_archetypes_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 /// exactly `FlowVisitor`, and tied to its place
 struct Visitor {
@@ -57,8 +56,6 @@ struct Area_map {
   }
 };
 
-}  // namespace
-
 // All at once, for every other combination would be compiled for minutes.
 TEST(Conformal_willmore_flow_of_archetypes, needs_no_more_than_the_concepts_offer)
 {
@@ -92,3 +89,5 @@ TEST(Conformal_willmore_flow_of_archetypes, needs_no_more_than_the_concepts_offe
   EXPECT_LT((points - expected.mesh().positions()).norm(), 1e-6);
   EXPECT_GT((points - view.positions()).norm(), .1);
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_archetypes_tests

@@ -13,6 +13,8 @@
 #include "concepts/Sparse_hermitian_solver_archetype.h"
 #include "support/meshes.h"
 
+namespace cgp_test::harmonic_basis_archetypes_tests {
+
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Harmonic_basis_of_archetypes, needs_no_more_than_the_concepts_offer)
@@ -33,3 +35,5 @@ TEST(Harmonic_basis_of_archetypes, needs_no_more_than_the_concepts_offer)
                 CGP::along_halfedge(view, expected.one_forms.col(1), 3 * number + 2), 1e-13);
   }
 }
+
+}  // namespace cgp_test::harmonic_basis_archetypes_tests

@@ -10,10 +10,9 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::moebius_transform_archetypes_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using Spins = Quaternion_vector<double>;
 using Spin_map = Writable_map_archetype<archetype::Vertex, Quaternion<double>, Spins>;
 
@@ -33,8 +32,6 @@ class Moebius_transform_of_archetypes : public testing::Test {
   Spins spins{view.size_of_vertices()};
 };
 
-}  // namespace
-
 TEST_F(Moebius_transform_of_archetypes, needs_no_more_than_the_concepts_offer)
 {
   const CGP::Moebius_map map = CGP::Moebius_map::sphere_inversion({.2, .1, -.3});
@@ -53,3 +50,5 @@ TEST_F(Moebius_transform_of_archetypes, inverts_around_a_point_that_only_the_tra
     EXPECT_LT((points.col(v) - (c - 4 * r / r.squaredNorm())).norm(), 1e-14);
   }
 }
+
+}  // namespace cgp_test::moebius_transform_archetypes_tests

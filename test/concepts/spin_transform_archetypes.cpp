@@ -15,7 +15,7 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::spin_transform_archetypes_tests {
 
 namespace params = Conformal_geometry_processing::parameters;
 using cgp_test::Geometry_traits_archetype;
@@ -70,8 +70,6 @@ class Spin_transform_with_archetypes : public testing::Test {
               cgp_test::rho_of_section_3_on_vertices(view)));
 };
 
-}  // namespace
-
 TEST_F(Spin_transform_with_archetypes, of_the_mesh_the_maps_the_geometry_and_the_visitor)
 {
   Visitor visitor;
@@ -122,3 +120,5 @@ TEST_F(Spin_transform_with_archetypes, as_the_Dirac_spheres)
   ASSERT_TRUE(report);
   EXPECT_LT((points - view.positions()).cwiseAbs().maxCoeff(), .05);  // the sphere itself
 }
+
+}  // namespace cgp_test::spin_transform_archetypes_tests

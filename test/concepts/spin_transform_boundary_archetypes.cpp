@@ -12,7 +12,7 @@
 #include "concepts/Sparse_hermitian_solver_archetype.h"
 #include "support/bounded_meshes.h"
 
-namespace {
+namespace cgp_test::spin_transform_boundary_archetypes_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using cgp_test::Geometry_traits_archetype;
@@ -94,8 +94,6 @@ class Spin_transform_of_boundary_archetypes : public testing::Test {
   Points points{3, view.size_of_vertices()};
 };
 
-}  // namespace
-
 TEST_F(Spin_transform_of_boundary_archetypes, needs_vectors_to_have_coordinates_only)
 {
   const Points up = view.positions().colwise() - Eigen::Vector3d(0, 0, 2);
@@ -114,3 +112,5 @@ TEST_F(Spin_transform_of_boundary_archetypes, reads_target_points_with_the_geome
           .vertex_is_constrained_map(Constrained_map(19)),
       CGP::Boundary_condition::positions(moved.positions().rightCols(18), normals.rightCols(18)));
 }
+
+}  // namespace cgp_test::spin_transform_boundary_archetypes_tests

@@ -10,7 +10,7 @@
 
 #include "concepts/geometry_traits_archetype.h"
 
-namespace {
+namespace cgp_test::triangle_mesh_tests {
 
 using namespace Conformal_geometry_processing;
 using cgp_test::Geometry_traits_archetype;
@@ -61,8 +61,6 @@ struct Recorder {
   }
 };
 
-}  // namespace
-
 TEST(Triangle_mesh_archetype, with_archetypes_of_maps_and_traits_is_enough)
 {
   std::vector<Eigen::Vector3d> normals(4);
@@ -83,3 +81,5 @@ TEST(Triangle_mesh_archetype, is_read_and_written_in_the_units_of_traits_that_ha
   graph.write_positions(graph.view().positions(), Recorder{&written}, traits);
   EXPECT_EQ(Geometry_traits_archetype(unit).compute_x_3_object()(written.at(1)), 1);
 }
+
+}  // namespace cgp_test::triangle_mesh_tests

@@ -16,11 +16,10 @@
 #include "support/random.h"
 #include "support/tori.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using CGP::internal::Conformal_class;
+namespace cgp_test::conformal_class_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using CGP::internal::Conformal_class;
 
 std::vector<Mesh_view> surfaces()
 {
@@ -49,8 +48,6 @@ Points snapped(const Mesh_view& mesh, Points f)
   EXPECT_TRUE(Conformal_class(mesh).snap(f).converged);
   return f;
 }
-
-}  // namespace
 
 TEST(Conformal_class, contains_the_moebius_images_of_a_surface_which_do_not_move)
 {
@@ -214,3 +211,5 @@ TEST(Conformal_class, is_not_reached_from_a_surface_that_has_collapsed)
   Points f = Points::Zero(3, mesh.size_of_vertices());
   EXPECT_THROW((void)Conformal_class(mesh).snap(f), CGP::Solver_error);
 }
+
+}  // namespace cgp_test::conformal_class_tests

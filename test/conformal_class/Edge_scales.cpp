@@ -13,8 +13,9 @@
 #include "support/random.h"
 #include "support/tori.h"
 
+namespace cgp_test::edge_scales_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using CGP::internal::Edge_scales;
 
 TEST(Edge_scales, of_an_inversion_are_known_in_closed_form)
@@ -66,3 +67,5 @@ TEST(Edge_scales, of_a_surface_without_extent_do_not_exist)
   const Edge_scales scales(mesh, CGP::vertex_graph(mesh));
   EXPECT_THROW(scales.nearest_scales(Points::Zero(3, mesh.size_of_vertices())), CGP::Solver_error);
 }
+
+}  // namespace cgp_test::edge_scales_tests

@@ -13,10 +13,9 @@
 #include "support/bounded_meshes.h"
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::rim_directions_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using CGP::internal::Rim_directions;
 
 /// tangents, normals, binormals, and a direction between them
@@ -37,8 +36,6 @@ Points moved(const Mesh_view& mesh, double by)
   return mesh.positions() +
          by * random_numbers(3 * mesh.size_of_vertices(), 7).reshaped(3, mesh.size_of_vertices());
 }
-
-}  // namespace
 
 TEST(Rim_directions, has_two_residuals_for_each_edge_that_motions_and_scalings_leave)
 {
@@ -103,3 +100,5 @@ TEST(Rim_directions, are_kept_on_the_way_to_the_conformal_class)
     EXPECT_LT(rim.residuals(f).lpNorm<Eigen::Infinity>(), 1e-10);
   }
 }
+
+}  // namespace cgp_test::rim_directions_tests

@@ -13,10 +13,9 @@
 #include "support/meshes.h"
 #include "support/random.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::snap_equations_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 struct Step {
   Points df;
@@ -31,8 +30,6 @@ Step step_at(const Mesh_view& mesh, const Points& f, const Eigen::VectorXd& c)
   equations.solve(c, step.df, step.du);
   return step;
 }
-
-}  // namespace
 
 TEST(Snap_equations, minimize_the_change_and_the_linear_residuals)
 {
@@ -76,3 +73,5 @@ TEST(Snap_equations, remove_the_residuals_to_second_order)
   }
   EXPECT_NEAR(std::log10(left[0] / left[1]), 2, .15);
 }
+
+}  // namespace cgp_test::snap_equations_tests

@@ -12,12 +12,26 @@
 
 namespace CGP = Conformal_geometry_processing;
 
-namespace {
+namespace cgp_test::quaternion_access_tests {
 
 struct Foreign {
   double real;
   Eigen::Vector3d rest;
 };
+
+}  // namespace cgp_test::quaternion_access_tests
+
+template <>
+struct CGP::Quaternion_access<cgp_test::quaternion_access_tests::Foreign> {
+  using Foreign = cgp_test::quaternion_access_tests::Foreign;
+  static CGP::Quaternion<double> from(const Foreign& f)
+  {
+    return {f.real, f.rest[0], f.rest[1], f.rest[2]};
+  }
+  static Foreign to(const CGP::Quaternion<double>& p) { return {p.w, {p.x, p.y, p.z}}; }
+};
+
+namespace cgp_test::quaternion_access_tests {
 
 constexpr CGP::Quaternion<double> q{1, 2, 3, 4};
 
@@ -26,17 +40,6 @@ void expect_round_trip()
 {
   EXPECT_EQ(CGP::Quaternion_access<Q>::from(CGP::Quaternion_access<Q>::to(q)), q);
 }
-
-}  // namespace
-
-template <>
-struct CGP::Quaternion_access<Foreign> {
-  static CGP::Quaternion<double> from(const Foreign& f)
-  {
-    return {f.real, f.rest[0], f.rest[1], f.rest[2]};
-  }
-  static Foreign to(const CGP::Quaternion<double>& p) { return {p.w, {p.x, p.y, p.z}}; }
-};
 
 TEST(Quaternion_access, gives_back_what_it_wrote)
 {
@@ -70,3 +73,5 @@ TEST(Quaternion_access, keeps_the_hamilton_product_of_other_libraries)
   const CGP::Quaternion<double> p{-2, 0.5, 1, 3};
   EXPECT_EQ(Access::from(Access::to(p) * Access::to(q)), p * q);
 }
+
+}  // namespace cgp_test::quaternion_access_tests

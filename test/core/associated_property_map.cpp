@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace cgp_test::associated_property_map_tests {
 
 using namespace Conformal_geometry_processing;
 using Map = internal::Associated_property_map<std::string, int>;
@@ -18,8 +18,6 @@ auto numbering(const std::vector<std::string>& keys)
 {
   return std::make_shared<const internal::Element_numbering<std::string>>(keys);
 }
-
-}  // namespace
 
 TEST(Element_numbering, counts_from_0_in_the_order_of_the_range)
 {
@@ -61,3 +59,5 @@ TEST(Associated_property_map, refuses_an_element_that_came_later)
   EXPECT_THROW(get(map, "c"), Precondition_error);
   EXPECT_THROW(put(map, "c", 1), Precondition_error);
 }
+
+}  // namespace cgp_test::associated_property_map_tests

@@ -17,9 +17,8 @@
 #include "support/bounded_meshes.h"
 #include "support/cgal_meshes.h"
 
-namespace {
+namespace cgp_test::boundary_parameters_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 namespace params = CGP::parameters;
 using Kind = CGP::Boundary_condition::Kind;
@@ -65,8 +64,6 @@ class Boundary_parameters : public testing::Test {
   const Surface mesh = to_cgal_mesh<Surface>(view);
   const CGP::Graph_view<Surface> graph{mesh, params::default_values(), "f"};
 };
-
-}  // namespace
 
 TEST_F(Boundary_parameters, that_are_not_there_leave_the_boundary_free)
 {
@@ -154,3 +151,5 @@ TEST_F(Boundary_parameters, prescribe_positions_of_closed_curves_inside_too)
                                    .vertex_is_constrained_map(open)),
                CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::boundary_parameters_tests

@@ -11,12 +11,9 @@
 #include "support/meshes.h"
 
 // Compiled alone: without the header of its specialisation a Surface_mesh is a mesh like any other.
-namespace {
+namespace cgp_test::conformal_mesh_traits_tests {
 
-using namespace cgp_test;
 using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-
-}  // namespace
 
 TEST(Conformal_mesh_traits, of_any_mesh_supply_maps_with_initial_values)
 {
@@ -39,3 +36,5 @@ TEST(Conformal_mesh_traits, made_twice_hold_their_own_values)
   write_numbers(mesh, second, 9);
   expect_numbers(mesh, first, 2);
 }
+
+}  // namespace cgp_test::conformal_mesh_traits_tests

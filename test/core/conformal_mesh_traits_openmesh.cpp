@@ -10,6 +10,8 @@
 #include "support/cgal_meshes.h"
 #include "support/meshes.h"
 
+namespace cgp_test::conformal_mesh_traits_openmesh_tests {
+
 TEST(Conformal_mesh_traits_of_an_OpenMesh, supply_maps_with_initial_values)
 {
   using Surface = OpenMesh::TriMesh_ArrayKernelT<>;
@@ -18,3 +20,5 @@ TEST(Conformal_mesh_traits_of_an_OpenMesh, supply_maps_with_initial_values)
   cgp_test::expect_shared_values(mesh);
   cgp_test::expect_maps_to_outlive_the_traits(mesh);
 }
+
+}  // namespace cgp_test::conformal_mesh_traits_openmesh_tests

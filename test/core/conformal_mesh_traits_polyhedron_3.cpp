@@ -10,9 +10,8 @@
 #include "support/cgal_meshes.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::conformal_mesh_traits_polyhedron_3_tests {
 
-using namespace cgp_test;
 using Kernel = CGAL::Simple_cartesian<double>;
 
 template <class Polyhedron>
@@ -21,8 +20,6 @@ class Conformal_mesh_traits_of_a_polyhedron : public testing::Test {};
 using Polyhedra = testing::Types<CGAL::Polyhedron_3<Kernel>,
                                  CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>>;
 TYPED_TEST_SUITE(Conformal_mesh_traits_of_a_polyhedron, Polyhedra, );
-
-}  // namespace
 
 TYPED_TEST(Conformal_mesh_traits_of_a_polyhedron, supply_maps_with_initial_values)
 {
@@ -51,3 +48,5 @@ TYPED_TEST(Conformal_mesh_traits_of_a_polyhedron, survive_a_change_of_other_elem
   mesh.erase_connected_component((*vertices(mesh).begin())->halfedge());
   EXPECT_EQ(get(rho, last), 4.);
 }
+
+}  // namespace cgp_test::conformal_mesh_traits_polyhedron_3_tests

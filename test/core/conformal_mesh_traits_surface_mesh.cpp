@@ -9,14 +9,11 @@
 #include "support/cgal_meshes.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::conformal_mesh_traits_surface_mesh_tests {
 
-using namespace cgp_test;
 using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Traits = CGP::Conformal_mesh_traits<Surface>;
 using Vertex = Surface::Vertex_index;
-
-}  // namespace
 
 TEST(Conformal_mesh_traits_of_a_Surface_mesh, supply_maps_with_initial_values)
 {
@@ -73,3 +70,5 @@ TEST(Conformal_mesh_traits_of_a_Surface_mesh, refuse_a_property_of_another_type)
   }
   EXPECT_EQ(mesh.properties<Vertex>(), before);
 }
+
+}  // namespace cgp_test::conformal_mesh_traits_surface_mesh_tests

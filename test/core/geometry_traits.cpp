@@ -10,7 +10,7 @@
 
 #include "concepts/geometry_traits_archetype.h"
 
-namespace {
+namespace cgp_test::geometry_traits_tests {
 
 using namespace Conformal_geometry_processing;
 using cgp_test::Geometry_traits_archetype;
@@ -42,8 +42,6 @@ Points_of_surface add_points(Surface& mesh, const char* name)
 {
   return mesh.add_property_map<Surface::Vertex_index, Kernel::Point_3>(name).first;
 }
-
-}  // namespace
 
 TEST(Geometry_traits, are_the_kernel_of_the_points_by_default)
 {
@@ -83,3 +81,5 @@ TEST(Output_vertex_points, are_written_where_it_is_told_or_else_in_place)
   EXPECT_EQ(get(given, v).x(), 6);
   EXPECT_EQ(get(output, v).x(), 7);
 }
+
+}  // namespace cgp_test::geometry_traits_tests

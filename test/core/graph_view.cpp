@@ -9,13 +9,10 @@
 #include "core/graph_view_checks.h"
 #include "support/cgal_meshes.h"
 
-namespace {
+namespace cgp_test::graph_view_tests {
 
-using namespace cgp_test;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
-
-}  // namespace
 
 TEST(Graph_view, of_a_Surface_mesh_has_its_triangles)
 {
@@ -74,3 +71,5 @@ TEST(Graph_view, refuses_a_quadrilateral_and_names_it)
   mesh.add_face(v);
   EXPECT_EQ(refusal(mesh), "graph_view: face 4 is not a triangle; triangulate the mesh first");
 }
+
+}  // namespace cgp_test::graph_view_tests

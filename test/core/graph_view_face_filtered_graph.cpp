@@ -8,12 +8,9 @@
 #include "core/graph_view_checks.h"
 #include "support/cgal_meshes.h"
 
-namespace {
+namespace cgp_test::graph_view_face_filtered_graph_tests {
 
-using namespace cgp_test;
 using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-
-}  // namespace
 
 TEST(Graph_view_of_a_face_filtered_graph, has_the_selected_triangles_and_their_vertices_only)
 {
@@ -23,3 +20,5 @@ TEST(Graph_view_of_a_face_filtered_graph, has_the_selected_triangles_and_their_v
   const CGAL::Face_filtered_graph<Surface> part(whole, selected);
   expect_view_of(cube(), part);
 }
+
+}  // namespace cgp_test::graph_view_face_filtered_graph_tests

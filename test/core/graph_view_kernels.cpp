@@ -9,9 +9,7 @@
 #include "core/graph_view_checks.h"
 #include "support/cgal_meshes.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::graph_view_kernels_tests {
 
 template <class Kernel>
 class Graph_view_with_kernel : public testing::Test {};
@@ -21,8 +19,6 @@ using Kernels = testing::Types<CGAL::Simple_cartesian<float>,
                                CGAL::Exact_predicates_exact_constructions_kernel>;
 TYPED_TEST_SUITE(Graph_view_with_kernel, Kernels, );
 
-}  // namespace
-
 TYPED_TEST(Graph_view_with_kernel, reads_and_writes_coordinates)
 {
   using Surface = CGAL::Surface_mesh<typename TypeParam::Point_3>;
@@ -30,3 +26,5 @@ TYPED_TEST(Graph_view_with_kernel, reads_and_writes_coordinates)
   expect_view_of(cube(), mesh);
   expect_positions_are_written(mesh);
 }
+
+}  // namespace cgp_test::graph_view_kernels_tests

@@ -8,13 +8,10 @@
 #include "core/graph_view_checks.h"
 #include "support/cgal_meshes.h"
 
-namespace {
+namespace cgp_test::graph_view_linear_cell_complex_tests {
 
-using namespace cgp_test;
 using Traits = CGAL::Linear_cell_complex_traits<3, CGAL::Simple_cartesian<double>>;
 using Complex = CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, Traits>::type;
-
-}  // namespace
 
 TEST(Graph_view_of_a_linear_cell_complex, has_its_triangles)
 {
@@ -26,3 +23,5 @@ TEST(Graph_view_of_a_linear_cell_complex, writes_positions_into_the_mesh)
   Complex mesh = to_cgal_mesh<Complex>(icosphere(1));
   expect_positions_are_written(mesh);
 }
+
+}  // namespace cgp_test::graph_view_linear_cell_complex_tests

@@ -9,17 +9,13 @@
 #include "core/graph_view_checks.h"
 #include "support/cgal_meshes.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::graph_view_openmesh_tests {
 
 struct Double_traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;
 };
 using Surface = OpenMesh::TriMesh_ArrayKernelT<Double_traits>;
-
-}  // namespace
 
 // CGAL 5.5 writes the points of OpenMesh through float: the meshes here have none that round.
 TEST(Graph_view_of_an_OpenMesh, has_its_triangles)
@@ -33,3 +29,5 @@ TEST(Graph_view_of_an_OpenMesh, writes_positions_into_the_mesh)
   Surface mesh = to_cgal_mesh<Surface>(cube());
   expect_positions_are_written(mesh);
 }
+
+}  // namespace cgp_test::graph_view_openmesh_tests

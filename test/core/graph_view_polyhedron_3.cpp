@@ -9,9 +9,8 @@
 #include "core/graph_view_checks.h"
 #include "support/cgal_meshes.h"
 
-namespace {
+namespace cgp_test::graph_view_polyhedron_3_tests {
 
-using namespace cgp_test;
 using Kernel = CGAL::Simple_cartesian<double>;
 
 template <class Polyhedron>
@@ -20,8 +19,6 @@ class Graph_view_of_a_polyhedron : public testing::Test {};
 using Polyhedra = testing::Types<CGAL::Polyhedron_3<Kernel>,
                                  CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>>;
 TYPED_TEST_SUITE(Graph_view_of_a_polyhedron, Polyhedra, );
-
-}  // namespace
 
 TYPED_TEST(Graph_view_of_a_polyhedron, has_its_triangles)
 {
@@ -41,3 +38,5 @@ TYPED_TEST(Graph_view_of_a_polyhedron, refuses_a_pentagon)
   mesh.erase_center_vertex((*vertices(mesh).begin())->halfedge());
   EXPECT_NE(refusal(mesh).find("is not a triangle"), std::string::npos);
 }
+
+}  // namespace cgp_test::graph_view_polyhedron_3_tests

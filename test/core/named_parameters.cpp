@@ -14,7 +14,7 @@
 #include <cmath>
 #include <functional>
 
-namespace {
+namespace cgp_test::named_parameters_tests {
 
 namespace CGP = Conformal_geometry_processing;
 namespace P = CGP::parameters;
@@ -54,8 +54,6 @@ struct Stateful {
   Stateful(const Stateful&) = delete;
   int calls = 0;
 };
-
-}  // namespace
 
 TEST(Named_parameters, have_their_defaults_when_nothing_is_passed)
 {
@@ -140,3 +138,5 @@ TEST(Named_parameters, of_ours_may_be_given_to_functions_of_CGAL)
   const auto np = P::time_step(.5).vertex_point_map(mesh.points()).geom_traits(Kernel());
   EXPECT_NEAR(CGAL::Polygon_mesh_processing::area(mesh, np), 1.5 + std::sqrt(3.) / 2, 1e-15);
 }
+
+}  // namespace cgp_test::named_parameters_tests

@@ -11,14 +11,11 @@
 #include "support/cgal_meshes.h"
 #include "support/limbs.h"
 
-namespace {
+namespace cgp_test::scale_parameters_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-
-}  // namespace
 
 TEST(Scale_parameters, reach_the_transformation)
 {
@@ -49,3 +46,5 @@ TEST(Scale_parameters, are_none_by_default)
   const CGP::Spin_report report = CGP::spin_transform(mesh, rho);
   EXPECT_EQ(report.scales.bound, 0);
 }
+
+}  // namespace cgp_test::scale_parameters_tests

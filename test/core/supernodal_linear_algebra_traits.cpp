@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace cgp_test::supernodal_linear_algebra_traits_tests {
 
 using Traits = Conformal_geometry_processing::Supernodal_linear_algebra_traits;
 
@@ -49,4 +49,4 @@ TEST(Supernodal_linear_algebra_traits, refuses_what_is_not_positive_definite)
   EXPECT_EQ(x[1], 4);
 }
 
-}  // namespace
+}  // namespace cgp_test::supernodal_linear_algebra_traits_tests

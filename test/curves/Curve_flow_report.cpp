@@ -8,10 +8,9 @@
 
 #include "support/plane_curves.h"
 
-namespace {
+namespace cgp_test::curve_flow_report_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 TEST(Curve_flow_stop, has_words_for_every_reason)
 {
@@ -45,4 +44,4 @@ TEST(Curve_frame, has_the_curve_around_its_origin)
   EXPECT_LT((back - curve).cwiseAbs().maxCoeff(), 1e-7);
 }
 
-}  // namespace
+}  // namespace cgp_test::curve_flow_report_tests

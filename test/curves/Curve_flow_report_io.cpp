@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-namespace {
+namespace cgp_test::curve_flow_report_io_tests {
 
 using namespace Conformal_geometry_processing;
 using Stop = Curve_step_report::Stop;
@@ -33,4 +33,4 @@ TEST(Curve_flow_report_io, tells_why_the_flow_has_stopped_and_whether_that_is_a_
   }
 }
 
-}  // namespace
+}  // namespace cgp_test::curve_flow_report_io_tests

@@ -9,10 +9,9 @@
 
 #include <stdexcept>
 
-namespace {
+namespace cgp_test::isometric_curve_flow_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 CGP::Curve_flow_options with(double tau, int steps)
 {
@@ -291,4 +290,4 @@ TEST(Isometric_curve_flow, options_out_of_range_are_refused)
   EXPECT_THROW((void)flown(flower(2), {}), CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::isometric_curve_flow_tests

@@ -7,11 +7,11 @@
 
 #include "support/plane_curves.h"
 
+namespace cgp_test::isometric_curve_flow_limits_tests {
+
 // Where curves flow to and how much is lost on the way: the numbers of an independent reference.
-namespace {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 Curve flown(const Curve& curve, double tau, int steps,
             CGP::Curve_flow_options::Closing closing = CGP::Curve_flow_options::Closing::exact)
@@ -236,4 +236,4 @@ TEST(Length_distortion, adds_up_with_the_lengths_of_the_curve_before)
   EXPECT_NEAR(measured(limacon(200)), 5.9e-2, 1e-3);
 }
 
-}  // namespace
+}  // namespace cgp_test::isometric_curve_flow_limits_tests

@@ -11,10 +11,9 @@
 #include "support/decompositions.h"
 #include "support/plane_curves.h"
 
-namespace {
+namespace cgp_test::bending_descent_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 TEST(Closing_functions, are_orthogonal_and_span_the_coordinates)
 {
@@ -128,4 +127,4 @@ TEST(Constrained_direction, with_the_total_turning_alone_the_gap_is_of_first_ord
   EXPECT_NEAR(std::log2(gap(figure_eight(200), .001) / gap(figure_eight(200), .0005)), 1, 0.01);
 }
 
-}  // namespace
+}  // namespace cgp_test::bending_descent_tests

@@ -17,10 +17,9 @@
 
 #include <random>
 
-namespace {
+namespace cgp_test::closing_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 Curve tangents_of(const Curve& points)
 {
@@ -248,4 +247,4 @@ TEST(Align, takes_the_best_rotation)
   for (const double angle : {-2., -.1, .1, 1., 3.}) EXPECT_GT(misfit(angle), misfit(0));
 }
 
-}  // namespace
+}  // namespace cgp_test::closing_tests

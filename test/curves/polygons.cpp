@@ -13,10 +13,9 @@
 
 #include <limits>
 
-namespace {
+namespace cgp_test::polygons_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 Curve rectangle()
 {
@@ -158,4 +157,4 @@ TEST(Require_polygon, refuses_half_turns_and_names_them)
   CGP::require_polygon(points, true, "test");
 }
 
-}  // namespace
+}  // namespace cgp_test::polygons_tests

@@ -13,9 +13,8 @@
 #include "support/spheres.h"
 #include "support/tori.h"
 
-namespace {
+namespace cgp_test::bending_energy_tests {
 
-using namespace cgp_test;
 using CGP::internal::Bending_energy;
 using CGP::internal::Bending_matrix;
 using CGP::internal::Fairing_patch;
@@ -33,8 +32,6 @@ std::vector<char> upper_part(const Mesh_view& mesh)
 {
   return region_where(mesh, [](const auto& c) { return c.z() > .2; });
 }
-
-}  // namespace
 
 TEST(Bending_energy, is_that_of_a_cap_of_a_sphere)
 {
@@ -106,3 +103,5 @@ TEST(Bending_matrix, is_the_second_derivative_of_the_energy_of_a_plane)
   EXPECT_NEAR(Bending_energy(patch, f + t * d).value() / (t * t), expected, 1e-4 * expected);
   EXPECT_LT(energy.value(), 1e-20);
 }
+
+}  // namespace cgp_test::bending_energy_tests

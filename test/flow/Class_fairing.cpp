@@ -10,9 +10,8 @@
 #include "support/spheres.h"
 #include "support/tori.h"
 
-namespace {
+namespace cgp_test::class_fairing_tests {
 
-using namespace cgp_test;
 using CGP::internal::Fairing_options;
 using CGP::internal::Fairing_result;
 
@@ -32,8 +31,6 @@ Mesh_view waves_on_an_ellipsoid(const Mesh_view& sphere)
     return Eigen::Vector3d(1.5 * q.x(), q.y(), q.z());
   });
 }
-
-}  // namespace
 
 TEST(Class_fairing, lowers_the_energy_and_keeps_length_cross_ratios)
 {
@@ -113,3 +110,5 @@ TEST(Class_fairing, holds_the_rim_bitwise)
   for (int v = 0; v < mesh.size_of_vertices(); ++v)
     EXPECT_EQ(f.col(v) == mesh.position(v), !is_free[at(v)]);
 }
+
+}  // namespace cgp_test::class_fairing_tests

@@ -11,17 +11,14 @@
 #include "support/random.h"
 #include "support/tori.h"
 
-namespace {
+namespace cgp_test::class_keeper_tests {
 
-using namespace cgp_test;
 using CGP::internal::Class_keeper;
 
 double change(const Mesh_view& mesh, const Points& f)
 {
   return CGP::length_cross_ratio_change(mesh, f).max;
 }
-
-}  // namespace
 
 TEST(Class_keeper, moves_positions_to_the_class_with_area_and_centroid)
 {
@@ -91,3 +88,5 @@ TEST(Class_keeper, rests_ever_longer_until_a_smoothing_succeeds)
   keeper.wake();
   EXPECT_FALSE(keeper.rests());
 }
+
+}  // namespace cgp_test::class_keeper_tests

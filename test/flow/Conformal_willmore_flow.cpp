@@ -15,11 +15,10 @@
 #include "support/decompositions.h"
 #include "threads/threads.h"
 
+namespace cgp_test::conformal_willmore_flow_tests {
+
 /// Laws of the flow on spheres. The energies of the reference runs come from an implementation of
 /// the same formulas that shares no code with this one.
-namespace {
-
-using namespace cgp_test;
 
 /// the parts of the surface's radius along the zonal harmonics of these degrees, of which the first
 /// is zero, by the mean radius. Least squares, for on an icosphere they are not orthogonal.
@@ -61,8 +60,6 @@ void expect_energies(double time_step, const std::vector<double>& expected)
   for (std::size_t i = 0; i < expected.size(); ++i)
     EXPECT_NEAR(report.steps[i].energy, expected[i], tolerance * expected[i]) << i;
 }
-
-}  // namespace
 
 TEST(Conformal_willmore_flow, keeps_the_round_sphere)
 {
@@ -205,3 +202,5 @@ TEST(Conformal_willmore_flow, gives_the_same_bits_again_and_with_two_threads)
   const Points one = positions(1);
   for (const int threads : {1, 2}) EXPECT_EQ(positions(threads), one) << threads;
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_tests

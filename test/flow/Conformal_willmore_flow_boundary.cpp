@@ -11,10 +11,9 @@
 
 #include "bounded_flows.h"
 
-/// Disks with free boundary, and with tangents or binormals that are kept.
-namespace {
+namespace cgp_test::conformal_willmore_flow_boundary_tests {
 
-using namespace cgp_test;
+/// Disks with free boundary, and with tangents or binormals that are kept.
 
 /// of the reference runs, after each step without backtracking
 std::vector<double> energies(double time_step, int steps, const Boundary_condition& condition)
@@ -55,8 +54,6 @@ void expect_falling(const CGP::Flow_report& report)
     energy = step.energy;
   }
 }
-
-}  // namespace
 
 TEST(Conformal_willmore_flow_with_boundary,
      with_tangents_multiplies_the_energy_by_1_minus_tau_squared)
@@ -180,3 +177,5 @@ TEST(Conformal_willmore_flow_with_boundary, tells_how_well_directions_are_kept)
   EXPECT_NEAR(order(Boundary_condition::tangents()), 2, .1);
   EXPECT_NEAR(order(Boundary_condition::binormals()), 1, .15);  // for normals of vertices are
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_boundary_tests

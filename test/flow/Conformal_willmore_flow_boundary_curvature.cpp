@@ -13,15 +13,14 @@
 #include "bounded_flows.h"
 #include "support/random_delaunay.h"
 
+namespace cgp_test::conformal_willmore_flow_boundary_curvature_tests {
+
 /// The mean curvature where a flow of a ring ends that keeps its binormals.
 ///
 /// There the energy has no smaller neighbour in the conformal class, so H is a constant, the
 /// multiplier of gamma, and a combination of the three functions that keep the ring closed. It is
 /// constant if the class is that of a surface with these binormals and constant H. Bumps of height
 /// e change the class of a zone of the sphere, which is such a surface, by O(e^2).
-namespace {
-
-using namespace cgp_test;
 
 /// a zone of the unit sphere between circles about different axes, with bumps that leave its two
 /// boundary loops and their binormals as they are
@@ -77,8 +76,6 @@ Shares shares_at_the_end(double height)
   return {basis.norm(constants.project_out(H)) / all, basis.norm(basis.project_out(H)) / all};
 }
 
-}  // namespace
-
 TEST(Conformal_willmore_flow_of_a_ring_with_binormals, ends_where_only_periods_hinder_it)
 {
   const Shares round = shares_at_the_end(0), bumpy = shares_at_the_end(.06);
@@ -96,3 +93,5 @@ TEST(Conformal_willmore_flow_of_a_ring_with_binormals,
   EXPECT_GT(slope(heights, shares), 1.9);
   EXPECT_LT(shares_at_the_end(heights.back()).not_constant, .04);
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_boundary_curvature_tests

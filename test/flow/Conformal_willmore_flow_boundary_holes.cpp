@@ -10,10 +10,9 @@
 
 #include "bounded_flows.h"
 
-/// Surfaces whose edges must close up around holes.
-namespace {
+namespace cgp_test::conformal_willmore_flow_boundary_holes_tests {
 
-using namespace cgp_test;
+/// Surfaces whose edges must close up around holes.
 
 const std::vector<Boundary_condition>& conditions()
 {
@@ -45,8 +44,6 @@ CGP::Flow_report three_steps(const Boundary_condition& condition, bool is_constr
   CGP::Conformal_willmore_flow<> flow(bumpy_annulus(10), options);
   return flow.run();
 }
-
-}  // namespace
 
 TEST(Conformal_willmore_flow_with_holes, leaves_a_gap_of_second_order)
 {
@@ -110,3 +107,5 @@ TEST(Conformal_willmore_flow_with_holes, arrives_where_little_changes)
       EXPECT_LT(report.steps.size(), limit ? 20U : 25U);  // open steps go a little further
     }
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_boundary_holes_tests

@@ -13,10 +13,9 @@
 
 #include "bounded_flows.h"
 
-/// Surfaces of constant mean curvature with prescribed directions at the boundary.
-namespace {
+namespace cgp_test::conformal_willmore_flow_boundary_turned_tests {
 
-using namespace cgp_test;
+/// Surfaces of constant mean curvature with prescribed directions at the boundary.
 
 /// a direction for each vertex of the boundary, from its angle around the axis and its frame
 template <class Direction>
@@ -90,8 +89,6 @@ CGP::Flow_report expect_reference(const Mesh_view& mesh, const Boundary_conditio
   EXPECT_GT(report.steps.front().spin.overlap, .9);
   return report;
 }
-
-}  // namespace
 
 TEST(Conformal_willmore_flow_with_turned_boundary, turns_a_hemisphere_into_a_cap)
 {
@@ -178,3 +175,5 @@ TEST(Conformal_willmore_flow_with_turned_boundary, refuses_a_boundary_that_no_su
     EXPECT_EQ(flow.mesh().positions(), mesh.positions());
   }
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_boundary_turned_tests

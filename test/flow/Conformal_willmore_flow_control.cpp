@@ -15,10 +15,10 @@
 #include "support/random.h"
 #include "support/tori.h"
 
-/// Cases in which the flow stops or fails.
-namespace {
+namespace cgp_test::conformal_willmore_flow_control_tests {
 
-using namespace cgp_test;
+/// Cases in which the flow stops or fails.
+
 using Flow_stop = CGP::Flow_step_report::Stop;
 
 /// a direction without an energy: any step that is conformal enough will do
@@ -65,8 +65,6 @@ struct Visitor : CGP::Flow_visitor {
     last = mesh.positions();
   }
 };
-
-}  // namespace
 
 TEST(Conformal_willmore_flow_control, halves_the_step_until_it_is_conformal_enough)
 {
@@ -214,3 +212,5 @@ TEST(Conformal_willmore_flow_control, gives_the_same_bits_twice_and_at_other_sca
   EXPECT_EQ(first.mesh().positions(), second.mesh().positions());
   EXPECT_EQ(large.mesh().positions(), 1024 * first.mesh().positions());
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_control_tests

@@ -12,12 +12,12 @@
 #include "support/handlebodies.h"
 #include "support/moebius.h"
 
+namespace cgp_test::conformal_willmore_flow_handles_tests {
+
 /// The flow of surfaces with handles, which have to close up around them. The energies of the
 /// reference runs come from an implementation of the same formulas that shares no code with this
 /// one.
-namespace {
 
-using namespace cgp_test;
 using CGP::Exactness;
 
 struct Errors {
@@ -57,8 +57,6 @@ double area_difference(const Mesh_view& a, const Mesh_view& b)
   const Eigen::ArrayXd u = (CGP::vertex_areas(a).array() / CGP::vertex_areas(b).array()).log();
   return std::sqrt((u - u.mean()).square().mean());
 }
-
-}  // namespace
 
 TEST(Conformal_willmore_flow_with_handles, closes_up_to_second_order)
 {
@@ -175,3 +173,5 @@ TEST(Conformal_willmore_flow_with_handles, goes_back_on_itself_rather_than_tear_
   EXPECT_GE(step.trials, 3);
   EXPECT_LT(step.spin.conformality.quasi_conformal.mean, 1.05);
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_handles_tests

@@ -12,9 +12,7 @@
 #include "support/bounded_meshes.h"
 #include "support/thin_faces.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::conformal_willmore_flow_mollified_tests {
 
 CGP::Flow_options mollified(int steps, bool on_class = true)
 {
@@ -31,8 +29,6 @@ double distance(const Mesh_view& found, const Mesh_view& expected)
   const Eigen::Index n = expected.positions().cols();
   return CGP::align(Points(found.positions().leftCols(n)), expected.positions()).max;
 }
-
-}  // namespace
 
 TEST(Conformal_willmore_flow_mollified, of_a_Delaunay_mesh_begins_as_that_of_the_mesh)
 {
@@ -168,3 +164,5 @@ TEST(Conformal_willmore_flow_mollified, does_not_depend_on_scale)
       EXPECT_NEAR(flow.energy(), expected.energy(), 1e-6 * expected.energy());
     }
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_mollified_tests

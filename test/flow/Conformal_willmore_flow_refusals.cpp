@@ -12,10 +12,9 @@
 
 #include "flow_tools.h"
 
-/// What a flow does not take.
-namespace {
+namespace cgp_test::conformal_willmore_flow_refusals_tests {
 
-using namespace cgp_test;
+/// What a flow does not take.
 
 struct Constant {
   double value;
@@ -55,8 +54,6 @@ bool has(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
-
-}  // namespace
 
 TEST(Conformal_willmore_flow_refusals, refuses_unsuitable_surfaces)
 {
@@ -100,3 +97,5 @@ TEST(Conformal_willmore_flow_refusals, refuses_directions_that_are_no_functions_
   EXPECT_TRUE(has(refusal(Constant{nan, 42}), "direction not finite"));
   EXPECT_EQ(refusal(Constant{1, 42}), "");
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_refusals_tests

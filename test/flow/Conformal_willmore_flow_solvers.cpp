@@ -12,10 +12,10 @@
 #include "bounded_flows.h"
 #include "support/Counted_solver_traits.h"
 
-/// Requirements of the flow on its solvers, and its behaviour if they fail.
-namespace {
+namespace cgp_test::conformal_willmore_flow_solvers_tests {
 
-using namespace cgp_test;
+/// Requirements of the flow on its solvers, and its behaviour if they fail.
+
 using Flow_stop = CGP::Flow_step_report::Stop;
 
 /// refuses to factor matrices of one kind if told so
@@ -62,8 +62,6 @@ class Conformal_willmore_flow_solvers : public testing::Test {
     return flow.run();
   }
 };
-
-}  // namespace
 
 TEST_F(Conformal_willmore_flow_solvers, analyze_each_pattern_once_for_all_steps)
 {
@@ -146,3 +144,5 @@ TEST_F(Conformal_willmore_flow_solvers, end_the_flow_where_they_run_out_of_memor
     EXPECT_LE(Watched_solver_traits::factorizations() - factorizations, 2);  // no smaller step
   }
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_solvers_tests

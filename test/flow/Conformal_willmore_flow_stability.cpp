@@ -10,10 +10,9 @@
 
 #include "flow_tools.h"
 
-/// The bound 0 < tau < 2 of the time step, which is independent of the mesh.
-namespace {
+namespace cgp_test::conformal_willmore_flow_stability_tests {
 
-using namespace cgp_test;
+/// The bound 0 < tau < 2 of the time step, which is independent of the mesh.
 
 /// the energies of the surface and of five more
 std::vector<double> energies(const Mesh_view& mesh, double time_step)
@@ -66,8 +65,6 @@ double smallest_angle(const Mesh_view& mesh)
   return smallest;
 }
 
-}  // namespace
-
 TEST(Conformal_willmore_flow_stability, is_bounded_by_two_on_a_regular_sphere)
 {
   expect_stable_up_to_two(bumpy_sphere(4));
@@ -106,3 +103,5 @@ TEST(Conformal_willmore_flow_stability, lets_noise_decay_slower_than_shapes)
   EXPECT_GT(after, 0.1 * before);
   EXPECT_LT(after, 0.9 * before);
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_stability_tests

@@ -17,10 +17,9 @@
 #include "support/skewed_tori.h"
 #include "support/tori.h"
 
-/// Tori, whose conformal class is a number that can be measured.
-namespace {
+namespace cgp_test::conformal_willmore_flow_tori_tests {
 
-using namespace cgp_test;
+/// Tori, whose conformal class is a number that can be measured.
 
 /// how far the surface is from the one among its inversions that fits `target` best: the step
 /// towards it in units of its size
@@ -36,8 +35,6 @@ Mesh_view somewhere(const Mesh_view& mesh)
     return Eigen::Vector3d(3 * p + Eigen::Vector3d(5, -7, 2));
   });
 }
-
-}  // namespace
 
 TEST(Conformal_willmore_flow_of_tori, changes_the_conformal_class_in_proportion_to_open_steps)
 {
@@ -172,3 +169,5 @@ TEST(Conformal_willmore_flow_of_tori, keeps_area_and_centroid_however_balanced)
       EXPECT_LT((centroid(flow.mesh()) - centroid(mesh)).norm(), 1e-11);
     }
 }
+
+}  // namespace cgp_test::conformal_willmore_flow_tori_tests

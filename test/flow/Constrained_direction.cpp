@@ -16,9 +16,7 @@
 
 #include "flow_tools.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::constrained_direction_tests {
 
 struct Prescribed {
   Eigen::VectorXd values;
@@ -62,8 +60,6 @@ Eigen::VectorXd harmonic(const Mesh_view& sphere, int k)
   for (int v = 0; v < Y.size(); ++v) Y[v] = legendre(k, sphere.position(v).z());
   return Y;
 }
-
-}  // namespace
 
 TEST(Constrained_direction, has_no_mean_and_no_part_along_the_normals)
 {
@@ -157,3 +153,5 @@ TEST(Constrained_direction, refuses_what_is_no_function_on_the_vertices)
   v[7] = std::numeric_limits<double>::infinity();
   EXPECT_NE(refusal(v).find("vertex 7"), std::string::npos);
 }
+
+}  // namespace cgp_test::constrained_direction_tests

@@ -19,10 +19,9 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::curvature_filter_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using CGP::internal::Curvature_filter;
 
 /// the Legendre polynomial of z, an eigenfunction of the sphere with eigenvalue n (n + 1)
@@ -64,8 +63,6 @@ std::string message(Call call)
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Curvature_filter, multiplies_spherical_harmonics_by_sigma_l_to_the_k_over_one_more)
 {
@@ -178,3 +175,5 @@ TEST(Curvature_filter, says_so_when_the_matrix_cannot_be_factored)
       message([&] { Curvature_filter<>(mesh, 1, 2); }),
       "Curvature_filter: factorization of the smoothing matrix failed: a value is not finite");
 }
+
+}  // namespace cgp_test::curvature_filter_tests

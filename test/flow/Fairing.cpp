@@ -9,9 +9,7 @@
 #include "flow_tools.h"
 #include "support/random.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::fairing_tests {
 
 /// the share of a bump of degree k of a round sphere that is left
 double left_of_bump(int k, double strength)
@@ -25,8 +23,6 @@ double left_of_bump(int k, double strength)
                    CGP::internal::Fairing(sphere, CGP::boundary_vertices(sphere))(sphere, strength);
   return (f - round).norm() / (bumped.positions() - sphere.positions()).norm();
 }
-
-}  // namespace
 
 TEST(Fairing, damps_frequencies_to_second_order)
 {
@@ -72,3 +68,5 @@ TEST(Fairing, takes_noise_away)
   EXPECT_LT(CGP::willmore_energy(Mesh_view(f, mesh.corners())) - 4 * pi,
             .05 * (CGP::willmore_energy(mesh) - 4 * pi));
 }
+
+}  // namespace cgp_test::fairing_tests

@@ -13,9 +13,8 @@
 #include "support/bounded_meshes.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::fairing_patch_tests {
 
-using namespace cgp_test;
 using CGP::internal::Fairing_patch;
 
 std::string complaint(const Mesh_view& mesh, const std::vector<char>& region)
@@ -27,8 +26,6 @@ std::string complaint(const Mesh_view& mesh, const std::vector<char>& region)
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Fairing_patch, has_the_whole_rings_of_the_vertices_that_bend)
 {
@@ -108,3 +105,5 @@ TEST(Fairing_patch, refuses_faces_of_area_zero_by_their_number)
             std::string::npos)
       << words;
 }
+
+}  // namespace cgp_test::fairing_patch_tests

@@ -13,9 +13,8 @@
 #include "flow_tools.h"
 #include "support/moebius.h"
 
-namespace {
+namespace cgp_test::flow_balance_tests {
 
-using namespace cgp_test;
 using Balance = CGP::Flow_options::Balance;
 using Balancing = CGP::Flow_options::Balancing;
 
@@ -52,8 +51,6 @@ std::string refusal(const Mesh_view& mesh, const CGP::Flow_options& options)
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Flow_balance, does_nothing_unless_it_is_asked_for)
 {
@@ -130,3 +127,5 @@ TEST(Flow_balance, refuses_surfaces_with_boundary)
                 .find("f: 3 boundary edges"),
             std::string::npos);
 }
+
+}  // namespace cgp_test::flow_balance_tests

@@ -18,10 +18,10 @@
 #include "support/skewed_tori.h"
 #include "support/tori.h"
 
-/// Laws of the flow on the exact discrete conformal class, its default on closed surfaces.
-namespace {
+namespace cgp_test::flow_on_class_tests {
 
-using namespace cgp_test;
+/// Laws of the flow on the exact discrete conformal class, its default on closed surfaces.
+
 using Flow = CGP::Conformal_willmore_flow<>;
 using Stop = CGP::Flow_step_report::Stop;
 
@@ -39,8 +39,6 @@ std::vector<Mesh_view> surfaces()
   return {bumpy_sphere(3), perturbed(icosphere(3), .03), stretched(bumpy_sphere(3), 4),
           perturbed(irregular_torus(2, 1, 32, 16), .02), stretched(torus(2, 1, 40, 20), 1.5)};
 }
-
-}  // namespace
 
 TEST(Flow_on_class, keeps_length_cross_ratios_in_every_step_and_exactly_in_the_end)
 {
@@ -239,3 +237,5 @@ TEST(Flow_on_class, keeps_area_and_centroid_at_any_scale)
   EXPECT_NEAR(area(flow.mesh()), area(flow.initial_mesh()), 1e-9 * area(flow.initial_mesh()));
   EXPECT_LT((centroid(flow.mesh()) - centroid(flow.initial_mesh())).norm(), 1e-6);
 }
+
+}  // namespace cgp_test::flow_on_class_tests

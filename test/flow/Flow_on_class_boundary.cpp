@@ -13,10 +13,10 @@
 #include "bounded_flows.h"
 #include "support/random.h"
 
-/// Laws of the flow on the exact discrete conformal class with a boundary.
-namespace {
+namespace cgp_test::flow_on_class_boundary_tests {
 
-using namespace cgp_test;
+/// Laws of the flow on the exact discrete conformal class with a boundary.
+
 using Flow = CGP::Conformal_willmore_flow<>;
 
 struct Flown {
@@ -56,8 +56,6 @@ std::vector<Boundary_condition> conditions()
   return {Boundary_condition::free(), Boundary_condition::tangents(),
           Boundary_condition::binormals()};
 }
-
-}  // namespace
 
 TEST(Flow_on_class_with_boundary, keeps_length_cross_ratios_of_disks_and_rings)
 {
@@ -138,3 +136,5 @@ TEST(Flow_on_class_with_boundary, turns_a_hemisphere_to_prescribed_binormals)
   EXPECT_LT(run.report.conformality.length_cross_ratio.max, 1e-10);
   EXPECT_NEAR(run.report.energy, pi, .08 * pi);
 }
+
+}  // namespace cgp_test::flow_on_class_boundary_tests

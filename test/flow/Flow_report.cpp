@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-namespace {
+namespace cgp_test::flow_report_tests {
 
 using Conformal_geometry_processing::Flow_report;
 using Flow_stop = Conformal_geometry_processing::Flow_step_report::Stop;
@@ -17,8 +17,6 @@ constexpr Flow_stop all[] = {
     Flow_stop::none,           Flow_stop::energy_settled, Flow_stop::direction_vanished,
     Flow_stop::steps_done,     Flow_stop::cancelled,      Flow_stop::time_step_too_small,
     Flow_stop::limits_reached, Flow_stop::scale_range,    Flow_stop::step_failed};
-
-}  // namespace
 
 TEST(Flow_report, tells_every_reason_apart)
 {
@@ -61,3 +59,5 @@ TEST(Flow_report, is_false_where_the_conformal_type_is_not_kept)
   report.conformal_type_change = .11;
   EXPECT_FALSE(report);
 }
+
+}  // namespace cgp_test::flow_report_tests

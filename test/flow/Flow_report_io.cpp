@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-namespace {
+namespace cgp_test::flow_report_io_tests {
 
 using namespace Conformal_geometry_processing;
 using Stop = Flow_step_report::Stop;
@@ -62,4 +62,4 @@ TEST(Flow_report_io, tells_a_fault_exactly_if_the_flow_is_no_success)
   }
 }
 
-}  // namespace
+}  // namespace cgp_test::flow_report_io_tests

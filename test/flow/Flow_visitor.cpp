@@ -8,9 +8,8 @@
 
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::flow_visitor_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Flow_visitor, must_not_call_back_the_flow)
@@ -39,4 +38,4 @@ TEST(Flow_visitor, must_not_call_back_the_flow)
   EXPECT_EQ(flow.mesh().positions(), undisturbed.mesh().positions());
 }
 
-}  // namespace
+}  // namespace cgp_test::flow_visitor_tests

@@ -15,10 +15,9 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::moebius_balancing_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using CGP::internal::Moebius_balancing;
 using Eigen::Vector3d;
 
@@ -54,8 +53,6 @@ std::string message(Call call)
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Moebius_balancing, finds_the_inversion_exactly_in_a_few_quadratic_steps)
 {
@@ -192,3 +189,5 @@ TEST(Moebius_balancing, refuses_areas_that_are_not_positive_and_other_meshes)
     EXPECT_NE(m.find("Moebius_balancing: the target area of vertex 7 is "), std::string::npos);
   }
 }
+
+}  // namespace cgp_test::moebius_balancing_tests

@@ -9,9 +9,7 @@
 #include "support/bounded_meshes.h"
 #include "support/tori.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::outline_fairing_tests {
 
 std::vector<char> middle_of(const Mesh_view& mesh)
 {
@@ -29,8 +27,6 @@ Points turned(const Points& f)
   const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 3).normalized(), offset(3, -4, 5);
   return (Eigen::AngleAxisd(1, axis).toRotationMatrix() * f).colwise() + offset;
 }
-
-}  // namespace
 
 // Whatever the plane was filled with, and wherever it is: K f = 0 holds for linear functions.
 TEST(Outline_fairing, starts_flat_in_a_plane)
@@ -64,3 +60,5 @@ TEST(Outline_fairing, starts_with_less_energy_than_a_dent)
   const Points f = CGP::internal::Outline_fairing(patch).start();
   EXPECT_LT(energy(f), .5 * energy(patch.mesh().positions()));
 }
+
+}  // namespace cgp_test::outline_fairing_tests

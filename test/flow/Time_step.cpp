@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace cgp_test::time_step_tests {
+
 using Conformal_geometry_processing::internal::Time_step;
 
 TEST(Time_step, starts_with_the_first)
@@ -83,3 +85,5 @@ TEST(Time_step, grows_at_once_after_growth_has_lasted)
   for (int k = 0; k < 3; ++k) step.grow();
   EXPECT_EQ(fail_after_growth(), 1);
 }
+
+}  // namespace cgp_test::time_step_tests

@@ -11,16 +11,13 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::willmore_direction_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 struct Only_a_direction {
   Eigen::VectorXd operator()(const Mesh_view&) const { return {}; }
 };
-
-}  // namespace
 
 TEST(Willmore_direction, is_minus_one_over_the_radius_on_spheres)
 {
@@ -70,3 +67,5 @@ TEST(Willmore_direction, has_an_energy_and_others_need_not)
   EXPECT_EQ(CGP::internal::energy_of(CGP::Willmore_direction(), mesh, mesh),
             CGP::willmore_energy(mesh));
 }
+
+}  // namespace cgp_test::willmore_direction_tests

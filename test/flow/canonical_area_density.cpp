@@ -15,10 +15,9 @@
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::canonical_area_density_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 Eigen::VectorXd canonical_density(const Mesh_view& mesh)
 {
@@ -35,8 +34,6 @@ Mesh_view inverted(const Mesh_view& mesh, const Eigen::Vector3d& c)
 {
   return {CGP::Moebius_map::sphere_inversion(c).transform(mesh.positions()), mesh.corners()};
 }
-
-}  // namespace
 
 TEST(Canonical_metric, has_the_genus_as_its_area)
 {
@@ -113,3 +110,5 @@ TEST(Canonical_metric, refuses_spheres)
 {
   EXPECT_THROW(canonical_density(icosphere(1)), CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::canonical_area_density_tests

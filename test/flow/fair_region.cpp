@@ -14,9 +14,8 @@
 #include "support/spheres.h"
 #include "support/tori.h"
 
-namespace {
+namespace cgp_test::fair_region_tests {
 
-using namespace cgp_test;
 using CGP::internal::Fairing_options;
 using CGP::internal::Fairing_result;
 
@@ -83,8 +82,6 @@ void expect_same_outside(const Mesh_view& mesh, const std::vector<char>& region,
   }
   EXPECT_GT(moved, 10);
 }
-
-}  // namespace
 
 TEST(Fair_region, brings_back_the_cap_of_a_sphere)
 {
@@ -254,3 +251,5 @@ TEST(Fair_region, refuses_points_that_are_not_finite)
   mesh.set_positions(f);
   EXPECT_THROW(faired(mesh, region, by_outline), CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::fair_region_tests

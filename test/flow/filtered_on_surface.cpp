@@ -9,10 +9,9 @@
 #include "support/bounded_meshes.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::filtered_on_surface_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using CGP::Curvature_band;
 
 /// <v, w> / <v, v> over the surface
@@ -21,8 +20,6 @@ double share(const Mesh_view& mesh, const Eigen::VectorXd& v, const Eigen::Vecto
   const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
   return areas.cwiseProduct(v).dot(w) / areas.cwiseProduct(v).dot(v);
 }
-
-}  // namespace
 
 TEST(Filtered_on_surface, leaves_of_each_frequency_what_the_band_says)
 {
@@ -67,3 +64,5 @@ TEST(Filtered_on_surface, refuses_what_its_filter_refuses)
   EXPECT_THROW((void)CGP::filtered_on_surface(icosphere(0), v, Curvature_band::low, options),
                CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::filtered_on_surface_tests

@@ -8,10 +8,10 @@
 #include <limits>
 #include <string>
 
+namespace cgp_test::step_fault_tests {
+
 namespace CGP = Conformal_geometry_processing;
 using Boundary_fault = CGP::Spin_report::Boundary_fault;
-
-namespace {
 
 class A_step : public testing::Test {
  protected:
@@ -26,8 +26,6 @@ class A_step : public testing::Test {
     return good;
   }();
 };
-
-}  // namespace
 
 TEST_F(A_step, whose_equation_is_solved_may_be_taken)
 {
@@ -79,3 +77,5 @@ TEST_F(A_step, to_directions_that_no_surface_has_is_not_taken_but_keeping_direct
   EXPECT_EQ(CGP::step_fault(report, true, false, options),
             CGP::to_string(Boundary_fault::not_realizable));
 }
+
+}  // namespace cgp_test::step_fault_tests

@@ -20,9 +20,8 @@
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::harmonic_basis_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 CGP::Harmonic_basis harmonic_basis_of(const Mesh_view& mesh)
@@ -84,8 +83,6 @@ double distance_of_spans(const Eigen::VectorXd& w, const Eigen::MatrixXd& a,
 {
   return greatest(b - a * (a.transpose() * w.asDiagonal() * b));
 }
-
-}  // namespace
 
 TEST(Harmonic_basis, of_a_sphere_is_empty)
 {
@@ -181,3 +178,5 @@ TEST(Harmonic_basis, refuses_more_forms_than_there_are_fields)
   Eigen::MatrixXd forms = random_numbers(6 * 13, 3).reshaped(6, 13);
   EXPECT_THROW(CGP::internal::orthonormalize_forms(mesh, forms), CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::harmonic_basis_tests

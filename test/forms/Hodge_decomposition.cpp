@@ -18,9 +18,8 @@
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::hodge_decomposition_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 double greatest(const Eigen::MatrixXd& A)
@@ -42,8 +41,6 @@ std::string message_of_refusal(const Mesh_view& mesh)
   }
   return "not refused";
 }
-
-}  // namespace
 
 TEST(Hodge_decomposition, splits_any_form_into_orthogonal_parts)
 {
@@ -139,3 +136,5 @@ TEST(Hodge_decomposition, refuses_what_is_no_connected_surface)
       mapped(btorus(8), [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), 0, 0); }),
       "of area zero"));
 }
+
+}  // namespace cgp_test::hodge_decomposition_tests

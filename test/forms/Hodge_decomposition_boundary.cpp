@@ -15,10 +15,10 @@
 #include "holed_surfaces.h"
 #include "support/random.h"
 
-/// Harmonic forms of Neumann type.
-namespace {
+namespace cgp_test::hodge_decomposition_boundary_tests {
 
-using namespace cgp_test;
+/// Harmonic forms of Neumann type.
+
 namespace CGP = Conformal_geometry_processing;
 
 CGP::Harmonic_basis harmonic_basis_of(const Mesh_view& mesh)
@@ -56,8 +56,6 @@ double share_across_boundary(const Mesh_view& mesh, const Points& field)
   }
   return sum / count;
 }
-
-}  // namespace
 
 TEST(Hodge_decomposition_with_boundary, finds_no_harmonic_forms_on_a_disk)
 {
@@ -141,3 +139,5 @@ TEST(Hodge_decomposition_with_boundary, finds_the_same_space_from_random_forms)
       expected.one_forms * expected.coefficients(CGP::cotan_weights(mesh), found);
   EXPECT_LT(greatest(found - inside), 1e-11);
 }
+
+}  // namespace cgp_test::hodge_decomposition_boundary_tests

@@ -18,9 +18,8 @@
 #include "support/moebius.h"
 #include "support/skewed_tori.h"
 
-namespace {
+namespace cgp_test::conformal_modulus_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Complex = std::complex<double>;
 
@@ -28,8 +27,6 @@ Complex modulus_of(const Mesh_view& mesh)
 {
   return CGP::conformal_modulus(mesh, CGP::Hodge_decomposition<>(mesh).harmonic_basis());
 }
-
-}  // namespace
 
 TEST(Reduced_modulus, is_in_the_fundamental_domain_and_of_the_same_class)
 {
@@ -119,3 +116,5 @@ TEST(Conformal_modulus, refuses_what_is_no_torus)
   for (const Mesh_view& mesh : {icosphere(1), holed_block(2), torus_with_hole(8, 6)})
     EXPECT_THROW((void)modulus_of(mesh), CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::conformal_modulus_tests

@@ -12,12 +12,11 @@
 #include "support/moebius.h"
 #include "support/tori.h"
 
+namespace cgp_test::conformal_type_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using CGP::internal::conformal_type_distance;
 using CGP::internal::harmonic_energies;
-
-namespace {
 
 double distance(const Mesh_view& a, const Mesh_view& b)
 {
@@ -29,8 +28,6 @@ double proportion(double R, double r)
 {
   return std::sqrt(R * R / (r * r) - 1);
 }
-
-}  // namespace
 
 TEST(Conformal_type_distance, of_tori_of_revolution_is_the_hyperbolic_one_of_their_moduli)
 {
@@ -72,3 +69,5 @@ TEST(Conformal_type_distance, is_infinite_where_energies_are_not_positive)
   EXPECT_EQ(conformal_type_distance(good, -good), HUGE_VAL);
   EXPECT_EQ(conformal_type_distance(good, std::nan("") * good), HUGE_VAL);
 }
+
+}  // namespace cgp_test::conformal_type_tests

@@ -12,9 +12,8 @@
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::exactness_functions_tests {
 
-using namespace cgp_test;
 using CGP::Exactness;
 
 constexpr On everywhere[] = {On::vertices, On::faces};
@@ -31,8 +30,6 @@ Eigen::MatrixXd without_means(const Eigen::MatrixXd& z, const Eigen::VectorXd& a
 {
   return z.rowwise() - (areas.transpose() * z / areas.sum()).eval();
 }
-
-}  // namespace
 
 TEST(Exactness_functions, of_a_sphere_are_none)
 {
@@ -147,3 +144,5 @@ TEST(Exactness_functions, do_not_change_with_the_scale_of_the_mesh)
       EXPECT_LT((large.constraints(on, version) - expected).norm(), 1e-9 * expected.norm());
     }
 }
+
+}  // namespace cgp_test::exactness_functions_tests

@@ -12,9 +12,8 @@
 #include "holed_surfaces.h"
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::exactness_functions_boundary_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Boundary_condition;
 using On = CGP::Curvature_potential::On;
@@ -78,8 +77,6 @@ void expect_half_the_derivative(const Mesh_view& mesh, const Boundary_condition&
   }
 }
 
-}  // namespace
-
 TEST(Exactness_functions_with_boundary, of_a_disk_are_none)
 {
   Holed c(disk(4), Boundary_condition::tangents());
@@ -108,3 +105,5 @@ TEST(Exactness_functions_with_boundary, are_three_for_each_hole_and_six_for_a_ha
   expect_half_the_derivative(perturbed(torus_with_hole(12, 8), .05),
                              Boundary_condition::binormals());
 }
+
+}  // namespace cgp_test::exactness_functions_boundary_tests

@@ -17,17 +17,14 @@
 #include "support/spheres.h"
 #include "support/tori.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::loops_of_faces_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 std::vector<std::pair<Mesh_view, std::size_t>> surfaces()
 {
   return {{icosphere(1), 0}, {torus(2, 1, 9, 7), 1}, {holed_block(2), 2}, {holed_block(3), 3}};
 }
-
-}  // namespace
 
 TEST(Loops_of_faces, are_twice_as_many_as_handles_and_meet_no_face_twice)
 {
@@ -69,3 +66,5 @@ TEST(Crossings_modulo_2, are_those_of_a_basis)
     EXPECT_EQ(std::remainder(determinant + 1, 2), 0) << determinant;
   }
 }
+
+}  // namespace cgp_test::loops_of_faces_tests

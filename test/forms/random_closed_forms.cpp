@@ -16,9 +16,8 @@
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::random_closed_forms_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 double greatest(const Eigen::MatrixXd& A)
@@ -32,8 +31,6 @@ Eigen::MatrixXd harmonic_forms(const Mesh_view& mesh, const Eigen::MatrixXd& gen
   laplacian.factorize(CGP::cotan_laplacian(mesh));
   return CGP::Hodge_decomposition<>(mesh, generators, laplacian).harmonic_basis().one_forms;
 }
-
-}  // namespace
 
 TEST(Random_closed_forms, are_closed)
 {
@@ -83,3 +80,5 @@ TEST(Random_closed_forms, refuse_right_angles)
         << message;
   }
 }
+
+}  // namespace cgp_test::random_closed_forms_tests

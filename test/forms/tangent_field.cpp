@@ -8,9 +8,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::tangent_field_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 Eigen::VectorXd differences(const Mesh_view& mesh, const Eigen::VectorXd& u)
@@ -19,8 +18,6 @@ Eigen::VectorXd differences(const Mesh_view& mesh, const Eigen::VectorXd& u)
   for (int k = 0; k < mesh.size_of_edges(); ++k) du[k] = u[mesh.ends(k)[1]] - u[mesh.ends(k)[0]];
   return du;
 }
-
-}  // namespace
 
 TEST(Tangent_field, of_the_differential_of_a_linear_function_is_its_gradient)
 {
@@ -65,3 +62,5 @@ TEST(Along_halfedge, changes_its_sign_with_the_direction)
     EXPECT_EQ(value, mesh.from(h) < mesh.to(h) ? form[mesh.edge(h)] : -form[mesh.edge(h)]);
   }
 }
+
+}  // namespace cgp_test::tangent_field_tests

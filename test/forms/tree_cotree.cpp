@@ -10,9 +10,8 @@
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::tree_cotree_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 /// the values of a form along the three halfedges of face f
@@ -53,8 +52,6 @@ void expect_basis_of_integer_cohomology(const Mesh_view& mesh, int genus)
   EXPECT_NEAR(intersections(mesh, forms).determinant(), 1, 1e-9);
 }
 
-}  // namespace
-
 TEST(Closed_generators, of_a_sphere_are_none)
 {
   expect_basis_of_integer_cohomology(tetrahedron(), 0);
@@ -89,3 +86,5 @@ TEST(Closed_generators, depend_on_the_connectivity_alone)
   const Mesh_view mesh = torus(2, 1, 9, 7);
   EXPECT_EQ(CGP::closed_generators(mesh), CGP::closed_generators(perturbed(mesh, 5)));
 }
+
+}  // namespace cgp_test::tree_cotree_tests

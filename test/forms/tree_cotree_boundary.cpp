@@ -15,9 +15,8 @@
 #include "holed_surfaces.h"
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::tree_cotree_boundary_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 /// the integrals of forms along closed paths of vertices: number of forms x number of paths
@@ -68,8 +67,6 @@ std::vector<std::vector<int>> boundary_but_one_loop(const Mesh_view& mesh)
   return loops;
 }
 
-}  // namespace
-
 TEST(Closed_generators_with_boundary, of_a_disk_are_none)
 {
   for (const Mesh_view& mesh : {disk(4), grid(5, 3), single_triangle(), cap_from_disk(disk(3), 2)})
@@ -111,3 +108,5 @@ TEST(Closed_generators_with_boundary, are_a_basis_in_any_numbering)
     expect_dual_to(other, boundary_but_one_loop(other));
   }
 }
+
+}  // namespace cgp_test::tree_cotree_boundary_tests

@@ -5,9 +5,9 @@
 
 #include "linear_algebra/solver_laws.h"
 
-namespace cgp_test {
+namespace cgp_test::ldl_solver_tests {
 
 using Models = testing::Types<Ldl_solver<double>, Ldl_solver<Quaternion<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Ldl, Hermitian_solver, Models);
 
-}  // namespace cgp_test
+}  // namespace cgp_test::ldl_solver_tests

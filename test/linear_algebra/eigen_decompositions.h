@@ -29,8 +29,8 @@ void expect_decomposition(const Decomposition& e, const CGP::Block<Quaternion<do
 {
   const int d = static_cast<int>(A.rows());
   ASSERT_EQ(e.values.size(), d);
-  const Eigen::MatrixXd V = dense(e.vectors), D = four_times(e.values).asDiagonal();
-  EXPECT_LE((dense(A) * V - V * D).norm(), tolerance);
+  const Eigen::MatrixXd V = real_form(e.vectors), D = four_times(e.values).asDiagonal();
+  EXPECT_LE((real_form(A) * V - V * D).norm(), tolerance);
   EXPECT_LE((V.transpose() * V - Eigen::MatrixXd::Identity(4 * d, 4 * d)).norm(),
             tolerance_of_vectors);
   for (int i = 1; i < d; ++i) EXPECT_LE(e.values[i - 1], e.values[i]);

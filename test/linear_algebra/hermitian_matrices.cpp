@@ -62,27 +62,18 @@ CGP::Hermitian_sparse_matrix<double> random_laplacian(const Pattern& pattern, st
   return plus_diagonal(L, degrees);
 }
 
-Eigen::MatrixXd dense(const CGP::Block<double>& A)
+Eigen::MatrixXd real_form(const CGP::Block<double>& A)
 {
   return A;
 }
 
-Eigen::MatrixXd dense(const CGP::Block<std::complex<double>>& A)
+Eigen::MatrixXd real_form(const CGP::Block<std::complex<double>>& A)
 {
   Eigen::MatrixXd D(2 * A.rows(), 2 * A.cols());
   for (Eigen::Index j = 0; j < A.cols(); ++j)
     for (Eigen::Index i = 0; i < A.rows(); ++i)
       D.block<2, 2>(2 * i, 2 * j) << A(i, j).real(), -A(i, j).imag(), A(i, j).imag(),
           A(i, j).real();
-  return D;
-}
-
-Eigen::MatrixXd dense(const CGP::Block<Quaternion<double>>& A)
-{
-  Eigen::MatrixXd D(4 * A.rows(), 4 * A.cols());
-  for (Eigen::Index j = 0; j < A.cols(); ++j)
-    for (Eigen::Index i = 0; i < A.rows(); ++i)
-      D.block<4, 4>(4 * i, 4 * j) = CGP::real_block(A(i, j));
   return D;
 }
 

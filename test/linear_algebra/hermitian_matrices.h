@@ -4,7 +4,6 @@
 #define TEST_LINEAR_ALGEBRA_HERMITIAN_MATRICES_H
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/algebra/quaternion_blocks.h>
 
 #include <Eigen/Core>
 
@@ -15,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/dense.h"
 #include "support/random.h"
 
 /// Random sparse Hermitian matrices, and the dense real matrices they stand for.
@@ -93,17 +93,17 @@ CGP::Hermitian_sparse_matrix<Scalar> random_definite(const Pattern& pattern, std
 /// the Laplacian of the graph with random positive weights
 CGP::Hermitian_sparse_matrix<double> random_laplacian(const Pattern& pattern, std::uint64_t seed);
 
-/// n x n, or 2n x 2n or 4n x 4n: left multiplication on components re, im or w, x, y, z
-Eigen::MatrixXd dense(const CGP::Block<double>& A);
-Eigen::MatrixXd dense(const CGP::Block<std::complex<double>>& A);
-Eigen::MatrixXd dense(const CGP::Block<Quaternion<double>>& A);
+/// n x n or 2n x 2n, for quaternions 4n x 4n: left multiplication on components re, im or w, x, y,
+/// z
+Eigen::MatrixXd real_form(const CGP::Block<double>& A);
+Eigen::MatrixXd real_form(const CGP::Block<std::complex<double>>& A);
 template <class Scalar>
-Eigen::MatrixXd dense(const CGP::Hermitian_sparse_matrix<Scalar>& A)
+Eigen::MatrixXd real_form(const CGP::Hermitian_sparse_matrix<Scalar>& A)
 {
   CGP::Block<Scalar> D(A.size(), A.size());
   for (int j = 0; j < A.size(); ++j)
     for (int i = 0; i < A.size(); ++i) D(i, j) = A.coefficient(i, j);
-  return dense(D);
+  return real_form(D);
 }
 
 /// the components of the columns

@@ -27,16 +27,16 @@ CGP::Hermitian_sparse_matrix<Entry_of<Scalar>> single(const CGP::Hermitian_spars
 
 /// n x n, or 4n x 4n
 template <class Scalar, class Entry>
-Eigen::MatrixXd dense_of_single(const CGP::Hermitian_sparse_matrix<Entry>& A)
+Eigen::MatrixXd real_form_of_single(const CGP::Hermitian_sparse_matrix<Entry>& A)
 {
   CGP::Hermitian_sparse_matrix<Scalar> D(A.shared_pattern());
   for (int k = 0; k < A.pattern().size_of_entries(); ++k)
     D.value(k) = CGP::internal::to_double(A.value(k));
-  return dense(D);
+  return real_form(D);
 }
 
 /// P, with every entry times the identity of `planes` rows
-inline Eigen::MatrixXd dense(const CGP::internal::Prolongation& P, int planes = 1)
+inline Eigen::MatrixXd real_form(const CGP::internal::Prolongation& P, int planes = 1)
 {
   Eigen::MatrixXd D = Eigen::MatrixXd::Zero(planes * P.fine_size(), planes * P.coarse_size);
   for (int i = 0; i < P.fine_size(); ++i)

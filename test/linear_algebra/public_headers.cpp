@@ -17,7 +17,7 @@
 #include <cmath>
 #include <memory>
 
-namespace {
+namespace cgp_test::public_headers_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using Quaternion = CGP::Quaternion<double>;
@@ -82,4 +82,4 @@ TEST(Linear_algebra, finds_the_eigenvalues_of_a_turned_path)
     EXPECT_NEAR(found.values[k - 1], 2 - 2 * std::cos(k * pi / (n + 1)), 1e-12);
 }
 
-}  // namespace
+}  // namespace cgp_test::public_headers_tests

@@ -71,7 +71,7 @@ struct Reduced_problem {
   Eigen::MatrixXd dense_matrix() const
   {
     const Eigen::MatrixXd B = dense_basis();
-    return B.transpose() * dense(plus_diagonal(X, shift)) * B;
+    return B.transpose() * real_form(plus_diagonal(X, shift)) * B;
   }
 
   /// the solution for right-hand sides b, as components of quaternions

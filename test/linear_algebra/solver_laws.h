@@ -38,7 +38,7 @@ class Hermitian_solver : public testing::Test {
     const auto b = random_block<Scalar>(n, columns, 77);
     CGP::Block<Scalar> x;
     ASSERT_EQ(solver.solve(b, x), Solver_status::success);
-    const Eigen::MatrixXd expected = definite_solution(dense(matrix), real_columns(b));
+    const Eigen::MatrixXd expected = definite_solution(real_form(matrix), real_columns(b));
     EXPECT_LE((real_columns(x) - expected).norm(), error_of_solution<Solver> * expected.norm());
   }
 

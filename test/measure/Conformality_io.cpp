@@ -7,6 +7,8 @@
 
 #include <sstream>
 
+namespace cgp_test::conformality_io_tests {
+
 TEST(Conformality_io, prints_one_fact_per_line)
 {
   Conformal_geometry_processing::Conformality c;
@@ -24,3 +26,5 @@ TEST(Conformality_io, prints_one_fact_per_line)
             "lengths                scaled by 0.5 to 3\n"
             "flipped faces          7\n");
 }
+
+}  // namespace cgp_test::conformality_io_tests

@@ -7,17 +7,14 @@
 
 #include "support/meshes.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::alignment_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 Points similar(const Points& p, const Eigen::Matrix3d& R, double scale, const Eigen::Vector3d& t)
 {
   return (scale * R * p).colwise() + t;
 }
-
-}  // namespace
 
 TEST(Align, recovers_a_similarity)
 {
@@ -95,3 +92,5 @@ TEST(Align, is_the_best_among_its_neighbours)
     EXPECT_GT((other.apply(source) - target).norm(), least);
   }
 }
+
+}  // namespace cgp_test::alignment_tests

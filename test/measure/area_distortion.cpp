@@ -11,8 +11,9 @@
 
 #include "support/meshes.h"
 
+namespace cgp_test::area_distortion_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 TEST(Length_scales, are_the_factor_of_a_similarity)
 {
@@ -54,8 +55,6 @@ TEST(Area_distortion, weighs_the_deviation_by_area)
   EXPECT_NEAR(d.log_deviation, std::sqrt(3. / 16), 1e-14);
 }
 
-namespace {
-
 /// squares of unit area side by side, each scaled about its centre
 std::pair<Mesh_view, Points> scaled_squares(int count, double first, double others)
 {
@@ -77,8 +76,6 @@ double collapsed_share(const std::pair<Mesh_view, Points>& map)
 {
   return CGP::area_distortion(map.first, map.second).collapsed_share;
 }
-
-}  // namespace
 
 TEST(Area_distortion, tells_what_has_collapsed_beside_the_rest)
 {
@@ -128,3 +125,5 @@ TEST(Area_distortion, counts_the_area_in_half_octaves)
     EXPECT_NEAR(d.histogram[bin(1 / usual)], .999, 1e-12) << octaves;
   }
 }
+
+}  // namespace cgp_test::area_distortion_tests

@@ -10,17 +10,14 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::conformality_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 Points upward(const Mesh_view& mesh)
 {
   return Eigen::Vector3d::UnitZ().replicate(1, mesh.size_of_faces());
 }
-
-}  // namespace
 
 TEST(Conformality, of_a_similarity_is_perfect)
 {
@@ -72,3 +69,5 @@ TEST(Conformality, of_a_stretch_and_a_reflection_shows_in_every_part)
   EXPECT_NEAR(c.scale.max_scale, std::sqrt(3.), 1e-14);
   EXPECT_EQ(c.flipped_faces, 2);
 }
+
+}  // namespace cgp_test::conformality_tests

@@ -11,9 +11,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::conformality_faults_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Conformality;
 using Fault = Conformality::Fault;
@@ -38,9 +37,7 @@ Fault fault_of(const Conformality& map)
   return map.fault(Conformality::Limits());
 }
 
-}  // namespace
-
-TEST(Conformality, of_similarities_has_no_fault)
+TEST(Conformality_faults, of_similarities_has_no_fault)
 {
   const Mesh_view mesh = radially_perturbed(icosphere(2), 0.1);
   for (const double scale : {1e-6, 1., 1e6}) {
@@ -54,7 +51,7 @@ TEST(Conformality, of_similarities_has_no_fault)
 }
 
 // One square becomes a long strip: of the old area half is stretched, of the new nearly all.
-TEST(Conformality, is_weighted_by_the_old_and_by_the_new_area)
+TEST(Conformality_faults, is_weighted_by_the_old_and_by_the_new_area)
 {
   const Mesh_view mesh = two_squares();
   CGP::Points moved = mesh.positions();
@@ -65,7 +62,7 @@ TEST(Conformality, is_weighted_by_the_old_and_by_the_new_area)
   EXPECT_NEAR(map.quasi_conformal_of_new_area, (1 + length * length) / (1 + length), 1e-12);
 }
 
-TEST(Conformality, has_a_fault_where_bad_faces_have_become_most_of_the_surface)
+TEST(Conformality_faults, has_a_fault_where_bad_faces_have_become_most_of_the_surface)
 {
   Conformality map;
   map.quasi_conformal.mean = 1.01;
@@ -73,7 +70,7 @@ TEST(Conformality, has_a_fault_where_bad_faces_have_become_most_of_the_surface)
   EXPECT_EQ(fault_of(map), Fault::not_conformal);
 }
 
-TEST(Conformality, has_a_fault_where_most_of_the_surface_has_collapsed)
+TEST(Conformality_faults, has_a_fault_where_most_of_the_surface_has_collapsed)
 {
   const Mesh_view sphere = icosphere(4);
   for (const double distance :
@@ -89,7 +86,7 @@ TEST(Conformality, has_a_fault_where_most_of_the_surface_has_collapsed)
   }
 }
 
-TEST(Conformality, has_a_fault_where_faces_are_flipped)
+TEST(Conformality_faults, has_a_fault_where_faces_are_flipped)
 {
   const Mesh_view mesh = icosphere(1);
   const CGP::Points inward = -CGP::face_normals(mesh);
@@ -98,7 +95,7 @@ TEST(Conformality, has_a_fault_where_faces_are_flipped)
   EXPECT_EQ(fault_of(map), Fault::flipped);
 }
 
-TEST(Conformality, has_a_fault_where_a_number_is_not_finite)
+TEST(Conformality_faults, has_a_fault_where_a_number_is_not_finite)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Conformality map;
@@ -111,3 +108,5 @@ TEST(Conformality, has_a_fault_where_a_number_is_not_finite)
   map.scale.collapsed_share = nan;
   EXPECT_EQ(fault_of(map), Fault::collapsed);
 }
+
+}  // namespace cgp_test::conformality_faults_tests

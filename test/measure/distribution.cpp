@@ -9,8 +9,9 @@
 
 #include "support/random.h"
 
+namespace cgp_test::distribution_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 TEST(Distribution, of_one_value_is_that_value)
 {
@@ -98,3 +99,5 @@ TEST(Histogram, adds_up_to_one)
   EXPECT_NEAR(share.sum(), 1, 1e-15);
   EXPECT_GE(share.minCoeff(), 0);
 }
+
+}  // namespace cgp_test::distribution_tests

@@ -8,10 +8,9 @@
 #include "support/meshes.h"
 #include "support/moebius.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::energies_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 using Energy = std::function<double(const Mesh_view&)>;
 
@@ -35,8 +34,6 @@ double order_on_tori(const Energy& energy)
   }
   return slope(h, error);
 }
-
-}  // namespace
 
 TEST(Total_area, of_polyhedra)
 {
@@ -160,3 +157,5 @@ TEST(Willmore_energy, changes_under_inversions_by_the_discretization_error_alone
     EXPECT_LT(std::abs(change.back()), .05);
   }
 }
+
+}  // namespace cgp_test::energies_tests

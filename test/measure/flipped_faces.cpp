@@ -8,8 +8,9 @@
 
 #include "support/meshes.h"
 
+namespace cgp_test::flipped_faces_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 TEST(Neighbourhood_normals, of_a_flat_surface_point_up)
 {
@@ -94,3 +95,5 @@ TEST(Flipped_faces, does_not_mind_a_rotation_that_is_expected)
   const Eigen::Matrix3d R = Random(6).rotation();
   EXPECT_EQ(CGP::flipped_faces(mesh, R * mesh.positions(), R * CGP::face_normals(mesh)), 0);
 }
+
+}  // namespace cgp_test::flipped_faces_tests

@@ -8,8 +8,9 @@
 #include "support/meshes.h"
 #include "support/moebius.h"
 
+namespace cgp_test::length_cross_ratio_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 TEST(Log_length_cross_ratios, of_two_triangles_follow_from_their_four_lengths)
 {
@@ -79,3 +80,5 @@ TEST(Length_cross_ratio_change, of_a_triangle_is_none)
   EXPECT_EQ(change.rms, 0);
   EXPECT_EQ(change.max, 0);
 }
+
+}  // namespace cgp_test::length_cross_ratio_tests

@@ -8,17 +8,14 @@
 #include "support/meshes.h"
 #include "support/moebius.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::quasi_conformal_error_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 Points times(const Eigen::Matrix3d& A, const Mesh_view& mesh)
 {
   return A * mesh.positions();
 }
-
-}  // namespace
 
 TEST(Quasi_conformal_errors, of_a_linear_map_are_the_quotient_of_its_singular_values)
 {
@@ -111,3 +108,5 @@ TEST(Quasi_conformal_error, weighs_by_the_old_areas)
   EXPECT_NEAR(Q.p99, 2, 1e-14);
   EXPECT_NEAR(Q.max, 2, 1e-14);
 }
+
+}  // namespace cgp_test::quasi_conformal_error_tests

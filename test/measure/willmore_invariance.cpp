@@ -9,12 +9,11 @@
 #include "support/moebius.h"
 #include "support/tori.h"
 
-namespace {
+namespace cgp_test::willmore_invariance_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
-TEST(Willmore_energy, is_kept_by_inversions_up_to_second_order)
+TEST(Willmore_invariance, is_kept_by_inversions_up_to_second_order)
 {
   // The centres of the specification's magnitude: the torus is not thrown to infinity.
   for (const Eigen::Vector3d& c : {Eigen::Vector3d(.1, .05, 0), Eigen::Vector3d(.2, -.1, .1)}) {
@@ -31,7 +30,7 @@ TEST(Willmore_energy, is_kept_by_inversions_up_to_second_order)
   }
 }
 
-TEST(Willmore_energy, is_kept_by_an_inversion_from_within)
+TEST(Willmore_invariance, is_kept_by_an_inversion_from_within)
 {
   std::vector<double> h, errors;
   for (int n : {48, 96, 192}) {
@@ -43,4 +42,4 @@ TEST(Willmore_energy, is_kept_by_an_inversion_from_within)
   EXPECT_NEAR(slope(h, errors), 2, 0.3);
 }
 
-}  // namespace
+}  // namespace cgp_test::willmore_invariance_tests

@@ -12,10 +12,9 @@
 #include "support/meshes.h"
 #include "support/random_delaunay.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::boundary_frames_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 const Eigen::Vector3d e_z(0, 0, 1);
 
@@ -30,8 +29,6 @@ double tangent_error(const Mesh_view& disk)
   }
   return error;
 }
-
-}  // namespace
 
 TEST(Boundary_frame, is_made_of_any_tangent_and_normal)
 {
@@ -146,3 +143,5 @@ TEST(Boundary_frames, of_a_closed_surface_are_none)
 {
   EXPECT_TRUE(CGP::boundary_frames(icosahedron()).vertices.empty());
 }
+
+}  // namespace cgp_test::boundary_frames_tests

@@ -15,9 +15,8 @@
 #include "support/meshes.h"
 #include "support/thin_faces.h"
 
-namespace {
+namespace cgp_test::surface_ref_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Surface_ref;
 
@@ -57,8 +56,6 @@ void expect_model(const Surface& model)
   }
 }
 
-}  // namespace
-
 TEST(Surface_ref, refers_to_meshes_and_their_triangulations)
 {
   for (const Mesh_view& mesh : {stretched_sphere(), torus(2, 1, 12, 8), disk(4)}) {
@@ -93,7 +90,7 @@ TEST(Surface_ref, is_of_surfaces_only_and_follows_their_positions)
   EXPECT_NEAR(copy.position(3).norm(), 2, 1e-15);
 }
 
-TEST(Boundary_vertices, are_those_of_the_loops)
+TEST(Boundary_vertices_of_a_surface_ref, are_those_of_the_loops)
 {
   const Mesh_view mesh = annulus(.4, 1, 20, 4);
   const std::vector<char> is_boundary = CGP::boundary_vertices(mesh);
@@ -101,3 +98,5 @@ TEST(Boundary_vertices, are_those_of_the_loops)
   const std::vector<char> none = CGP::boundary_vertices(icosphere(1));
   EXPECT_EQ(std::count(none.begin(), none.end(), 0), 42);
 }
+
+}  // namespace cgp_test::surface_ref_tests

@@ -7,11 +7,10 @@
 
 #include "support/meshes.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Loops = std::vector<std::vector<int>>;
+namespace cgp_test::boundary_loops_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Loops = std::vector<std::vector<int>>;
 
 /// the area enclosed by a loop in the plane, positive if it runs counter-clockwise
 double enclosed_area(const Mesh_view& mesh, const std::vector<int>& loop)
@@ -21,8 +20,6 @@ double enclosed_area(const Mesh_view& mesh, const std::vector<int>& loop)
     sum += mesh.position(loop[i]).cross(mesh.position(loop[(i + 1) % loop.size()])).z() / 2;
   return sum;
 }
-
-}  // namespace
 
 TEST(Boundary_loops, of_a_triangle_are_its_corners_in_order)
 {
@@ -89,3 +86,5 @@ TEST(Boundary_vertices, of_a_closed_surface_are_none)
 {
   for (char is_boundary : CGP::boundary_vertices(tetrahedron())) EXPECT_FALSE(is_boundary);
 }
+
+}  // namespace cgp_test::boundary_loops_tests

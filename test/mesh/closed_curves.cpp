@@ -8,9 +8,8 @@
 
 #include "support/bounded_meshes.h"
 
-namespace {
+namespace cgp_test::closed_curves_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Curves = std::vector<std::vector<int>>;
 
@@ -20,8 +19,6 @@ Curves curves(const Mesh_view& mesh, const std::vector<int>& marked)
   for (const int v : marked) is_marked[static_cast<std::size_t>(v)] = 1;
   return CGP::internal::closed_curves(mesh, is_marked, "f");
 }
-
-}  // namespace
 
 TEST(Closed_curves, go_along_edges_from_the_smallest_vertex)
 {
@@ -56,3 +53,5 @@ TEST(Closed_curves, are_refused_where_they_are_open_or_branch)
   EXPECT_NE(refusal({0, 1, 2, 3}).find("2 vertices on no closed curve, the first is vertex 0"),
             std::string::npos);
 }
+
+}  // namespace cgp_test::closed_curves_tests

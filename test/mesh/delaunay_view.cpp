@@ -19,9 +19,8 @@
 #include "support/random.h"
 #include "support/thin_faces.h"
 
-namespace {
+namespace cgp_test::delaunay_view_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Conformal_geometry_processing::Delaunay_view;
 using Conformal_geometry_processing::edge_lengths;
@@ -47,8 +46,6 @@ Eigen::VectorXd areas_by_sheets(const Delaunay_view& view, int faces)
   for (const auto& sheet : view.sheets()) areas[sheet.face] += sheet.share * sheet.area;
   return areas;
 }
-
-}  // namespace
 
 TEST(Delaunay_view, of_a_Delaunay_mesh_has_its_faces_for_sheets)
 {
@@ -255,3 +252,5 @@ TEST(Delaunay_view, splits_caps_along_the_boundary_at_their_height)
     EXPECT_LT(sheet.vectors.rowwise().sum().norm(), 1e-15);
   }
 }
+
+}  // namespace cgp_test::delaunay_view_tests

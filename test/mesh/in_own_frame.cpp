@@ -9,8 +9,9 @@
 
 #include "support/meshes.h"
 
+namespace cgp_test::in_own_frame_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 TEST(In_own_frame, is_of_moderate_size_around_the_origin)
 {
@@ -25,3 +26,5 @@ TEST(In_own_frame, is_of_moderate_size_around_the_origin)
     EXPECT_EQ(CGP::internal::in_own_frame(scaled(mesh, std::ldexp(1., exponent))).positions(),
               wanted.positions());
 }
+
+}  // namespace cgp_test::in_own_frame_tests

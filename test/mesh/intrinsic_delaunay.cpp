@@ -14,9 +14,8 @@
 #include "support/scans.h"
 #include "support/thin_faces.h"
 
-namespace {
+namespace cgp_test::intrinsic_delaunay_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Triangles = CGP::internal::Intrinsic_triangulation;
 
@@ -63,8 +62,6 @@ double least_weight(const Triangles& t)
     }
   return least;
 }
-
-}  // namespace
 
 TEST(Intrinsic_triangulation, has_the_angles_and_areas_of_the_faces)
 {
@@ -219,3 +216,5 @@ TEST(Mollified_lengths, grow_with_the_mesh)
     EXPECT_LT((CGP::mollified_lengths(scaled(mesh, scale), 1e-6).lengths / scale - one).norm(),
               1e-13);
 }
+
+}  // namespace cgp_test::intrinsic_delaunay_tests

@@ -10,8 +10,9 @@
 #include "support/bounded_meshes.h"
 #include "support/meshes.h"
 
+namespace cgp_test::mean_edge_length_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 TEST(Mean_edge_length, counts_inner_edges_once)
 {
@@ -25,3 +26,5 @@ TEST(Mean_edge_length, of_a_regular_solid_is_that_of_each_edge)
   const double edge = (mesh.position(mesh.ends(0)[1]) - mesh.position(mesh.ends(0)[0])).norm();
   EXPECT_NEAR(CGP::mean_edge_length(mesh), edge, 1e-14);
 }
+
+}  // namespace cgp_test::mean_edge_length_tests

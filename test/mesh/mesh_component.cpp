@@ -17,12 +17,9 @@
 
 #include "support/several_components.h"
 
-namespace {
+namespace cgp_test::mesh_component_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
-
-}  // namespace
 
 TEST(Mesh_components, are_the_meshes_that_were_joined_in_the_order_of_their_first_vertices)
 {
@@ -159,3 +156,5 @@ TEST(Mesh_components, of_selected_faces_keep_the_order_of_their_vertices)
     }
   }
 }
+
+}  // namespace cgp_test::mesh_component_tests

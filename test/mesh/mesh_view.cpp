@@ -12,17 +12,14 @@
 
 #include "support/meshes.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::mesh_view_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 std::vector<Mesh_view> sample_meshes()
 {
   return {icosphere(1), torus(2, 1, 5, 4), disk(3), annulus(1, 2, 6, 2), tetrahedron()};
 }
-
-}  // namespace
 
 TEST(Mesh_view, numbers_the_edges_of_two_triangles_by_their_sorted_ends)
 {
@@ -152,8 +149,6 @@ TEST(Mesh_view, can_be_empty)
   }
 }
 
-namespace {
-
 std::string refusal_of(const Mesh_view::Corners& corners)
 {
   try {
@@ -163,8 +158,6 @@ std::string refusal_of(const Mesh_view::Corners& corners)
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Mesh_view, refuses_corners_that_are_no_vertices)
 {
@@ -182,3 +175,5 @@ TEST(Mesh_view, refuses_positions_that_are_not_one_per_vertex)
   EXPECT_THROW(mesh.set_positions(before.leftCols(3)), CGP::Precondition_error);
   EXPECT_EQ(mesh.positions(), before);
 }
+
+}  // namespace cgp_test::mesh_view_tests

@@ -9,8 +9,9 @@
 
 #include "support/meshes.h"
 
+namespace cgp_test::normalized_frame_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using CGP::internal::Normalized_frame;
 
 TEST(Normalized_frame, centres_the_bounding_box)
@@ -97,3 +98,5 @@ TEST(Normalized_frame, reaches_to_the_ends_of_double_precision)
   const Points q = points({{largest / 2, 0, 0}, {largest, 0, 0}});
   EXPECT_TRUE(Normalized_frame(q).to_frame(q).allFinite());
 }
+
+}  // namespace cgp_test::normalized_frame_tests

@@ -7,11 +7,10 @@
 
 #include "support/meshes.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using CGP::internal::Normal_weight;
+namespace cgp_test::normals_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using CGP::internal::Normal_weight;
 
 constexpr Normal_weight all_weights[] = {Normal_weight::area, Normal_weight::angle,
                                          Normal_weight::uniform};
@@ -20,8 +19,6 @@ double greatest_difference(const Points& a, const Points& b)
 {
   return (a - b).colwise().norm().maxCoeff();
 }
-
-}  // namespace
 
 TEST(Face_normals, of_a_flat_counter_clockwise_face_point_up)
 {
@@ -141,3 +138,5 @@ TEST(Vertex_normals, are_zero_where_the_faces_cancel_out)
   for (Normal_weight weight : all_weights)
     EXPECT_EQ(CGP::vertex_normals(pillow, weight), Points::Zero(3, 3));
 }
+
+}  // namespace cgp_test::normals_tests

@@ -10,10 +10,9 @@
 
 #include "support/meshes.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::requirements_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 using Requirement = void (*)(const Mesh_view&, const std::string&);
 
@@ -56,8 +55,6 @@ Mesh_view flat_triangle(double height)
 {
   return {points({{0, 0, 0}, {1, 0, 0}, {.5, height, 0}}), {{0, 1, 2}}};
 }
-
-}  // namespace
 
 TEST(Require_surface, accepts_every_oriented_manifold)
 {
@@ -280,3 +277,5 @@ TEST(Requirements, look_for_defects_that_are_counted)
   EXPECT_EQ(flat.first, 0);
   EXPECT_EQ(CGP::internal::boundary_edges(flat_triangle(1)).count, 3);
 }
+
+}  // namespace cgp_test::requirements_tests

@@ -14,11 +14,10 @@
 #include "support/random.h"
 #include "support/tori.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using CGP::internal::simple_delaunay;
+namespace cgp_test::simple_delaunay_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using CGP::internal::simple_delaunay;
 
 int edges_that_are_not_delaunay(const Mesh_view& mesh)
 {
@@ -35,8 +34,6 @@ Mesh_view stretched(const Mesh_view& mesh, double factor)
     return Eigen::Vector3d(factor * p.x(), p.y(), p.z());
   });
 }
-
-}  // namespace
 
 TEST(Simple_delaunay, of_a_mesh_that_is_delaunay_is_the_mesh)
 {
@@ -87,3 +84,5 @@ TEST(Simple_delaunay, does_not_depend_on_the_size)
   for (const double size : {1e-150, 1e-80, 3., 1e80, 1e150})
     EXPECT_EQ(simple_delaunay(scaled(mesh, size)).corners(), wanted) << size;
 }
+
+}  // namespace cgp_test::simple_delaunay_tests

@@ -7,10 +7,9 @@
 
 #include "support/meshes.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::topology_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 void expect_topology(const Mesh_view& mesh, int components, int loops, int genus)
 {
@@ -26,8 +25,6 @@ void expect_topology(const Mesh_view& mesh, int components, int loops, int genus
   EXPECT_EQ(t.is_sphere(), components == 1 && loops == 0 && genus == 0);
   EXPECT_EQ(t.is_disk(), components == 1 && loops == 1 && genus == 0);
 }
-
-}  // namespace
 
 TEST(Topology, knows_spheres)
 {
@@ -86,3 +83,5 @@ TEST(Connected_components, are_found_whatever_the_numbering)
     EXPECT_EQ(component[at(number[at(v)])] == component[at(number[0])], v < 42);
   EXPECT_EQ(*std::max_element(component.begin(), component.end()), 1);
 }
+
+}  // namespace cgp_test::topology_tests

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-namespace CGP = Conformal_geometry_processing;
+namespace cgp_test::well_shaped_faces_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 /// triangles over the edge from (0, 0) to (1, 0), with an apex each
 CGP::Mesh_view fan(const Eigen::Matrix2Xd& apexes)
@@ -19,8 +19,6 @@ CGP::Mesh_view fan(const Eigen::Matrix2Xd& apexes)
   for (int k = 0; k < apexes.cols(); ++k) corners.push_back({0, 1, 2 + k});
   return {p, corners};
 }
-
-}  // namespace
 
 TEST(Well_shaped_faces, leave_out_the_thinnest_of_at_most_a_twentieth_of_the_area)
 {
@@ -48,3 +46,5 @@ TEST(Well_shaped_faces, are_all_but_those_without_area_where_all_are_thin)
   EXPECT_EQ(sound.mesh.size_of_faces(), 2);
   EXPECT_EQ(sound.share, 1);
 }
+
+}  // namespace cgp_test::well_shaped_faces_tests

@@ -14,12 +14,11 @@
 #include "support/thin_faces.h"
 #include "support/tori.h"
 
+namespace cgp_test::with_opened_faces_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using CGP::internal::simple_delaunay;
 using CGP::internal::with_opened_faces;
-
-namespace {
 
 const double share = 1e-6;
 
@@ -46,8 +45,6 @@ std::vector<Mesh_view> flat_meshes()
           with_thin_faces(torus(2, 1, 24, 12), 0, 0),
           with_thin_faces(disk(5), 0, 0)};
 }
-
-}  // namespace
 
 TEST(With_opened_faces, have_an_area)
 {
@@ -92,3 +89,5 @@ TEST(With_opened_faces, do_not_depend_on_scale)
     EXPECT_LT((found - wanted.positions()).norm(), 1e-14);
   }
 }
+
+}  // namespace cgp_test::with_opened_faces_tests

@@ -8,8 +8,9 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
+namespace cgp_test::averaging_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 TEST(Averaging, takes_the_mean_of_the_corners)
 {
@@ -40,3 +41,5 @@ TEST(Averaging, takes_positions_to_centroids)
   const Points wanted = -points({{-1, -1, 1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, 1}}) / 3;
   EXPECT_LT(greatest_difference(centroids, imaginary_columns(wanted)), 1e-15);
 }
+
+}  // namespace cgp_test::averaging_tests

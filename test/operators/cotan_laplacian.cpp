@@ -12,8 +12,9 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
+namespace cgp_test::cotan_laplacian_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 TEST(Cotangent, of_the_angle_opposite_a_halfedge)
 {
@@ -117,3 +118,5 @@ TEST(Cotan_laplacian, can_share_its_pattern_with_other_matrices)
   EXPECT_EQ(L.shared_pattern(), pattern);
   EXPECT_EQ(dense(L), dense(CGP::cotan_laplacian(mesh)));
 }
+
+}  // namespace cgp_test::cotan_laplacian_tests

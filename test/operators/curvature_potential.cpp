@@ -8,8 +8,9 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
+namespace cgp_test::curvature_potential_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using CGP::Curvature_potential;
 
 TEST(Curvature_potential, on_faces_is_the_same_at_the_three_corners)
@@ -73,3 +74,5 @@ TEST(Mean_of_a_potential, weighs_by_area)
   EXPECT_NEAR(CGP::mean(mesh, Curvature_potential::on_vertices(Eigen::Vector4d(1, 2, 6, 10))), 4,
               1e-14);
 }
+
+}  // namespace cgp_test::curvature_potential_tests

@@ -20,9 +20,8 @@
 #include "support/meshes.h"
 #include "support/thin_faces.h"
 
-namespace {
+namespace cgp_test::delaunay_operators_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using CGP::Delaunay_view;
@@ -56,8 +55,6 @@ Mesh_view stretched_sphere()
   return mapped(bumpy_sphere(1),
                 [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), 5 * p.y(), p.z()); });
 }
-
-}  // namespace
 
 TEST(Delaunay_operators, are_those_of_the_mesh_where_that_is_Delaunay)
 {
@@ -198,3 +195,5 @@ TEST(Delaunay_operators, add_what_a_triangle_with_one_corner_twice_has)
   EXPECT_LT((real_part(dense(X)) - L).cwiseAbs().maxCoeff(), 1e-13);
   EXPECT_GT(eigenvalues(X).minCoeff(), -1e-14);
 }
+
+}  // namespace cgp_test::delaunay_operators_tests

@@ -8,11 +8,10 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Q = Quaternion<double>;
+namespace cgp_test::dirac_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Q = Quaternion<double>;
 
 std::vector<Mesh_view> sample_meshes()
 {
@@ -35,8 +34,6 @@ Quaternion_matrix averages(const Mesh_view& mesh)
     for (int v : mesh.corners(f)) B(f, v) = {1. / 3, 0, 0, 0};
   return B;
 }
-
-}  // namespace
 
 TEST(Dirac, of_a_triangle_has_minus_its_edges_over_twice_the_area)
 {
@@ -156,3 +153,5 @@ TEST(Dirac, changes_sign_with_the_orientation)
                                 Quaternion_matrix(-1. * dense(CGP::dirac(mesh)))),
             1e-15);
 }
+
+}  // namespace cgp_test::dirac_tests

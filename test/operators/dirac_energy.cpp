@@ -16,12 +16,11 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
+namespace cgp_test::dirac_energy_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using CGP::Curvature_potential;
 using Q = Quaternion<double>;
-
-namespace {
 
 std::vector<Mesh_view> sample_meshes()
 {
@@ -49,8 +48,6 @@ void expect_entries(const CGP::Hermitian_sparse_matrix<Q>& X, const Q (&wanted)[
       EXPECT_LT(norm(X.coefficient(j, i) - conjugate(wanted[k])), 1e-15) << i << " " << j;
     }
 }
-
-}  // namespace
 
 TEST(Dirac_energy, of_a_triangle_with_rho_on_its_face_is_as_computed_by_hand)
 {
@@ -227,3 +224,5 @@ TEST(Dirac_form, grows_with_the_unit_of_length)
       dense(CGP::dirac_form(scaled(mesh, 4), Curvature_potential::on_faces(rho / 4)));
   EXPECT_LT(relative_difference(larger, Quaternion_matrix(4. * K)), 1e-15);
 }
+
+}  // namespace cgp_test::dirac_energy_tests

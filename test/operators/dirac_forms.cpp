@@ -13,9 +13,8 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::dirac_forms_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 
@@ -59,8 +58,6 @@ void expect_forms_of_the_matrices(const Curvature_potential& rho)
   EXPECT_LT(relative_difference(forms.dirac, hermitian_part(form(V, A))), 1e-13);
   EXPECT_LT(relative_difference(forms.mass, form(V, B)), 1e-13);
 }
-
-}  // namespace
 
 TEST(Dirac_forms, are_those_of_the_assembled_matrices_for_rho_on_faces)
 {
@@ -171,3 +168,5 @@ TEST(Potential_quotient, is_what_rho_takes_from_the_dirac_quotient)
                 CGP::dirac_quotient(bumps, none, lambda) - CGP::dirac_quotient(bumps, rho, lambda),
                 1e-12);
 }
+
+}  // namespace cgp_test::dirac_forms_tests

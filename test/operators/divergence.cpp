@@ -7,8 +7,9 @@
 
 #include "support/meshes.h"
 
+namespace cgp_test::divergence_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 TEST(Differential, is_the_value_at_the_larger_end_minus_that_at_the_smaller)
 {
@@ -61,3 +62,5 @@ TEST(Codifferential, is_adjoint_to_the_difference)
   EXPECT_NEAR(f.dot(CGP::codifferential(mesh, w, omega)),
               CGP::differential(mesh, f).col(0).dot(w.cwiseProduct(omega)), 1e-12);
 }
+
+}  // namespace cgp_test::divergence_tests

@@ -9,17 +9,14 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::exterior_derivative_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 std::vector<Mesh_view> sample_meshes()
 {
   return {perturbed(icosphere(1), .3), perturbed(disk(3), .1), torus(2, 1, 6, 5), double_torus()};
 }
-
-}  // namespace
 
 TEST(Exterior_derivative_0, is_the_difference_from_the_smaller_to_the_larger_vertex)
 {
@@ -73,3 +70,5 @@ TEST(Hodge_star_2, is_one_over_the_area_of_each_face)
   EXPECT_EQ(CGP::hodge_star_2(single_triangle())[0], 1);
   EXPECT_EQ(CGP::hodge_star_2(unit_square()), Eigen::Vector2d(2, 2));
 }
+
+}  // namespace cgp_test::exterior_derivative_tests

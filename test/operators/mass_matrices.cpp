@@ -7,10 +7,9 @@
 
 #include "support/meshes.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::mass_matrices_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 /// the area of the points of a triangle that are nearest to corner 0, by counting a fine grid
 double nearest_area_by_counting(const Mesh_view& triangle, int n)
@@ -27,8 +26,6 @@ double nearest_area_by_counting(const Mesh_view& triangle, int n)
       }
   return area(triangle) * count / (double(n) * n);
 }
-
-}  // namespace
 
 TEST(Face_areas, of_known_triangles)
 {
@@ -95,3 +92,5 @@ TEST(Areas, grow_with_the_square_of_the_unit_also_beyond_the_roots_of_the_number
     EXPECT_LT((CGP::voronoi_areas(other) / unit / unit - CGP::voronoi_areas(mesh)).norm(), 1e-13);
   }
 }
+
+}  // namespace cgp_test::mass_matrices_tests

@@ -10,10 +10,9 @@
 #include "support/meshes.h"
 #include "support/torus_spectrum.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::mean_curvature_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 /// (1/r + cos v / (R + r cos v)) / 2 at the points of the torus of revolution
 Eigen::VectorXd curvature_of_torus(const Mesh_view& mesh, double R, double r)
@@ -30,8 +29,6 @@ double root_of_mean_square(const Eigen::VectorXd& x)
 {
   return x.norm() / std::sqrt(static_cast<double>(x.size()));
 }
-
-}  // namespace
 
 TEST(Mean_curvature, is_one_on_the_unit_sphere)
 {
@@ -153,3 +150,5 @@ TEST(Mean_curvature_half_density, has_no_unit)
           .norm(),
       1e-13);
 }
+
+}  // namespace cgp_test::mean_curvature_tests

@@ -15,10 +15,9 @@
 #include "support/meshes.h"
 #include "threads/threads.h"
 
-namespace {
+namespace cgp_test::sheet_loops_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using CGP::internal::Index_range;
 
 /// 4412 vertices, large enough for several ranges, first in an order that keeps neighbours
@@ -114,4 +113,4 @@ TEST_P(Sheet_loops, give_operators_the_same_bits_for_any_number_of_threads)
   expect_the_same_bits(CGP::Delaunay_view(mesh), at_vertices);
 }
 
-}  // namespace
+}  // namespace cgp_test::sheet_loops_tests

@@ -7,8 +7,9 @@
 
 #include "support/meshes.h"
 
+namespace cgp_test::vertex_graph_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 TEST(Vertex_graph, of_two_triangles_has_columns_of_a_diagonal_and_the_larger_neighbours)
 {
@@ -47,3 +48,5 @@ TEST(Vertex_graph, of_nothing_is_empty)
 {
   EXPECT_EQ(CGP::vertex_graph(Mesh_view())->size(), 0);
 }
+
+}  // namespace cgp_test::vertex_graph_tests

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace cgp_test::gray_image_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using CGP::Gray_image;
@@ -21,8 +21,6 @@ Gray_image four_pixels()
   rows << 0, 1, 2, 3;
   return Gray_image(rows);
 }
-
-}  // namespace
 
 TEST(Gray_image, has_its_pixels_where_they_are_seen)
 {
@@ -81,3 +79,5 @@ TEST(Gray_image, has_pixels)
 {
   EXPECT_THROW(Gray_image(Eigen::ArrayXXd(0, 3)), CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::gray_image_tests

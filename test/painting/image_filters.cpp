@@ -13,7 +13,7 @@
 
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::image_filters_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_band;
@@ -59,8 +59,6 @@ double greatest(const Pixels& difference)
 {
   return difference.abs().maxCoeff();
 }
-
-}  // namespace
 
 TEST(Blurred, is_the_mean_weighted_by_the_gauss_function_also_at_the_border)
 {
@@ -142,3 +140,5 @@ TEST(Blurred, refuses_radii_out_of_range)
     EXPECT_THROW((void)CGP::filtered(image, Curvature_band::low, radius), CGP::Precondition_error);
   }
 }
+
+}  // namespace cgp_test::image_filters_tests

@@ -12,9 +12,8 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::conformal_energy_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Complex = std::complex<double>;
 
@@ -34,8 +33,6 @@ double energy(const Mesh_view& mesh, const Eigen::VectorXcd& z)
 {
   return std::real(z.dot(CGP::conformal_energy(mesh) * z));
 }
-
-}  // namespace
 
 TEST(Conformal_energy, is_that_of_least_squares_conformal_maps)
 {
@@ -62,3 +59,5 @@ TEST(Conformal_energy, does_not_change_with_the_scale_of_the_surface)
   const Eigen::MatrixXcd L = dense(CGP::conformal_energy(mesh));
   EXPECT_LT((dense(CGP::conformal_energy(scaled(mesh, 1e5))) - L).norm(), 1e-12 * L.norm());
 }
+
+}  // namespace cgp_test::conformal_energy_tests

@@ -11,12 +11,9 @@
 
 #include "support/bounded_meshes.h"
 
-namespace {
+namespace cgp_test::normalized_boundary_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
-
-}  // namespace
 
 TEST(Normalized_loops, begin_with_the_longest_one_wherever_it_is)
 {
@@ -55,3 +52,5 @@ TEST(Circle_maps, go_round_evenly_in_length_and_are_zero_inside)
     }
   EXPECT_NEAR(z.squaredNorm(), 3 * 24, 1e-12);
 }
+
+}  // namespace cgp_test::normalized_boundary_tests

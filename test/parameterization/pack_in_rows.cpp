@@ -14,12 +14,9 @@
 #include "support/random.h"
 #include "support/several_components.h"
 
-namespace {
+namespace cgp_test::pack_in_rows_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
-
-}  // namespace
 
 TEST(Pack_in_rows, puts_the_highest_one_first_and_begins_rows_where_the_last_one_ends)
 {
@@ -76,3 +73,5 @@ TEST(Place_side_by_side, has_nothing_to_do_with_nothing)
   CGP::place_side_by_side({}, z);
   EXPECT_EQ(z.size(), 0);
 }
+
+}  // namespace cgp_test::pack_in_rows_tests

@@ -9,13 +9,10 @@
 
 #include "flat_maps.h"
 
-namespace {
+namespace cgp_test::place_in_plane_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Complex = std::complex<double>;
-
-}  // namespace
 
 TEST(Place_in_plane, finds_the_same_image_for_all_similar_ones)
 {
@@ -52,3 +49,5 @@ TEST(In_space, has_height_zero)
   z << Complex(2, 3);
   EXPECT_EQ(CGP::in_space(z).col(0), Eigen::Vector3d(2, 3, 0));
 }
+
+}  // namespace cgp_test::place_in_plane_tests

@@ -14,9 +14,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::planar_directions_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 CGP::Spin_result flattened(const Mesh_view& mesh)
@@ -30,8 +29,6 @@ double height_over_width(const Points& p)
   const Eigen::Vector3d extent = p.rowwise().maxCoeff() - p.rowwise().minCoeff();
   return extent.z() / extent.x();
 }
-
-}  // namespace
 
 TEST(Planar_directions, of_a_flat_surface_are_those_it_has_up_to_one_turn)
 {
@@ -99,3 +96,5 @@ TEST(Turning_angles, of_a_square_are_right_angles_at_its_corners)
   for (Eigen::Index k = 0; k < turn.size(); ++k)
     EXPECT_NEAR(turn[k], k % 2 == 0 ? pi / 2 : 0, 1e-14);
 }
+
+}  // namespace cgp_test::planar_directions_tests

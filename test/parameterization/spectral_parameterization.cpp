@@ -22,9 +22,8 @@
 #include "support/decompositions.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::spectral_parameterization_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Normals = CGP::Parameterization_options::Normals;
 
@@ -64,8 +63,6 @@ double distance_from_disk(const CGP::internal::Parameterization_result& result,
 {
   return CGP::align(CGP::in_space(result.z), disk.positions()).rms;
 }
-
-}  // namespace
 
 TEST(Spectral_parameterization, of_caps_has_the_distortion_of_the_reference_implementation)
 {
@@ -244,8 +241,6 @@ TEST(Spectral_parameterization, refuses_what_has_no_boundary_or_is_no_surface)
   EXPECT_NE(refused({Points::Zero(3, 0), {}}).find("no faces"), std::string::npos);
 }
 
-namespace {
-
 CGP::Solver_status failure;
 int tries = 0;
 
@@ -275,8 +270,6 @@ std::string message_of_failure(CGP::Solver_status status)
   return "not thrown";
 }
 
-}  // namespace
-
 TEST(Spectral_parameterization, throws_if_the_solver_fails)
 {
   const std::string indefinite = message_of_failure(CGP::Solver_status::not_positive_definite);
@@ -298,3 +291,5 @@ TEST(Parameterization_report, is_written_in_words)
   EXPECT_NE(text.str().find("eigenvector            found"), std::string::npos);
   EXPECT_NE(text.str().find("flipped faces          0\n"), std::string::npos);
 }
+
+}  // namespace cgp_test::spectral_parameterization_tests

@@ -15,9 +15,8 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::vertex_normal_energy_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 double energy(const Mesh_view& mesh, const Points& normals, const Eigen::VectorXcd& z)
@@ -49,8 +48,6 @@ Eigen::VectorXcd random_map(int n, std::uint64_t seed)
   return random_numbers(n, seed) +
          std::complex<double>(0, 1) * random_numbers(n, seed + 1).cast<std::complex<double>>();
 }
-
-}  // namespace
 
 TEST(Vertex_normal_energy, is_that_of_the_dirac_operator_along_the_faces)
 {
@@ -94,3 +91,5 @@ TEST(Vertex_normal_energy, of_a_bent_mesh_is_zero_for_the_constant_1_but_not_for
       std::abs(energy(mesh, normals, std::complex<double>(0, 1) * z) - energy(mesh, normals, z)),
       1e-6);
 }
+
+}  // namespace cgp_test::vertex_normal_energy_tests

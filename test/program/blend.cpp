@@ -10,7 +10,7 @@
 
 #include <complex>
 
-namespace {
+namespace cgp_test::blend_tests {
 
 using namespace program_test;
 using cgp_test::bumpy_sphere;
@@ -143,4 +143,4 @@ TEST_F(Blend, refuses_what_does_not_fit)
   EXPECT_FALSE(has("c.off"));
 }
 
-}  // namespace
+}  // namespace cgp_test::blend_tests

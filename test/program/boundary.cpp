@@ -9,7 +9,7 @@
 #include <cmath>
 #include <complex>
 
-namespace {
+namespace cgp_test::boundary_tests {
 
 using namespace program_test;
 using cgp_test::disk;
@@ -223,4 +223,4 @@ TEST_F(Boundary, target_that_is_folded_has_no_direction_there)
   EXPECT_TRUE(fails(run("boundary a.off -o b.ply --tangents-from t.off"), 4, "at vertex 10,"));
 }
 
-}  // namespace
+}  // namespace cgp_test::boundary_tests

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::boundary_curves_tests {
 
 using namespace program_test;
 using cgp_test::disk;
@@ -120,4 +120,4 @@ TEST_F(Curves, without_a_direction_name_the_vertex)
                     "curve 0 has no direction at vertex 3"));
 }
 
-}  // namespace
+}  // namespace cgp_test::boundary_curves_tests

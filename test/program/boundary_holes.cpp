@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::boundary_holes_tests {
 
 using namespace program_test;
 namespace CGP = Conformal_geometry_processing;
@@ -79,4 +79,4 @@ TEST_F(Boundary_of_a_ring, yields_positions_to_conformality_by_their_weight)
   EXPECT_NEAR(Q, 1.3, .02);
 }
 
-}  // namespace
+}  // namespace cgp_test::boundary_holes_tests

@@ -9,7 +9,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace {
+namespace cgp_test::boundary_positions_tests {
 
 using namespace program_test;
 using cgp_test::disk;
@@ -121,4 +121,4 @@ TEST_F(Curves_inside, want_positions)
       fails(run("boundary a.off --tangent-rotation 0 -o b.ply" + circle), 2, "--positions-from"));
 }
 
-}  // namespace
+}  // namespace cgp_test::boundary_positions_tests

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::bounded_surfaces_tests {
 
 using namespace program_test;
 using cgp_test::disk;
@@ -140,4 +140,4 @@ TEST_F(Bounded, a_single_triangle_is_no_accident)
   }
 }
 
-}  // namespace
+}  // namespace cgp_test::bounded_surfaces_tests

@@ -1,4 +1,4 @@
-// Tests examples/conformal/Command_line.cpp examples/conformal/commands/commands.cpp
+// Tests examples/conformal/Command_line.cpp
 // Tests examples/conformal/run.cpp examples/conformal/process/versions.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace {
+namespace cgp_test::command_line_tests {
 
 using namespace program_test;
 
@@ -50,6 +50,17 @@ TEST_F(Command_line, nonsense_is_a_usage_error_of_one_line)
         fails(run("spin a.off -o b.ply --rho-expression x --lambda \"" + name + '"'), 2, "word"));
   EXPECT_TRUE(
       fails(run("spin a.off -o b.ply --rho-expression x --projection w"), 2, "{uv,x,y,z,sphere}"));
+}
+
+TEST_F(Command_line, tells_how_to_build_the_commands_that_were_not)
+{
+  const std::string small = CGP_PROGRAM_OF_ONE_COMMAND " ";
+  EXPECT_TRUE(fails(shell(small + "flow a.off"), 2, "built without 'flow'; try: cmake"));
+  EXPECT_TRUE(fails(shell(small + "bend a.off"), 2, "unknown command 'bend'"));
+  const Program_run help = shell(small + "--help");
+  EXPECT_NE(help.out.find("Built without info, deform"), std::string::npos) << help.out;
+  EXPECT_EQ(run("--help").out.find("Built without"), std::string::npos);
+  EXPECT_TRUE(shell(small + "spin --help").out == run("spin --help").out);
 }
 
 TEST_F(Command_line, numbers_that_no_work_could_use_are_usage_errors)
@@ -199,4 +210,4 @@ TEST_F(Command_line, a_limit_on_the_size_of_files_is_a_write_error)
   EXPECT_EQ(temporary_files(), 0u);
 }
 
-}  // namespace
+}  // namespace cgp_test::command_line_tests

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace cgp_test::compare_tests {
 
 using namespace program_test;
 
@@ -73,4 +73,4 @@ TEST_F(Compare, other_faces_are_refused_with_the_first_difference)
   EXPECT_TRUE(fails(run("compare a.off c.off"), 4, "face 3 has the vertices"));
 }
 
-}  // namespace
+}  // namespace cgp_test::compare_tests

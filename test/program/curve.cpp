@@ -11,7 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace cgp_test::curve_tests {
 
 using namespace program_test;
 using cgp_test::Curve;
@@ -244,4 +244,4 @@ TEST_F(Curve_command, help_has_an_example)
   EXPECT_NE(r.out.find("Example: conformal curve"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace cgp_test::curve_tests

@@ -8,7 +8,7 @@
 #include "support/limbs.h"
 #include "support/several_components.h"
 
-namespace {
+namespace cgp_test::deform_tests {
 
 using namespace program_test;
 using Deform = Bounded_program;
@@ -33,8 +33,6 @@ std::string targets(const cgp_test::Mesh_view& mesh, int count, double radii)
             "}";
   return "{\"targets\": [" + text + "]}";
 }
-
-}  // namespace
 
 TEST_F(Deform, moves_vertices_to_their_targets)
 {
@@ -143,3 +141,5 @@ TEST_F(Deform, names_the_target_that_makes_no_sense)
   is_refused(good + R"({"vertices": [1, 2], "turn": [0, 0, 0, 9]})", 3, "without an axis");
   EXPECT_TRUE(fails(run("deform a.off --targets none.json -o b.ply"), 3, "none.json"));
 }
+
+}  // namespace cgp_test::deform_tests

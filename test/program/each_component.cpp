@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace cgp_test::each_component_tests {
 
 using namespace program_test;
 using cgp_test::Joined_meshes;
@@ -272,4 +272,4 @@ TEST_F(Each_component, has_boundary_conditions_targets_and_differences_of_its_ow
     EXPECT_LT((points("e.ply", vertices) - points("a.off", vertices)).cwiseAbs().maxCoeff(), .05);
 }
 
-}  // namespace
+}  // namespace cgp_test::each_component_tests

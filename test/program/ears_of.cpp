@@ -11,7 +11,7 @@
 #include <cmath>
 #include <functional>
 
-namespace {
+namespace cgp_test::ears_of_tests {
 
 using namespace conformal;
 
@@ -71,4 +71,4 @@ TEST(Ears_of, of_polygons_that_cross_themselves_end)
   EXPECT_EQ(ears_of(Plane_polygon(1000, Eigen::Vector2d(1, 2))).size(), 998u);
 }
 
-}  // namespace
+}  // namespace cgp_test::ears_of_tests

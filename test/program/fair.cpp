@@ -8,7 +8,7 @@
 #include "support/several_components.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::fair_tests {
 
 using namespace program_test;
 using Fair = Bounded_program;
@@ -46,8 +46,6 @@ double distance_from_unit_sphere(const Points& p)
       return ::testing::AssertionFailure() << "vertex " << v << " has moved";
   return ::testing::AssertionSuccess();
 }
-
-}  // namespace
 
 TEST_F(Fair, takes_a_dent_out_of_a_sphere)
 {
@@ -112,3 +110,5 @@ TEST_F(Fair, refuses_what_is_no_region)
   is_refused("--region-property none", 4, "none");
   is_refused("--region-expression 'z-.4' --max-quasi-conformal 1", 1, "quasi-conformal");
 }
+
+}  // namespace cgp_test::fair_tests

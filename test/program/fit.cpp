@@ -11,7 +11,7 @@
 #include "support/thin_faces.h"
 #include "support/tori.h"
 
-namespace {
+namespace cgp_test::fit_tests {
 
 using namespace program_test;
 using Fit = Bounded_program;
@@ -183,4 +183,4 @@ TEST_F(Fit, writes_what_does_not_verify_only_by_force)
   EXPECT_EQ(temporary_files(), 0u);
 }
 
-}  // namespace
+}  // namespace cgp_test::fit_tests

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::flatten_tests {
 
 using namespace program_test;
 using cgp_test::cap_from_disk;
@@ -152,4 +152,4 @@ TEST_F(Flatten, counts_flips_among_what_does_not_verify)
                     "the share of flipped faces"));
 }
 
-}  // namespace
+}  // namespace cgp_test::flatten_tests

@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
+namespace cgp_test::flatten_closed_tests {
 
 using namespace program_test;
 using cgp_test::Mesh_view;
@@ -140,4 +140,4 @@ TEST_F(Flatten_closed, takes_handles_polygons_and_cones)
   EXPECT_TRUE(fails(run("flatten cube.off --cones 3 -o d.off"), 4, "--cones"));
 }
 
-}  // namespace
+}  // namespace cgp_test::flatten_closed_tests

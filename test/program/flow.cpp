@@ -14,7 +14,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::flow_tests {
 
 using namespace program_test;
 using conformal::read_surface;
@@ -293,4 +293,4 @@ TEST_F(Flow, help_tells_about_signals)
   EXPECT_NE(r.out.find("Example: conformal flow"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace cgp_test::flow_tests

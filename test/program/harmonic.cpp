@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace cgp_test::harmonic_tests {
 
 using namespace program_test;
 using conformal::read_surface;
@@ -164,4 +164,4 @@ TEST_F(Harmonic, has_help_with_an_example)
   EXPECT_NE(r.out.find("Example: conformal harmonic"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace cgp_test::harmonic_tests

@@ -20,7 +20,7 @@
 #include <set>
 #include <string>
 
-namespace {
+namespace cgp_test::html_report_tests {
 
 using namespace program_test;
 using namespace std::string_literals;
@@ -234,4 +234,4 @@ TEST(Conformal_charts, are_there_for_a_single_triangle)
   EXPECT_LT(quasi_conformal_error(mesh, 0, conformal::conformal_charts(mesh)), 1 + 1e-9);
 }
 
-}  // namespace
+}  // namespace cgp_test::html_report_tests

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::machine_memory_tests {
 
 using namespace program_test;
 
@@ -78,4 +78,4 @@ TEST_F(Machine_memory, of_this_machine_is_positive_and_finite)
   EXPECT_TRUE(std::isfinite(conformal::machine_memory()));
 }
 
-}  // namespace
+}  // namespace cgp_test::machine_memory_tests

@@ -4,7 +4,7 @@
 #include "program/support.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::memory_tests {
 
 using namespace program_test;
 
@@ -22,4 +22,4 @@ TEST_F(Memory, has_a_limit_beyond_which_the_work_ends_with_a_reason)
   EXPECT_EQ(run(spin + "--max-memory .01").code, 2);
 }
 
-}  // namespace
+}  // namespace cgp_test::memory_tests

@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace {
+namespace cgp_test::mend_flat_faces_tests {
 
 using namespace program_test;
 using namespace conformal;
@@ -59,8 +59,6 @@ double area(const Surface_input& input)
     sum += input.mesh.double_area_vector(f).norm() / 2;
   return sum;
 }
-
-}  // namespace
 
 TEST(Mend_flat_faces, flips_the_edge_opposite_the_obtuse_corner)
 {
@@ -272,3 +270,5 @@ TEST(Mend_flat_faces, mends_at_any_scale)
     EXPECT_EQ(repaired(off_of(points, faces_with_cap)).done.flipped_edges, 1) << scale;
   }
 }
+
+}  // namespace cgp_test::mend_flat_faces_tests

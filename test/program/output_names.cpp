@@ -4,7 +4,7 @@
 #include "program/support.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::output_names_tests {
 
 using namespace program_test;
 
@@ -108,4 +108,4 @@ TEST_F(Output_names, an_output_has_a_name)
   EXPECT_EQ(piped.out.substr(0, 1), "{") << piped.err;
 }
 
-}  // namespace
+}  // namespace cgp_test::output_names_tests

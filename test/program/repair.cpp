@@ -19,15 +19,13 @@
 
 #include <set>
 
-namespace {
+namespace cgp_test::repair_tests {
 
 using namespace program_test;
 using namespace conformal;
 
 const std::vector<Point> corners_of_a_fan = {
     {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}};
-
-}  // namespace
 
 TEST(Repair, leaves_a_good_surface_as_it_is)
 {
@@ -246,3 +244,5 @@ TEST(Repair, of_a_repaired_file_changes_nothing_more)
   EXPECT_EQ(file.points, once.points);
   EXPECT_EQ(file.polygons.corners, once.polygons.corners);
 }
+
+}  // namespace cgp_test::repair_tests

@@ -8,7 +8,7 @@
 #include "program/repair_support.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::repair_alike_tests {
 
 using namespace program_test;
 using namespace conformal;
@@ -88,8 +88,6 @@ class Repaired_alike : public Bounded_program {
   cgp_test::Mesh_view m_a, m_b;
 };
 
-}  // namespace
-
 TEST(Repair_alike, splits_the_same_face)
 {
   std::vector<Point> bent = cap;
@@ -164,3 +162,5 @@ TEST_F(Repaired_alike, a_sound_surface_leaves_the_second_as_it_is)
   EXPECT_EQ(repaired.err, plain.err);
   EXPECT_EQ(content(path("c.ply")), content(path("d.ply")));
 }
+
+}  // namespace cgp_test::repair_alike_tests

@@ -14,7 +14,7 @@
 #include <random>
 #include <set>
 
-namespace {
+namespace cgp_test::repair_random_tests {
 
 using namespace program_test;
 using namespace conformal;
@@ -188,8 +188,6 @@ void expect_repaired(const CGP::Mesh_view& mesh, unsigned seed, int times)
   EXPECT_EQ(file.polygons.corners, once.polygons.corners) << "seed " << seed;
 }
 
-}  // namespace
-
 TEST(Repair_of_random_damage, leaves_an_oriented_manifold_without_flat_faces)
 {
   const CGP::Mesh_view sphere = cgp_test::icosphere(1), disk = cgp_test::disk(3);
@@ -198,3 +196,5 @@ TEST(Repair_of_random_damage, leaves_an_oriented_manifold_without_flat_faces)
     expect_repaired(disk, seed, 1 + static_cast<int>(seed % 40));
   }
 }
+
+}  // namespace cgp_test::repair_random_tests

@@ -16,7 +16,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::rho_tests {
 
 using namespace program_test;
 using namespace conformal;
@@ -281,4 +281,4 @@ TEST_F(Rho, generalized_problem_wants_it_on_faces)
   EXPECT_EQ(run(spin + " --on faces").code, 0);
 }
 
-}  // namespace
+}  // namespace cgp_test::rho_tests

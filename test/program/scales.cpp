@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::scales_tests {
 
 using namespace program_test;
 using cgp_test::Mesh_view;
@@ -159,4 +159,4 @@ TEST_F(Scales, of_surfaces_with_boundary_and_their_targets_do_not_matter)
                "deform a.off --targets t.json", "fair a.off --region-expression z-.1"});
 }
 
-}  // namespace
+}  // namespace cgp_test::scales_tests

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace cgp_test::spectrum_tests {
 
 using namespace program_test;
 
@@ -129,4 +129,4 @@ TEST_F(Sphere, refuses_numbers_that_do_not_belong_to_one)
   EXPECT_FALSE(has("a.ply"));
 }
 
-}  // namespace
+}  // namespace cgp_test::spectrum_tests

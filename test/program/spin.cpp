@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace cgp_test::spin_tests {
 
 using namespace program_test;
 using conformal::read_surface;
@@ -288,4 +288,4 @@ TEST_F(Spin, every_format_is_written)
     EXPECT_EQ(run("spin a.off --rho-expression x -o " + name).code, 0) << name;
 }
 
-}  // namespace
+}  // namespace cgp_test::spin_tests

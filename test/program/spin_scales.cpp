@@ -9,7 +9,7 @@
 #include "support/limbs.h"
 #include "support/tori.h"
 
-namespace {
+namespace cgp_test::spin_scales_tests {
 
 using namespace program_test;
 
@@ -62,8 +62,6 @@ TEST_F(Spin_scales, sizes_can_be_wanted_and_locked)
                     "factors of lengths"));
 }
 
-}  // namespace
-
 TEST_F(Spin_scales, exact_class_keeps_length_cross_ratios_with_and_without_a_bound)
 {
   write("a.off", off(cgp_test::irregular_torus(2, 1, 24, 12)));
@@ -81,3 +79,5 @@ TEST_F(Spin_scales, exact_class_keeps_length_cross_ratios_with_and_without_a_bou
     EXPECT_FALSE(read_json("b.json")["result"].contains("exact_class"));
   }
 }
+
+}  // namespace cgp_test::spin_scales_tests

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace cgp_test::split_tests {
 
 using namespace program_test;
 using conformal::read_surface;
@@ -61,4 +61,4 @@ TEST_F(Split, leaves_out_crumbs_and_overwrites_no_input)
   EXPECT_FALSE(has("c_0001.off"));
 }
 
-}  // namespace
+}  // namespace cgp_test::split_tests

@@ -20,7 +20,7 @@
 #include <cmath>
 #include <string>
 
-namespace {
+namespace cgp_test::studio_tests {
 
 using namespace program_test;
 namespace CGP = Conformal_geometry_processing;
@@ -207,4 +207,4 @@ TEST(Built_in_shapes, are_surfaces_of_each_kind)
   EXPECT_FALSE(CGP::topology(shapes[3].mesh).is_closed());
 }
 
-}  // namespace
+}  // namespace cgp_test::studio_tests

@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace {
+namespace cgp_test::suggested_factor_tests {
 
 using namespace program_test;
 
@@ -46,4 +46,4 @@ TEST_F(Suggested_factor, is_left_out_where_nothing_smaller_verifies)
   EXPECT_EQ(r.err.find("with which it verifies"), std::string::npos) << r.err;
 }
 
-}  // namespace
+}  // namespace cgp_test::suggested_factor_tests

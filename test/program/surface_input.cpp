@@ -12,7 +12,7 @@
 
 #include <Conformal_geometry_processing/measure/energies.h>
 
-namespace {
+namespace cgp_test::surface_input_tests {
 
 using namespace program_test;
 using namespace conformal;
@@ -98,4 +98,4 @@ TEST(Surface_input, leaves_vertices_without_faces_out)
   EXPECT_EQ(to_file_vertices(input, Eigen::VectorXd::Ones(12), 5)[1], 5);
 }
 
-}  // namespace
+}  // namespace cgp_test::surface_input_tests

@@ -10,7 +10,7 @@
 
 #include <set>
 
-namespace {
+namespace cgp_test::threads_tests {
 
 using namespace program_test;
 
@@ -62,4 +62,4 @@ TEST_F(Threads, of_the_blas_change_the_last_digits_at_most)
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(one[v][i], two[v][i], 2e-10);
 }
 
-}  // namespace
+}  // namespace cgp_test::threads_tests

@@ -8,7 +8,7 @@
 #include "support/spheres.h"
 #include "support/tori.h"
 
-namespace {
+namespace cgp_test::unsuitable_tests {
 
 using namespace program_test;
 
@@ -117,4 +117,4 @@ TEST_F(Unsuitable, info_measures_a_cube_of_any_size)
   }
 }
 
-}  // namespace
+}  // namespace cgp_test::unsuitable_tests

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace {
+namespace cgp_test::verification_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -78,4 +78,4 @@ TEST(Verification, objects_to_each_fault_and_to_what_is_no_number)
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace cgp_test::verification_tests

@@ -6,7 +6,7 @@
 #include "program/support.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::write_result_tests {
 
 using namespace program_test;
 using conformal::read_surface;
@@ -24,4 +24,4 @@ TEST_F(Write_result, normals_of_before_are_left_out_and_that_is_told)
   EXPECT_EQ(find_property(read_surface(path("b.ply")).faces, "nx"), nullptr);
 }
 
-}  // namespace
+}  // namespace cgp_test::write_result_tests

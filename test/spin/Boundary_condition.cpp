@@ -9,9 +9,8 @@
 
 #include "support/mesh_tools.h"
 
-namespace {
+namespace cgp_test::boundary_condition_tests {
 
-using namespace cgp_test;
 using Conformal_geometry_processing::Boundary_condition;
 using Kind = Boundary_condition::Kind;
 
@@ -19,8 +18,6 @@ Points constant(int count, double x = 1)
 {
   return Eigen::Vector3d(x, 0, 0).replicate(1, count);
 }
-
-}  // namespace
 
 TEST(Boundary_condition, of_each_kind_has_what_it_needs)
 {
@@ -46,3 +43,5 @@ TEST(Boundary_condition, is_self_adjoint_if_the_direction_is_orthogonal_to_the_t
   EXPECT_FALSE(Boundary_condition::directions({.1, 0, 1}).is_self_adjoint());
   EXPECT_FALSE(Boundary_condition::free().is_self_adjoint());
 }
+
+}  // namespace cgp_test::boundary_condition_tests

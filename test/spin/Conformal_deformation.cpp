@@ -17,9 +17,8 @@
 #include "support/limbs.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::conformal_deformation_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::internal::control_point;
 using Deformation = CGP::internal::Conformal_deformation<>;
@@ -45,8 +44,6 @@ void expect_met(const Mesh_view& mesh, const std::vector<Control_point>& points,
   EXPECT_LT(r.report.conformality.quasi_conformal.mean, mean_Q);
   EXPECT_LE(r.report.residual, 1e-8);
 }
-
-}  // namespace
 
 TEST(Conformal_deformation, meets_ten_targets_on_an_irregular_sphere)
 {
@@ -257,3 +254,5 @@ TEST(Conformal_deformation, refuses_to_be_called_by_its_own_visitor)
   EXPECT_GT(refused, 0);
   EXPECT_EQ(r.positions, undisturbed.deform(points).positions);
 }
+
+}  // namespace cgp_test::conformal_deformation_tests

@@ -16,10 +16,10 @@
 #include "support/limbs.h"
 #include "support/meshes.h"
 
-/// Control points that are dragged: one surface after the other.
-namespace {
+namespace cgp_test::conformal_deformation_drag_tests {
 
-using namespace cgp_test;
+/// Control points that are dragged: one surface after the other.
+
 namespace CGP = Conformal_geometry_processing;
 using Deformation = CGP::internal::Conformal_deformation<>;
 
@@ -32,8 +32,6 @@ double cost(const Mesh_view& mesh, const Eigen::VectorXd& rho)
                                                  .1 / system.unit());
   return metric.squared_norm(rho);
 }
-
-}  // namespace
 
 TEST(Conformal_deformation_drag, follows_a_drag_without_jumps)
 {
@@ -98,3 +96,5 @@ TEST(Conformal_deformation_drag, reaches_targets_on_a_line)
     EXPECT_LT(report.position_error.max, 1e-8 * diagonal(mesh)) << share;
   }
 }
+
+}  // namespace cgp_test::conformal_deformation_drag_tests

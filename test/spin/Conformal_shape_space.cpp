@@ -14,9 +14,8 @@
 #include "support/bounded_meshes.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::conformal_shape_space_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 /// a spherical harmonic of degree k: Re (x + i y)^k
@@ -97,4 +96,4 @@ TEST(Conformal_shape_space, needs_a_closed_surface)
   EXPECT_THROW((CGP::internal::Conformal_shape_space<>(mesh)), CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::conformal_shape_space_tests

@@ -8,9 +8,8 @@
 
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::constraint_basis_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 constexpr int n = 50;
@@ -29,8 +28,6 @@ double product(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
 {
   return (some_areas().array() * a.array() * b.array()).sum();
 }
-
-}  // namespace
 
 TEST(Constraint_basis, leaves_nothing_along_any_group)
 {
@@ -83,3 +80,5 @@ TEST(Constraint_basis, refuses_functions_of_another_size)
   CGP::internal::Constraint_basis basis(some_areas());
   EXPECT_THROW(basis.add(Eigen::MatrixXd::Ones(n + 1, 1)), CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::constraint_basis_tests

@@ -12,9 +12,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::control_point_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing::internal;
 using CGP::control_point;
 using CGP::Control_point;
@@ -44,8 +43,6 @@ std::string complaint(const std::vector<Control_point>& points, int vertices)
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Control_points, of_a_region_move_with_it)
 {
@@ -104,3 +101,5 @@ TEST(Control_points, that_make_no_sense_are_named)
   EXPECT_NE(complaint({heavy}, 9).find("sum is not 1"), std::string::npos);
   EXPECT_NE(complaint({{{}, Eigen::VectorXd(), origin}}, 9).find("no vertices"), std::string::npos);
 }
+
+}  // namespace cgp_test::control_point_tests

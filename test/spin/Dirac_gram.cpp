@@ -19,9 +19,8 @@
 #include "support/meshes.h"
 #include "support/thin_faces.h"
 
-namespace {
+namespace cgp_test::dirac_gram_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using CGP::internal::Dirac_gram;
@@ -91,8 +90,6 @@ void expect_forms_of(const CGP::Surface_ref& surface, const Curvature_potential&
                 CGP::dirac_quotient(surface, shifted(rho, t, 0), product(V, c).col(0)), 1e-12);
   }
 }
-
-}  // namespace
 
 TEST(Dirac_gram, has_the_energies_and_quotients_of_the_dense_matrices)
 {
@@ -210,3 +207,5 @@ TEST(Dirac_gram, has_a_quotient_that_does_not_see_a_right_factor)
   for (auto& q : turned) q = q * Quaternion<double>{1, -2, 0.5, 3};
   EXPECT_NEAR(gram.quotient(.7, turned), gram.quotient(.7, c), 1e-13);
 }
+
+}  // namespace cgp_test::dirac_gram_tests

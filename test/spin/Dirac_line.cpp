@@ -13,9 +13,8 @@
 
 #include "support/limbs.h"
 
-namespace {
+namespace cgp_test::dirac_line_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using CGP::internal::Dirac_solution;
@@ -80,8 +79,6 @@ class Line {
   std::optional<CGP::internal::Dirac_line<>> m_line;
 };
 
-}  // namespace
-
 // Near another eigenvalue, the derivative is soon as far from the spins as those of t = 0 are.
 TEST(Dirac_line, predicts_spins_on_limbs_where_the_derivative_does_not)
 {
@@ -138,3 +135,5 @@ TEST(Dirac_line, along_constants_changes_the_eigenvalue_alone)
   EXPECT_LT(line.distance(*predicted, line.at()), 1e-6);
   EXPECT_NEAR(predicted->eigenvalue, line.at().eigenvalue - 1, 1e-6);
 }
+
+}  // namespace cgp_test::dirac_line_tests

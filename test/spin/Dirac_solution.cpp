@@ -7,6 +7,8 @@
 
 #include <limits>
 
+namespace cgp_test::dirac_solution_tests {
+
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Dirac_evidence, has_curvatures_in_the_unit_of_the_mesh_and_pure_numbers_as_they_are)
@@ -70,3 +72,5 @@ TEST(Dirac_evidence, has_not_converged_to_what_is_no_number)
   s.eigenvalue = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(CGP::in_units(s, 1).converged);
 }
+
+}  // namespace cgp_test::dirac_solution_tests

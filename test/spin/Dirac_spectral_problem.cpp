@@ -15,9 +15,8 @@
 #include "support/bounded_meshes.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::dirac_spectral_problem_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 CGP::internal::Dirac_spectrum spectrum(const Mesh_view& mesh, int count, double shift = 0,
@@ -115,7 +114,7 @@ TEST(Standard_problem, mixes_the_signs_that_the_spectrum_tells_apart)
   for (int k = 3; k < 7; ++k) EXPECT_NEAR(found[at(k)], 1.9998, 4e-4);
 }
 
-TEST(Dirac_spectrum, has_orthogonal_vectors_that_nearly_diagonalise_the_signed_form)
+TEST(Dirac_spectral_problem, has_orthogonal_vectors_that_nearly_diagonalise_the_signed_form)
 {
   const Mesh_view mesh = bumpy_sphere(2);
   const double shift = -0.3;
@@ -147,7 +146,7 @@ TEST(Dirac_spectrum, has_orthogonal_vectors_that_nearly_diagonalise_the_signed_f
   }
 }
 
-TEST(Dirac_spectrum, leaves_the_constants_out_of_the_others)
+TEST(Dirac_spectral_problem, leaves_the_constants_out_of_the_others)
 {
   const Mesh_view mesh = bumpy_sphere(2);
   const CGP::internal::Dirac_spectrum s = spectrum(mesh, 5);
@@ -165,7 +164,7 @@ TEST(Dirac_spectrum, leaves_the_constants_out_of_the_others)
     EXPECT_LT(norm(only.vectors(i, 0) - CGP::Quaternion<double>{1, 0, 0, 0}), 1e-14);
 }
 
-TEST(Dirac_spectrum, moves_with_constant_rho_and_scales_as_one_over_length)
+TEST(Dirac_spectral_problem, moves_with_constant_rho_and_scales_as_one_over_length)
 {
   const Mesh_view mesh = bumpy_sphere(2);
   const Eigen::VectorXd values = spectrum(mesh, 6).eigenvalues;
@@ -220,7 +219,7 @@ TEST(Dirac_spectrum_of_the_disk, next_to_a_shift_is_that_of_the_specification)
   expect_eigenvalues(s, 0.2, {{1.84008, 2}, {2.41176, 1}}, 1e-5);
 }
 
-TEST(Dirac_spectrum, stops_when_told)
+TEST(Dirac_spectral_problem, stops_when_told)
 {
   const Mesh_view mesh = icosphere(1);
   const CGP::internal::Dirac_spectrum s = CGP::internal::Dirac_spectral_problem<>(mesh).find(
@@ -229,7 +228,7 @@ TEST(Dirac_spectrum, stops_when_told)
   EXPECT_FALSE(s.converged);
 }
 
-TEST(Dirac_spectrum, refuses_to_be_asked_for_by_its_own_visitor)
+TEST(Dirac_spectral_problem, refuses_to_be_asked_for_by_its_own_visitor)
 {
   const Mesh_view mesh = icosphere(1);
   const auto none = CGP::no_potential(mesh);
@@ -244,7 +243,7 @@ TEST(Dirac_spectrum, refuses_to_be_asked_for_by_its_own_visitor)
   EXPECT_TRUE(s.converged);
 }
 
-TEST(Dirac_spectrum, refuses_what_has_none)
+TEST(Dirac_spectral_problem, refuses_what_has_none)
 {
   const Mesh_view mesh = icosphere(1), plane = disk(3);
   const auto none = CGP::no_potential(mesh);
@@ -261,4 +260,4 @@ TEST(Dirac_spectrum, refuses_what_has_none)
   EXPECT_THROW((Problem{mesh, CGP::Boundary_condition::binormals()}), CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::dirac_spectral_problem_tests

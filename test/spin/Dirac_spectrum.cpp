@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace cgp_test::dirac_spectrum_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -44,4 +44,4 @@ TEST(With_multiplicities, of_nothing_is_nothing)
   EXPECT_TRUE(CGP::with_multiplicities(Eigen::VectorXd(), 1).empty());
 }
 
-}  // namespace
+}  // namespace cgp_test::dirac_spectrum_tests

@@ -26,11 +26,10 @@
 #include "support/spheres.h"
 #include "support/torus_spectrum.h"
 
+namespace cgp_test::dirac_spectrum_at_shifts_tests {
+
 // The eigenvalues next to shifts, of which many are eigenvalues, counted by independent means.
 
-namespace {
-
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::internal::Dirac_spectrum;
 
@@ -254,4 +253,4 @@ TEST(Dirac_spectrum_at_shifts, is_in_the_unit_of_the_mesh)
   EXPECT_LT((5 * there.eigenvalues - here.eigenvalues).norm(), 1e-6);
 }
 
-}  // namespace
+}  // namespace cgp_test::dirac_spectrum_at_shifts_tests

@@ -17,9 +17,7 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::dirac_system_tests {
 
 class Dirac_system : public testing::Test {
  protected:
@@ -55,8 +53,6 @@ struct Timid_solver_traits {
     }
   };
 };
-
-}  // namespace
 
 TEST_F(Dirac_system, has_the_smallest_pairs_of_the_dense_matrix)
 {
@@ -202,3 +198,5 @@ TEST_F(Dirac_system, is_shifted_below_zero_as_long_as_it_stays_definite)
   system.set_preconditioner(rho, seconds, -2 * mu);
   EXPECT_NEAR(system.shift(), 1e-3 * system.unit(), 1e-15);
 }
+
+}  // namespace cgp_test::dirac_system_tests

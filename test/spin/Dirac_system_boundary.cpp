@@ -8,10 +8,9 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-/// What a condition at the boundary makes of the space of spins.
-namespace {
+namespace cgp_test::dirac_system_boundary_tests {
 
-using namespace cgp_test;
+/// What a condition at the boundary makes of the space of spins.
 
 /// the positions and the normals of the boundary that a mesh has
 Boundary_condition kept_positions(const Mesh_view& mesh)
@@ -22,9 +21,7 @@ Boundary_condition kept_positions(const Mesh_view& mesh)
                   [](const auto&, const auto& frame) -> Eigen::Vector3d { return frame.col(1); }));
 }
 
-}  // namespace
-
-TEST(Dirac_system, of_a_closed_surface_has_no_condition)
+TEST(Dirac_system_boundary, of_a_closed_surface_has_no_condition)
 {
   const Mesh_view mesh = radially_perturbed(icosphere(1), .1);
   CGP::internal::Dirac_system<> system(mesh);
@@ -37,7 +34,7 @@ TEST(Dirac_system, of_a_closed_surface_has_no_condition)
   EXPECT_TRUE(system.projected(v) == v);
 }
 
-TEST(Dirac_system, has_what_belongs_to_the_condition)
+TEST(Dirac_system_boundary, has_what_belongs_to_the_condition)
 {
   const Mesh_view mesh = disk(3);
   CGP::internal::Dirac_system<> free(mesh);
@@ -56,7 +53,7 @@ TEST(Dirac_system, has_what_belongs_to_the_condition)
   EXPECT_EQ(fixed.coefficients(), CGP::internal::Coefficients::quaternions);
 }
 
-TEST(Dirac_system, refuses_conditions_that_do_not_fit)
+TEST(Dirac_system_boundary, refuses_conditions_that_do_not_fit)
 {
   const Mesh_view mesh = disk(3), sphere = icosphere(1);
   EXPECT_THROW(CGP::internal::Dirac_system<>(sphere, Boundary_condition::binormals()),
@@ -74,7 +71,7 @@ TEST(Dirac_system, refuses_conditions_that_do_not_fit)
             std::string::npos);
 }
 
-TEST(Dirac_system, solves_in_the_space_of_its_directions)
+TEST(Dirac_system_boundary, solves_in_the_space_of_its_directions)
 {
   const Mesh_view mesh = perturbed(cap_from_disk(jittered_disk(4, .3), 1), .04);
   CGP::internal::Dirac_system<> system(mesh, Boundary_condition::tangents());
@@ -89,7 +86,7 @@ TEST(Dirac_system, solves_in_the_space_of_its_directions)
   EXPECT_LT((basis.coordinates(Quaternion_matrix(image)) - basis.coordinates(b)).norm(), 1e-10);
 }
 
-TEST(Dirac_system, scales_spins_with_prescribed_directions_to_a_mean_square_of_one)
+TEST(Dirac_system_boundary, scales_spins_with_prescribed_directions_to_a_mean_square_of_one)
 {
   const Mesh_view mesh = scaled(disk(4), 2);
   const CGP::internal::Dirac_system<> system(mesh, Boundary_condition::binormals());
@@ -103,3 +100,5 @@ TEST(Dirac_system, scales_spins_with_prescribed_directions_to_a_mean_square_of_o
   }
   EXPECT_NEAR(square, 1, 1e-12);
 }
+
+}  // namespace cgp_test::dirac_system_boundary_tests

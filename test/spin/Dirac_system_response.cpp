@@ -12,10 +12,10 @@
 #include "support/meshes.h"
 #include "support/thin_faces.h"
 
-/// The response of closed surfaces, of meshes and of their intrinsic Delaunay triangulations.
-namespace {
+namespace cgp_test::dirac_system_response_tests {
 
-using namespace cgp_test;
+/// The response of closed surfaces, of meshes and of their intrinsic Delaunay triangulations.
+
 namespace CGP = Conformal_geometry_processing;
 
 template <class Surface>
@@ -28,8 +28,6 @@ class Dirac_system_response : public testing::Test {
 
 using Surfaces = testing::Types<Mesh_view, CGP::Delaunay_view>;
 TYPED_TEST_SUITE(Dirac_system_response, Surfaces);
-
-}  // namespace
 
 TYPED_TEST(Dirac_system_response, inverts_the_matrix_on_vectors_without_sum)
 {
@@ -61,7 +59,7 @@ TYPED_TEST(Dirac_system_response, to_nothing_is_nothing)
   EXPECT_EQ(greatest_entry(system.response(zero_matrix(surface.size_of_vertices(), 2))), 0);
 }
 
-TEST(Dirac_system, responds_on_a_mesh_that_has_moved_with_the_same_analysis)
+TEST(Dirac_system_response, responds_on_a_mesh_that_has_moved_with_the_same_analysis)
 {
   Mesh_view mesh = btorus(12);
   CGP::internal::Dirac_system<> system(mesh);
@@ -75,7 +73,7 @@ TEST(Dirac_system, responds_on_a_mesh_that_has_moved_with_the_same_analysis)
   expect_solutions(mesh, system.response(c), c);
 }
 
-TEST(Dirac_system, responds_with_the_factor_for_any_rho)
+TEST(Dirac_system_response, responds_with_the_factor_for_any_rho)
 {
   const Mesh_view mesh = btorus(12);
   const auto X = CGP::dirac_energy(mesh, CGP::no_potential(mesh));
@@ -95,7 +93,7 @@ TEST(Dirac_system, responds_with_the_factor_for_any_rho)
   }
 }
 
-TEST(Dirac_system, responds_on_faces_of_area_zero)
+TEST(Dirac_system_response, responds_on_faces_of_area_zero)
 {
   const CGP::Delaunay_view surface(spoilt(icosphere(2)));
   CGP::internal::Dirac_system<> system(surface);
@@ -104,7 +102,7 @@ TEST(Dirac_system, responds_on_faces_of_area_zero)
   expect_solutions(surface, system.response(c), c);
 }
 
-TEST(Dirac_system, refuses_to_respond_to_or_on_what_is_not_finite)
+TEST(Dirac_system_response, refuses_to_respond_to_or_on_what_is_not_finite)
 {
   Mesh_view mesh = btorus(8);
   CGP::internal::Dirac_system<> system(mesh);
@@ -118,3 +116,5 @@ TEST(Dirac_system, refuses_to_respond_to_or_on_what_is_not_finite)
   system.update_geometry();
   EXPECT_THROW(system.prepare_response(), CGP::Solver_error);
 }
+
+}  // namespace cgp_test::dirac_system_response_tests

@@ -18,9 +18,8 @@
 #include "support/decompositions.h"
 #include "support/dense.h"
 
-namespace {
+namespace cgp_test::directions_search_tests {
 
-using namespace cgp_test;
 using Q = Quaternion<double>;
 using Vectors = CGP::Block<Q>;
 using System = CGP::internal::Dirac_system<>;
@@ -110,8 +109,6 @@ class Directions_search : public testing::Test {
   Eigen::VectorXd values;  // singular values of D - rho, ascending
   Vectors vectors;         // the first four, of mass one
 };
-
-}  // namespace
 
 TEST_F(Directions_search, finds_the_smallest_singular_value)
 {
@@ -289,3 +286,5 @@ TEST_F(Directions_search, refuses_a_matrix_that_is_not_finite)
   CGP::internal::Dirac_evidence::Seconds seconds;
   EXPECT_THROW(system.set_potential(broken, seconds), CGP::Solver_error);
 }
+
+}  // namespace cgp_test::directions_search_tests

@@ -20,9 +20,8 @@
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::exact_steps_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using Transformation = CGP::Spin_transformation<>;
@@ -56,8 +55,6 @@ double distortion(const CGP::Spin_result& result)
 {
   return result.report.conformality.quasi_conformal.mean - 1;
 }
-
-}  // namespace
 
 TEST(Exact_steps, of_a_sphere_are_a_single_one_to_the_bit)
 {
@@ -298,3 +295,5 @@ TEST(Exact_steps, does_with_fewer_digits_where_there_are_slivers)
   EXPECT_TRUE(result.report);
   EXPECT_LE(result.report.period_defect, 0.02);
 }
+
+}  // namespace cgp_test::exact_steps_tests

@@ -12,9 +12,8 @@
 
 #include "../flow/bounded_flows.h"
 
-namespace {
+namespace cgp_test::exact_steps_boundary_tests {
 
-using namespace cgp_test;
 using CGP::Curvature_potential;
 
 Curvature_potential wave(const Mesh_view& mesh, double amplitude)
@@ -53,8 +52,6 @@ Boundary_condition tangents_of_image(const Mesh_view& mesh)
   }
   return Boundary_condition::tangents(targets);
 }
-
-}  // namespace
 
 TEST(Exact_steps_with_boundary, of_a_disk_are_a_single_one_to_the_bit)
 {
@@ -170,3 +167,5 @@ TEST(Exact_steps_with_boundary, says_why_a_boundary_cannot_be)
   EXPECT_FALSE(result.report);
   EXPECT_NE(result.report.boundary_fault, CGP::Spin_report::Boundary_fault::none);
 }
+
+}  // namespace cgp_test::exact_steps_boundary_tests

@@ -13,10 +13,10 @@
 #include "support/Counted_solver_traits.h"
 #include "support/meshes.h"
 
-/// How many matrices are factored for an edit of a surface with handles.
-namespace {
+namespace cgp_test::exact_steps_costs_tests {
 
-using namespace cgp_test;
+/// How many matrices are factored for an edit of a surface with handles.
+
 namespace CGP = Conformal_geometry_processing;
 
 using Transformation = CGP::Spin_transformation<Counted_solver_traits>;
@@ -27,8 +27,6 @@ CGP::Spin_report edited(Transformation& transformation, double amplitude)
   const Eigen::VectorXd rho = amplitude * (3 * transformation.positions().row(1).array()).sin();
   return transformation.transform(CGP::Curvature_potential::on_vertices(rho)).report;
 }
-
-}  // namespace
 
 TEST(Exact_steps_costs, are_one_factorization_for_each_edit_after_the_first_in_one_step)
 {
@@ -94,3 +92,5 @@ TEST(Exact_steps_costs, are_one_factorization_more_for_each_change_that_closes_t
   EXPECT_LE(Counted_solver_traits::quaternionic.factorizations, 4);
   EXPECT_EQ(Counted_solver_traits::real.factorizations, 0);
 }
+
+}  // namespace cgp_test::exact_steps_costs_tests

@@ -12,9 +12,8 @@
 #include "support/meshes.h"
 #include "support/thin_faces.h"
 
-namespace {
+namespace cgp_test::exact_steps_mollified_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using CGP::Spin_result;
@@ -58,8 +57,6 @@ double distance(const Spin_result& result, const Spin_result& expected)
                     expected.positions)
       .max;
 }
-
-}  // namespace
 
 TEST(Exact_steps_mollified, of_a_Delaunay_torus_is_the_moving_mesh)
 {
@@ -138,3 +135,5 @@ TEST(Exact_steps_mollified, keeps_holes_closed)
   EXPECT_LT(result.report.conformality.quasi_conformal.mean, 1.02);
   EXPECT_EQ(result.report.conformality.flipped_faces, 0);
 }
+
+}  // namespace cgp_test::exact_steps_mollified_tests

@@ -5,9 +5,7 @@
 
 #include "spin/moebius_images.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::exact_steps_turned_tests {
 
 const Eigen::Vector3d tangent(1, 0, 0), binormal(0, 0, 1), mixed(1, 0, 1);
 const std::vector<Circle> one{{{.2, .1}, .3}}, two{{{.2, .1}, .3}, {{-.45, -.3}, .2}};
@@ -35,8 +33,6 @@ Boundary_condition with_turned_holes(const Mesh_view& mesh, const Eigen::Vector3
   }
   return Boundary_condition::directions(tnb, V);
 }
-
-}  // namespace
 
 TEST(Exact_steps_to_new_directions, find_the_moebius_image_of_a_ring)
 {
@@ -106,3 +102,5 @@ TEST(Exact_steps_to_new_directions, leave_out_of_a_strange_rho_what_does_not_clo
   EXPECT_NEAR(r.report.realised_share, 1 - r.report.missing_share, 1e-12);
   EXPECT_GT(r.report.added_share, .01);
 }
+
+}  // namespace cgp_test::exact_steps_turned_tests

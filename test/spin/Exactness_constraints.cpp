@@ -11,9 +11,8 @@
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::exactness_constraints_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Exactness;
 
@@ -64,8 +63,6 @@ Eigen::VectorXd angle_form(const Mesh_view& mesh)
   return form;
 }
 
-}  // namespace
-
 TEST(Exactness_constraints, are_six_for_each_handle)
 {
   EXPECT_EQ(Followed(torus(2, 1, 12, 8)).constraints.functions.cols(), 6);
@@ -112,3 +109,5 @@ TEST(Exactness_constraints, follow_a_mesh_that_moves)
     EXPECT_LT(moved.constraints.period_defect(edges(second)), 1e-12);
   }
 }
+
+}  // namespace cgp_test::exactness_constraints_tests

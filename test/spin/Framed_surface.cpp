@@ -13,9 +13,8 @@
 #include "support/meshes.h"
 #include "support/thin_faces.h"
 
-namespace {
+namespace cgp_test::framed_surface_tests {
 
-using namespace cgp_test;
 using CGP::internal::Framed_surface;
 
 Mesh_view moved_away(const Mesh_view& mesh)
@@ -29,8 +28,6 @@ std::string refusal(const Mesh_view& mesh, std::optional<double> mollification)
 {
   return refusal_of([&] { Framed_surface::require(mesh, mollification, "f"); });
 }
-
-}  // namespace
 
 TEST(Framed_surface, is_the_mesh_around_the_origin_in_units_of_its_size)
 {
@@ -140,3 +137,5 @@ TEST(Framed_surface, requires_finite_coordinates_of_other_positions)
   for (const bool is_mollified : {false, true})
     EXPECT_NE(refusal({p, thin.corners()}, is_mollified).find("vertex 7"), std::string::npos);
 }
+
+}  // namespace cgp_test::framed_surface_tests

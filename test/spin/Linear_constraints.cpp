@@ -7,7 +7,7 @@
 
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::linear_constraints_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using CGP::internal::Linear_constraints;
@@ -29,8 +29,6 @@ struct Example {
     return {C, K.cwiseInverse().asDiagonal() * C, Eigen::VectorXd::Constant(4, damping)};
   }
 };
-
-}  // namespace
 
 TEST(Linear_constraints, are_met_by_the_shortest_step)
 {
@@ -83,3 +81,5 @@ TEST(Linear_constraints, learn_what_a_solution_has_changed)
   EXPECT_LT((constraints.least_solution(change) - d).norm(), 1e-9 * d.norm());
   EXPECT_LT((change_of(constraints, orthogonal) - before).norm(), 1e-9 * before.norm());
 }
+
+}  // namespace cgp_test::linear_constraints_tests

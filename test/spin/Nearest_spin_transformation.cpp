@@ -13,9 +13,8 @@
 #include "support/moebius.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::nearest_spin_transformation_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 /// rotations about the x axis by pi z / 6
@@ -199,4 +198,4 @@ TEST(Nearest_spin_transformation, keeps_the_spin_structure_and_refuses_targets_o
   }
 }
 
-}  // namespace
+}  // namespace cgp_test::nearest_spin_transformation_tests

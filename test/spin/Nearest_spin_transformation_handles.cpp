@@ -11,9 +11,8 @@
 #include "support/meshes.h"
 #include "support/thin_faces.h"
 
-namespace {
+namespace cgp_test::nearest_spin_transformation_handles_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 /// the tube made thicker on one side: no conformal map, but a smooth one
@@ -28,8 +27,6 @@ Points deformed(const Mesh_view& mesh)
                 })
       .positions();
 }
-
-}  // namespace
 
 TEST(Nearest_spin_transformation_of_handles, closes_up_as_spin_transformations_do)
 {
@@ -70,3 +67,5 @@ TEST(Nearest_spin_transformation_of_handles, takes_thin_faces)
   const Points of_clean = expected.transform().positions;
   EXPECT_LT(CGP::align(Points(result.positions.leftCols(of_clean.cols())), of_clean).max, .05);
 }
+
+}  // namespace cgp_test::nearest_spin_transformation_handles_tests

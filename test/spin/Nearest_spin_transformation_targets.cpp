@@ -13,9 +13,8 @@
 #include "support/bounded_meshes.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::nearest_spin_transformation_targets_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 /// mean quasi-conformal errors: of a target, of its spins integrated, and of the nearest surface
@@ -138,4 +137,4 @@ TEST(Nearest_spin_transformation_to, a_bend_of_324_degrees_needs_signs)
   EXPECT_EQ(nearest.report.conformality.flipped_faces, 0);
 }
 
-}  // namespace
+}  // namespace cgp_test::nearest_spin_transformation_targets_tests

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace cgp_test::period_limit_tests {
 
 using Conformal_geometry_processing::Spin_report;
 using Conformal_geometry_processing::internal::Period_limit;
@@ -16,8 +16,6 @@ Spin_report distorted_by(double distortion)
   report.conformality.quasi_conformal.mean = 1 + distortion;
   return report;
 }
-
-}  // namespace
 
 TEST(Period_limit, is_shared_among_the_steps_if_it_is_given)
 {
@@ -44,3 +42,5 @@ TEST(Period_limit, is_neither_below_two_per_mille_nor_above_two_per_cent)
   EXPECT_EQ(limit(distorted_by(3), 1), .02);
   EXPECT_EQ(limit(distorted_by(3), .5), .01);
 }
+
+}  // namespace cgp_test::period_limit_tests

@@ -16,9 +16,8 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::poisson_reconstruction_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 Eigen::MatrixX3d differences(const Mesh_view& mesh, const Points& f)
@@ -46,8 +45,6 @@ double cotan_energy(const Mesh_view& mesh, const Points& f, const Eigen::MatrixX
   return CGP::cotan_weights(mesh).dot(
       (differences(mesh, f) - edges).rowwise().squaredNorm().matrix());
 }
-
-}  // namespace
 
 TEST(Poisson_reconstruction, finds_positions_from_their_edge_vectors_up_to_a_translation)
 {
@@ -154,3 +151,5 @@ TEST(Poisson_reconstruction, refuses_weights_that_are_not_finite)
   moving.set_positions(p);
   EXPECT_THROW(reconstruction.update_geometry(), CGP::Solver_error);
 }
+
+}  // namespace cgp_test::poisson_reconstruction_tests

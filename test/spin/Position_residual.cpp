@@ -12,9 +12,8 @@
 #include "support/control_points.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::position_residual_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Residual = CGP::internal::Position_residual<CGP::Default_solver_traits>;
 using Spins = Quaternion_vector<double>;
@@ -65,8 +64,6 @@ struct Controlled {
   std::vector<Control_point> points;
   Residual residual;
 };
-
-}  // namespace
 
 TEST(Placement, finds_the_similarity)
 {
@@ -201,3 +198,5 @@ TEST(Position_residual, has_its_transpose)
                 1e-11 * y.norm() * change.norm());
   }
 }
+
+}  // namespace cgp_test::position_residual_tests

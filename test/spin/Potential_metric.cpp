@@ -10,9 +10,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::potential_metric_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Surface_ref;
 using Metric = CGP::internal::Potential_metric<>;
@@ -44,8 +43,6 @@ void expect_inner_product(const Surface_ref& surface, On on)
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(n);
   EXPECT_LT((metric.apply(ones) - metric.areas()).norm(), 1e-10 * image.norm());
 }
-
-}  // namespace
 
 TEST(Potential_metric, is_an_inner_product)
 {
@@ -91,3 +88,5 @@ TEST(Potential_metric, smooths)
         1. / 3, .03);
   }
 }
+
+}  // namespace cgp_test::potential_metric_tests

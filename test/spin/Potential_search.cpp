@@ -22,9 +22,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::potential_search_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using Search = CGP::internal::Potential_search<>;
@@ -45,8 +44,6 @@ double norm(const Eigen::VectorXd& v, const Eigen::VectorXd& areas)
 {
   return std::sqrt(areas.dot(v.cwiseAbs2()));
 }
-
-}  // namespace
 
 TEST(Potential_search, without_residuals_finds_rho_itself)
 {
@@ -230,3 +227,5 @@ TEST(Potential_search, measures_inexact_edges)
   EXPECT_NEAR(values.norm(), 2 * inexact.size(), 1e-12);
   EXPECT_LT((inexact.change(d) * length - difference).norm(), 1e-8 * difference.norm());
 }
+
+}  // namespace cgp_test::potential_search_tests

@@ -8,9 +8,8 @@
 #include "spin/boundary_tools.h"
 #include "support/dense.h"
 
-namespace {
+namespace cgp_test::prescribed_directions_tests {
 
-using namespace cgp_test;
 using Q = Quaternion<double>;
 using Directions = CGP::internal::Prescribed_directions<CGP::Default_solver_traits>;
 
@@ -68,8 +67,6 @@ double symmetric_part(const Eigen::MatrixXd& G)
 {
   return (G + G.transpose()).norm() / G.norm();
 }
-
-}  // namespace
 
 TEST(Prescribed_directions, have_spins_that_turn_the_direction_into_its_target)
 {
@@ -203,3 +200,5 @@ TEST(Prescribed_directions, that_are_plane_tangents_make_it_skew_whatever_the_su
   const auto random = Curvature_potential::on_faces(random_numbers(384, 1));
   EXPECT_LT(symmetric_part(dirac_form(flat, random, e_z)), .01);
 }
+
+}  // namespace cgp_test::prescribed_directions_tests

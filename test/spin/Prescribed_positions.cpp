@@ -9,9 +9,8 @@
 #include "spin/boundary_tools.h"
 #include "support/dense.h"
 
-namespace {
+namespace cgp_test::prescribed_positions_tests {
 
-using namespace cgp_test;
 using Q = Quaternion<double>;
 using Positions = CGP::internal::Prescribed_positions<CGP::Default_solver_traits>;
 
@@ -49,8 +48,6 @@ class Prescribed_positions : public testing::Test {
   const CGP::internal::Boundary_frames frames = CGP::boundary_frames(mesh);
   CGP::internal::Dirac_system<> system{mesh, Boundary_condition::positions(targets, normals)};
 };
-
-}  // namespace
 
 TEST_F(Prescribed_positions, turn_and_stretch_the_boundary_into_the_curve)
 {
@@ -178,3 +175,5 @@ TEST(Prescribed_positions_of_a_curve, name_the_vertex_that_has_no_frame)
   normals.col(2) = boundary_of(mesh).col(3) - boundary_of(mesh).col(1);
   EXPECT_EQ(refusal(mesh, boundary_of(mesh), normals), message);
 }
+
+}  // namespace cgp_test::prescribed_positions_tests

@@ -15,9 +15,8 @@
 #include "support/limbs.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::region_of_interest_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::internal::control_point;
 using CGP::internal::Region_of_interest;
@@ -64,8 +63,6 @@ Eigen::VectorXd Q_of_collar(const Mesh_view& mesh, const Eigen::VectorXd& weight
   }
   return Eigen::Map<Eigen::VectorXd>(there.data(), static_cast<Eigen::Index>(there.size()));
 }
-
-}  // namespace
 
 TEST(Region_of_interest, leaves_the_outside_as_it_is_to_the_bit)
 {
@@ -186,3 +183,5 @@ TEST(Region_of_interest, refuses_what_makes_no_sense)
   EXPECT_THROW((void)region.in_part({control_point(low, mesh.position(low))}, "test"),
                CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::region_of_interest_tests

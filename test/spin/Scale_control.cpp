@@ -15,12 +15,9 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::scale_control_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
-
-}  // namespace
 
 TEST(Scale_control, rejects_what_makes_no_sense)
 {
@@ -116,3 +113,5 @@ TEST(Scale_control, tells_the_distance_to_rho)
   scales.kept_correlation = 0;
   EXPECT_NEAR(scales.distance(), std::sqrt(2.), 1e-15);
 }
+
+}  // namespace cgp_test::scale_control_tests

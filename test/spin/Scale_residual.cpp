@@ -9,9 +9,8 @@
 
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::scale_residual_tests {
 
-using namespace cgp_test;
 using Conformal_geometry_processing::internal::Scale_residual;
 
 const int vertices = 40;
@@ -40,8 +39,6 @@ double sum_of_squares(Scale_residual& residual, const Eigen::VectorXd& u)
   residual.set_spins(spins(u));
   return residual.values().squaredNorm();
 }
-
-}  // namespace
 
 TEST(Scale_residual, is_the_weighted_square_of_the_deviation)
 {
@@ -91,3 +88,5 @@ TEST(Scale_residual, changes_by_its_derivative_and_has_its_transpose)
   EXPECT_NEAR(y.dot(change), inner_product(residual.gradient(y), d).w,
               1e-12 * y.norm() * change.norm());
 }
+
+}  // namespace cgp_test::scale_residual_tests

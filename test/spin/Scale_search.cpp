@@ -17,9 +17,8 @@
 
 #include "support/limbs.h"
 
-namespace {
+namespace cgp_test::scale_search_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 
@@ -36,8 +35,6 @@ CGP::Spin_result transformed(const Mesh_view& mesh, const Eigen::VectorXd& rho,
   CGP::Spin_transformation<> transformation(mesh, options);
   return transformation.transform(Curvature_potential::on_vertices(rho));
 }
-
-}  // namespace
 
 TEST(Scale_search, keeps_limbs_within_the_bound)
 {
@@ -277,3 +274,5 @@ TEST(Scale_search, bounds_disks)
     EXPECT_LE(r.report.scales.excess(), 1 + 1e-9);
   }
 }
+
+}  // namespace cgp_test::scale_search_tests

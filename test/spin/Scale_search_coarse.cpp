@@ -10,10 +10,10 @@
 
 #include "support/limbs.h"
 
-/// Control of scale on meshes of a dozen faces.
-namespace {
+namespace cgp_test::scale_search_coarse_tests {
 
-using namespace cgp_test;
+/// Control of scale on meshes of a dozen faces.
+
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 
@@ -36,8 +36,6 @@ Mesh_view octahedron(double a)
       p, {{0, 4, 1}, {1, 5, 2}, {2, 3, 0}, {3, 5, 4}, {1, 2, 0}, {3, 4, 0}, {4, 5, 1}, {3, 2, 5}});
   return scaled_to_area(mesh, 4 * std::acos(-1.));
 }
-
-}  // namespace
 
 // On an icosahedron no strong rho makes a conformal map.
 TEST(Scale_search_coarse, takes_as_much_of_rho_as_a_coarse_mesh_bears_without_jumps)
@@ -75,3 +73,5 @@ TEST(Scale_search_coarse, begins_where_all_scales_are_equal)
     EXPECT_GT(report.scales.kept_norm, .1) << a;
   }
 }
+
+}  // namespace cgp_test::scale_search_coarse_tests

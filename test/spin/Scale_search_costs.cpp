@@ -9,10 +9,10 @@
 #include "support/Counted_solver_traits.h"
 #include "support/limbs.h"
 
-/// How many matrices are factored for an edit with a bound on lengths, and how often factors serve.
-namespace {
+namespace cgp_test::scale_search_costs_tests {
 
-using namespace cgp_test;
+/// How many matrices are factored for an edit with a bound on lengths, and how often factors serve.
+
 namespace CGP = Conformal_geometry_processing;
 
 void expect_counted(const Mesh_view& mesh, double amplitude, double bound)
@@ -29,8 +29,6 @@ void expect_counted(const Mesh_view& mesh, double amplitude, double bound)
   EXPECT_EQ(report.solves, Counted_solver_traits::quaternionic.solves);
 }
 
-}  // namespace
-
 TEST(Scale_search_costs, are_all_in_the_report)
 {
   expect_counted(dumbbell(2), .5, 1.5);
@@ -41,3 +39,5 @@ TEST(Scale_search_costs, are_all_in_the_report_of_a_surface_with_handles)
 {
   expect_counted(btorus(16), 3, 1.3);
 }
+
+}  // namespace cgp_test::scale_search_costs_tests

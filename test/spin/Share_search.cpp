@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace cgp_test::share_search_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using CGP::Spin_report;
@@ -49,8 +49,6 @@ Spin_report found(Surface_that_bears& surface, double share = 1)
 {
   return Search(std::ref(surface)).run(share).report;
 }
-
-}  // namespace
 
 TEST(Share_search, takes_all_where_that_succeeds)
 {
@@ -128,3 +126,5 @@ TEST(Share_search, is_over_when_cancelled)
   EXPECT_TRUE(r.cancelled);
   EXPECT_EQ(tries, 3);
 }
+
+}  // namespace cgp_test::share_search_tests

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::shift_secant_tests {
 
 using Conformal_geometry_processing::internal::Shift_secant;
 
@@ -26,8 +26,6 @@ double after(int steps, double slope)
   for (int k = 0; k < steps; ++k) shift += secant.step(shift, change_at(shift, slope), 1e-12);
   return shift;
 }
-
-}  // namespace
 
 TEST(Shift_secant, takes_the_change_itself_as_its_first_step)
 {
@@ -73,11 +71,13 @@ TEST(Shift_secant, tells_whether_changes_become_smaller)
 
 TEST(Shift_secant, keeps_its_derivative_when_it_begins_again)
 {
-  const double slope = -.2, zero = 3;
+  const double slope = -.2, root = 3;
   Shift_secant secant;
   double shift = 0;
-  for (int k = 0; k < 2; ++k) shift += secant.step(shift, slope * (shift - zero), 1e-9);
+  for (int k = 0; k < 2; ++k) shift += secant.step(shift, slope * (shift - root), 1e-9);
   secant.restart();
   EXPECT_TRUE(secant.is_nearer(1e6));
-  EXPECT_NEAR(secant.step(1, slope * (1 - zero), 1e-9), zero - 1, 1e-12);
+  EXPECT_NEAR(secant.step(1, slope * (1 - root), 1e-9), root - 1, 1e-12);
 }
+
+}  // namespace cgp_test::shift_secant_tests

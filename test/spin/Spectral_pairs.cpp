@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace cgp_test::spectral_pairs_tests {
 
 namespace internal = Conformal_geometry_processing::internal;
 
@@ -112,4 +112,4 @@ TEST(Spectral_subspace_size, exceeds_the_count_and_grows_with_the_missing_energy
   EXPECT_EQ(internal::next_subspace_size(20, 30, four_pairs(9), 5), 30);
 }
 
-}  // namespace
+}  // namespace cgp_test::spectral_pairs_tests

@@ -17,12 +17,12 @@
 
 #include "support/meshes.h"
 
+namespace cgp_test::spin_derivative_tests {
+
 /// The derivative of transformations against differences of transformations, and its transpose
 /// against itself: on coarse irregular surfaces, where an approximate derivative would be off by
 /// percents.
-namespace {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using On = CGP::Curvature_potential::On;
 using Boundary = CGP::Boundary_condition;
@@ -118,8 +118,6 @@ class Derivative {
   CGP::Curvature_potential m_rho;
 };
 
-}  // namespace
-
 TEST(Spin_derivative, is_the_limit_of_differences)
 {
   const double step = 1e-4;
@@ -210,3 +208,5 @@ TEST(Spin_derivative, treats_several_columns_like_each)
               1e-10 * CGP::components(one).norm());
   }
 }
+
+}  // namespace cgp_test::spin_derivative_tests

@@ -11,9 +11,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::spin_preview_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using Preview = CGP::internal::Spin_preview<>;
@@ -41,8 +40,6 @@ std::vector<Mesh_view> surfaces()
   return {perturbed(icosphere(2), .05), icosphere(4), jittered_disk(8, .2), jittered_disk(16, .2),
           btorus(16)};
 }
-
-}  // namespace
 
 TEST(Spin_preview, of_no_change_is_the_surface)
 {
@@ -140,3 +137,5 @@ TEST(Spin_preview, refuses_what_it_does_not_know)
   rho.values[3] = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)preview.transform(rho), CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::spin_preview_tests

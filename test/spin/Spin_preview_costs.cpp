@@ -9,16 +9,14 @@
 #include "support/Counted_solver_traits.h"
 #include "support/meshes.h"
 
-/// What a preview costs: no factorization, and as many solves as the report says.
-namespace {
+namespace cgp_test::spin_preview_costs_tests {
 
-using namespace cgp_test;
+/// What a preview costs: no factorization, and as many solves as the report says.
+
 namespace CGP = Conformal_geometry_processing;
 
 using Transformation = CGP::Spin_transformation<Counted_solver_traits>;
 using Preview = CGP::internal::Spin_preview<Counted_solver_traits, CGP::Lobpcg_eigensolver_traits>;
-
-}  // namespace
 
 TEST(Spin_preview_costs, are_all_in_the_report)
 {
@@ -37,3 +35,5 @@ TEST(Spin_preview_costs, are_all_in_the_report)
     EXPECT_EQ(Counted_solver_traits::factorizations(), 0);  // of the second
   }
 }
+
+}  // namespace cgp_test::spin_preview_costs_tests

@@ -7,6 +7,8 @@
 
 #include <limits>
 
+namespace cgp_test::spin_report_tests {
+
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Spin_report, of_two_mollified_steps_tells_what_was_measured_in_the_first)
@@ -90,8 +92,6 @@ TEST(Spin_report, of_several_transformations_has_the_least_gap_that_is_known)
   EXPECT_EQ(all.gap, 4);
 }
 
-namespace {
-
 using Fault = CGP::Spin_report::Fault;
 
 CGP::Spin_report success()
@@ -106,8 +106,6 @@ void expect_fault(const CGP::Spin_report& report, Fault fault)
   EXPECT_EQ(report.fault(), fault) << to_string(fault);
   EXPECT_EQ(static_cast<bool>(report), fault == Fault::none);
 }
-
-}  // namespace
 
 TEST(Spin_report, is_a_success_without_fault_only)
 {
@@ -155,3 +153,5 @@ TEST(Spin_report, is_no_success_if_the_map_is_not_conformal)
   report.conformality.quasi_conformal_of_new_area = 2;
   expect_fault(report, Fault::map);
 }
+
+}  // namespace cgp_test::spin_report_tests

@@ -17,9 +17,8 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::spin_transformation_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 
@@ -56,8 +55,6 @@ std::string refusal(const Mesh_view& mesh, const Curvature_potential& rho)
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Spin_transformation, by_rho_zero_leaves_the_surface_as_it_is)
 {
@@ -176,7 +173,7 @@ TEST(Spin_transformation, report_measures_the_result)
   EXPECT_EQ(report.seconds.exactness, 0);  // on a sphere, nothing has to close
 }
 
-TEST(Spin_report, converts_to_true_only_when_converged_and_not_cancelled)
+TEST(Spin_report_of_a_transformation, converts_to_true_only_when_converged_and_not_cancelled)
 {
   CGP::Spin_report report;
   EXPECT_FALSE(report);
@@ -224,3 +221,5 @@ TEST(Spin_transformation, refuses_surfaces_it_cannot_transform)
             "f: the mesh has 2 components, the second begins at vertex 12; one component is "
             "needed, transform each alone");
 }
+
+}  // namespace cgp_test::spin_transformation_tests

@@ -4,11 +4,10 @@
 // Tests include/Conformal_geometry_processing/spin/nearness_weight.h
 #include "spin/boundary_tools.h"
 
+namespace cgp_test::spin_transformation_boundary_bump_tests {
+
 /// A bump on plane disks, with each condition at the boundary. The numbers come from an
 /// implementation of the same formulas that shares no code with this one.
-namespace {
-
-using namespace cgp_test;
 
 Curvature_potential bump(const Mesh_view& mesh)
 {
@@ -56,8 +55,6 @@ void expect_table(const Errors& all, const std::vector<double>& table)
   EXPECT_NEAR(fine_slope(all.h, all.Q), 1, .05);
   EXPECT_NEAR(fine_slope(all.h, all.cross_ratio), 2, .2);
 }
-
-}  // namespace
 
 TEST(Spin_transformation_of_a_disk, bulges_with_a_free_boundary_as_tabled)
 {
@@ -122,3 +119,5 @@ TEST(Spin_transformation_with_a_free_boundary, moves_less_the_smaller_rho_is)
     before = height;
   }
 }
+
+}  // namespace cgp_test::spin_transformation_boundary_bump_tests

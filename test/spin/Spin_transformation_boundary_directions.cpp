@@ -3,11 +3,11 @@
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
 #include "spin/boundary_tools.h"
 
+namespace cgp_test::spin_transformation_boundary_directions_tests {
+
 /// New directions at the boundary of plane disks, with closed forms and with tables of numbers
 /// computed by other code.
-namespace {
 
-using namespace cgp_test;
 using Boundary_fault = CGP::Spin_report::Boundary_fault;
 
 struct Row {
@@ -67,8 +67,6 @@ std::vector<double> less_one(std::vector<double> values)
   for (double& value : values) value -= 1;
   return values;
 }
-
-}  // namespace
 
 TEST(Spin_transformation_to_new_tangents, finds_the_holomorphic_map)
 {
@@ -170,3 +168,5 @@ TEST(Spin_transformation_to_new_directions, turns_any_surface_that_turns_as_a_wh
     EXPECT_LT(r.report.direction_error.max, 1e-6);
   }
 }
+
+}  // namespace cgp_test::spin_transformation_boundary_directions_tests

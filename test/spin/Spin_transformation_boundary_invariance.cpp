@@ -3,9 +3,7 @@
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
 #include "spin/boundary_cases.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::spin_transformation_boundary_invariance_tests {
 
 class Invariance_with_a_boundary : public testing::TestWithParam<int> {
  protected:
@@ -37,8 +35,6 @@ std::string name(const testing::TestParamInfo<int>& info)
   return std::vector<std::string>{"free", "tangents", "binormals", "mixture",
                                   "positions"}[at(info.param)];
 }
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Of_every_kind, Invariance_with_a_boundary, testing::Range(0, 5), name);
 
@@ -115,3 +111,5 @@ TEST_P(Invariance_with_a_boundary, under_a_move_of_the_mesh_and_back)
   const CGP::Spin_result r = transformation.transform(rho, options);
   EXPECT_LT((r.positions - expected.positions).cwiseAbs().maxCoeff(), 1e-8);
 }
+
+}  // namespace cgp_test::spin_transformation_boundary_invariance_tests

@@ -6,10 +6,9 @@
 
 #include "spin/boundary_tools.h"
 
-/// Minimal surfaces in one solve: from plane domains with rho = 0, from curved ones with rho = -H.
-namespace {
+namespace cgp_test::spin_transformation_boundary_minimal_tests {
 
-using namespace cgp_test;
+/// Minimal surfaces in one solve: from plane domains with rho = 0, from curved ones with rho = -H.
 
 void expect_enneper(const Mesh_view& mesh, const Eigen::Vector3d& tnb)
 {
@@ -85,8 +84,6 @@ CGP::Spin_result without_curvature(const Mesh_view& mesh, Points tangents, doubl
   const auto rho = Curvature_potential::on_vertices(sign * CGP::mean_curvature(mesh));
   return transformed(mesh, Boundary_condition::tangents(std::move(tangents)), rho);
 }
-
-}  // namespace
 
 TEST(Enneper_s_surface, comes_out_of_the_disk_to_the_last_digits_by_all_directions)
 {
@@ -238,3 +235,5 @@ TEST(Annulus, becomes_a_piece_of_enneper_s_surface_by_the_directions_of_both_cir
 {
   for (const Eigen::Vector3d& tnb : all_directions) expect_enneper(annulus(.4, 1, 36, 6), tnb);
 }
+
+}  // namespace cgp_test::spin_transformation_boundary_minimal_tests

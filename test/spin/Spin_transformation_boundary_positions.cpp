@@ -7,10 +7,9 @@
 #include "spin/boundary_tools.h"
 #include "support/random_delaunay.h"
 
-/// New positions of the boundary, against closed forms and tables computed by other code.
-namespace {
+namespace cgp_test::spin_transformation_boundary_positions_tests {
 
-using namespace cgp_test;
+/// New positions of the boundary, against closed forms and tables computed by other code.
 
 /// the boundary of a surface, with its normals as the mesh has them
 Boundary_condition boundary_of(const Mesh_view& surface)
@@ -57,8 +56,6 @@ void expect_rows(const std::vector<Row>& found, const std::vector<double>& Q,
   }
   expect_order(order, {errors[2], errors[3]});
 }
-
-}  // namespace
 
 TEST(Spin_transformation_to_new_positions, finds_the_holomorphic_map)
 {
@@ -220,3 +217,5 @@ TEST(Spin_transformation_to_new_positions, refuses_to_move_afterwards)
   EXPECT_EQ(refusal_of([&] { transformation.set_positions(2 * mesh.positions()); }),
             "a surface with prescribed boundary cannot move");
 }
+
+}  // namespace cgp_test::spin_transformation_boundary_positions_tests

@@ -4,11 +4,11 @@
 // Tests include/Conformal_geometry_processing/spin/boundary_fault.h
 #include "spin/boundary_tools.h"
 
+namespace cgp_test::spin_transformation_boundary_realizability_tests {
+
 /// Which tangents can be prescribed: those of plane curves with odd turning number for any rho,
 /// others in general not. The reference values come from independent code.
-namespace {
 
-using namespace cgp_test;
 using Boundary_fault = CGP::Spin_report::Boundary_fault;
 
 Mesh_view graph(int n)
@@ -65,8 +65,6 @@ void expect_near_to_3_percent(const std::vector<double>& found, const std::vecto
   for (std::size_t i = 0; i < table.size(); ++i)
     EXPECT_NEAR(found[i], table[i], .03 * table[i]) << i;
 }
-
-}  // namespace
 
 TEST(Tangents_of_a_plane_curve, can_be_prescribed_with_any_rho_on_any_surface)
 {
@@ -136,3 +134,5 @@ TEST(Boundary_fault_of_a_transformation, is_none_for_data_with_a_solution)
     EXPECT_TRUE(transformed(mesh, condition, constant_potential(mesh, 0)).report);
   }
 }
+
+}  // namespace cgp_test::spin_transformation_boundary_realizability_tests

@@ -6,11 +6,10 @@
 #include <Conformal_geometry_processing/spin/Spin_report_io.h>
 #include "spin/boundary_tools.h"
 
+namespace cgp_test::spin_transformation_boundary_revolution_tests {
+
 /// Surfaces of revolution: for rho(r) on the unit disk, l = a(r) - b(r) T with a' = -rho b,
 /// b' + b/r = rho a, a(0) = 1 and b(0) = 0. They are f~ = r (a^2 + b^2) e_r + h e_z, h' = -2 a b.
-namespace {
-
-using namespace cgp_test;
 
 struct Profile {
   double a = 1, b = 0, h = 0;
@@ -121,8 +120,6 @@ void expect_Q(const std::vector<Row>& found, const std::vector<double>& table)
     EXPECT_NEAR(found[i].Q - 1, table[i] - 1, .02 * (table[i] - 1)) << i;
 }
 
-}  // namespace
-
 TEST(Surface_of_revolution, of_constant_rho_is_made_of_bessel_functions)
 {
   const double c = 2;
@@ -189,3 +186,5 @@ TEST(Spin_transformation_between_binormals, changes_gamma_by_the_mean_of_rho_and
   }
   expect_order(2, gamma);
 }
+
+}  // namespace cgp_test::spin_transformation_boundary_revolution_tests

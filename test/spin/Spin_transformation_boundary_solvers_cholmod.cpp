@@ -7,9 +7,7 @@
 
 #include "spin/boundary_cases.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::spin_transformation_boundary_solvers_cholmod_tests {
 
 template <class Solver_traits>
 CGP::Spin_result result(const Boundary_condition& condition)
@@ -32,8 +30,6 @@ void expect_agreement()
   }
 }
 
-}  // namespace
-
 TEST(Spin_transformation_with_a_boundary, is_the_same_with_the_solver_of_eigen)
 {
   expect_agreement<CGP::Eigen_hermitian_solver_traits>();
@@ -43,3 +39,5 @@ TEST(Spin_transformation_with_a_boundary, is_the_same_with_cholmod)
 {
   expect_agreement<CGP::Cholmod_hermitian_solver_traits>();
 }
+
+}  // namespace cgp_test::spin_transformation_boundary_solvers_cholmod_tests

@@ -4,11 +4,10 @@
 // Tests include/Conformal_geometry_processing/spin/Dirac_solution.h
 #include "spin/boundary_tools.h"
 
+namespace cgp_test::spin_transformation_boundary_spectrum_tests {
+
 /// The spectrum of D on the flat unit disk with its own binormals: the zeros of J_n and of J_n',
 /// with both signs. Those of n = 0 belong to surfaces of revolution.
-namespace {
-
-using namespace cgp_test;
 
 double bessel(int n, double x)
 {
@@ -63,8 +62,6 @@ void expect_eigenvalue(double exact, double shift)
   expect_order(2, {errors[1], errors[2]});
 }
 
-}  // namespace
-
 TEST(Dirac_disk, has_the_zeros_of_bessel_functions_as_eigenvalues)
 {
   expect_eigenvalue(zero_of_bessel(0, 2.40483), 2.4);
@@ -103,3 +100,5 @@ TEST(Dirac_disk, becomes_the_surface_of_revolution_with_bessel_functions)
   }
   expect_order(2, shape);
 }
+
+}  // namespace cgp_test::spin_transformation_boundary_spectrum_tests

@@ -15,11 +15,11 @@
 #include "support/meshes.h"
 #include "support/moebius.h"
 
+namespace cgp_test::spin_transformation_convergence_cholmod_tests {
+
 /// The spin transformation of round spheres by a smooth rho, on four meshes. The numbers come from
 /// an implementation of the same formulas that shares no code with this one.
-namespace {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 
@@ -137,8 +137,6 @@ Eigen::VectorXd rho_of_inversion(const Mesh_view& mesh, const Eigen::Vector3d& c
   return rho;
 }
 
-}  // namespace
-
 TEST(Spin_transformation, converges_as_tabled_for_rho_on_vertices)
 {
   std::vector<Measured> rows;
@@ -199,3 +197,5 @@ TEST(Spin_transformation, by_the_curvature_of_an_inversion_inverts_a_torus)
   EXPECT_NEAR(slope(h, cross_ratio), 2, 0.2);
   EXPECT_NEAR(slope(h, shape), 2, 0.2);
 }
+
+}  // namespace cgp_test::spin_transformation_convergence_cholmod_tests

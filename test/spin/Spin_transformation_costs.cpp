@@ -15,10 +15,9 @@
 #include "support/limbs.h"
 #include "support/thin_faces.h"
 
-/// Reports count every factorization of X, and every solve with it.
-namespace {
+namespace cgp_test::spin_transformation_costs_tests {
 
-using namespace cgp_test;
+/// Reports count every factorization of X, and every solve with it.
 
 using Transformation = CGP::Spin_transformation<Counted_solver_traits>;
 
@@ -46,8 +45,6 @@ void expect_counted(const Mesh_view& mesh, double amplitude, const CGP::Dirac_op
     expect_counted(transformation.transform(waves(mesh, factor * amplitude), dirac).report);
   }
 }
-
-}  // namespace
 
 TEST(Spin_transformation_costs, are_all_in_the_report)
 {
@@ -124,3 +121,5 @@ TEST(Spin_transformation_costs, are_all_in_the_report_of_the_nearest_one)
       expect_counted(nearest.transform().report);
     }
 }
+
+}  // namespace cgp_test::spin_transformation_costs_tests

@@ -9,10 +9,9 @@
 #include "spin/boundary_tools.h"
 #include "support/moebius.h"
 
-/// New positions of the boundary and of curves inside.
-namespace {
+namespace cgp_test::spin_transformation_curve_positions_tests {
 
-using namespace cgp_test;
+/// New positions of the boundary and of curves inside.
 
 /// the ring of the disk that has 6 k vertices
 std::vector<int> ring(int k)
@@ -52,8 +51,6 @@ Mesh_view ridge(const Mesh_view& mesh)
     return {p.x(), p.y(), .8 * s * s * p.squaredNorm()};
   });
 }
-
-}  // namespace
 
 TEST(Spin_transformation_with_curves, finds_the_moebius_image_that_they_lie_on)
 {
@@ -120,3 +117,5 @@ TEST(Spin_transformation_with_curves, wants_them_inside_and_apart)
   EXPECT_EQ(refusal({ring(2)}),
             "24 positions, one per vertex of the boundary and the curves is needed: 36");
 }
+
+}  // namespace cgp_test::spin_transformation_curve_positions_tests

@@ -13,9 +13,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::spin_transformation_flow_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 double greatest_displacement(const Points& a, const Points& b)
@@ -66,8 +65,6 @@ std::string refusal(const Mesh_view& mesh, const Points& positions)
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Spin_transformation_flow, analyzes_once_for_both_matrices_and_all_steps)
 {
@@ -127,3 +124,5 @@ TEST(Spin_transformation_flow, refuses_positions_that_are_no_surface_and_stays_a
   p.col(mesh.corners(3)[0]) = p.col(mesh.corners(3)[1]);
   EXPECT_NE(refusal(mesh, p).find("of area zero"), std::string::npos);
 }
+
+}  // namespace cgp_test::spin_transformation_flow_tests

@@ -12,9 +12,8 @@
 #include "support/meshes.h"
 #include "threads/threads.h"
 
-namespace {
+namespace cgp_test::spin_transformation_invariance_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 
@@ -54,8 +53,6 @@ double greatest_displacement(const Points& a, const Points& b)
 {
   return (a - b).colwise().norm().maxCoeff();
 }
-
-}  // namespace
 
 TEST_F(Invariance_of_spin_transformations, under_rigid_motion)
 {
@@ -150,3 +147,5 @@ TEST(Spin_transformation_of_a_large_mesh, gives_the_same_bits_for_any_number_of_
     EXPECT_EQ(r.lambda, one.lambda);
   }
 }
+
+}  // namespace cgp_test::spin_transformation_invariance_tests

@@ -20,9 +20,8 @@
 #include "support/meshes.h"
 #include "support/thin_faces.h"
 
-namespace {
+namespace cgp_test::spin_transformation_mollified_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using Transformation = CGP::Spin_transformation<>;
@@ -89,8 +88,6 @@ bool contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
-
-}  // namespace
 
 TEST(Mollified_spin_transformation, of_a_Delaunay_mesh_is_the_spin_transformation)
 {
@@ -280,3 +277,5 @@ TEST(Mollified_spin_transformation, refuses_what_is_no_surface_and_wrong_numbers
       message_of([&] { (void)transformation.transform(Curvature_potential::on_vertices(rho)); }),
       "vertex 4"));
 }
+
+}  // namespace cgp_test::spin_transformation_mollified_tests

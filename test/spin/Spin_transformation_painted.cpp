@@ -8,9 +8,8 @@
 
 #include "spin/boundary_tools.h"
 
-namespace {
+namespace cgp_test::spin_transformation_painted_tests {
 
-using namespace cgp_test;
 using CGP::Curvature_band;
 using CGP::Gray_image;
 
@@ -44,8 +43,6 @@ double error_of(const Mesh_view& mesh, const Gray_image& image)
   EXPECT_EQ(r.report.conformality.flipped_faces, 0);
   return mean_Q(r) - 1;
 }
-
-}  // namespace
 
 TEST(Means_of_corners, are_those_of_every_row)
 {
@@ -105,3 +102,5 @@ TEST(Painted_curvature, and_its_filters_keep_angles_to_first_order)
   EXPECT_LT(fine["low-pass"], fine["as it is"]);
   EXPECT_LT(fine["as it is"], fine["unsharp"]);
 }
+
+}  // namespace cgp_test::spin_transformation_painted_tests

@@ -6,13 +6,9 @@
 
 #include "spin/solver_agreement.h"
 
-namespace cgp_test {
+namespace cgp_test::spin_transformation_slepc_tests {
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Over_mpi, Spin_solver, CGP::Petsc_hermitian_solver_traits);
-
-}  // namespace cgp_test
-
-using namespace cgp_test;
 
 TEST(Spin_transformation, is_the_same_to_ten_digits_without_any_factor_over_mpi)
 {
@@ -28,3 +24,5 @@ TEST(Spin_transformation, is_the_same_to_ten_digits_without_any_factor_over_mpi)
     EXPECT_LT(difference(expected, result), 1e-10);
   }
 }
+
+}  // namespace cgp_test::spin_transformation_slepc_tests

@@ -10,7 +10,7 @@
 #include "spin/solver_agreement.h"
 #include "support/Double_solver_traits.h"
 
-namespace cgp_test {
+namespace cgp_test::spin_transformation_solvers_cholmod_tests {
 
 using Models = testing::Types<
     Double_solver_traits, CGP::internal::Supernodal_real_solver_traits,
@@ -18,11 +18,7 @@ using Models = testing::Types<
     CGP::Eigen_hermitian_solver_traits, CGP::internal::Eigen_real_hermitian_solver_traits>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Every_model, Spin_solver, Models);
 
-}  // namespace cgp_test
-
-using namespace cgp_test;
-
-TEST(Spin_transformation, is_the_same_with_both_eigenvalue_solvers)
+TEST(Spin_transformation_solvers, is_the_same_with_both_eigenvalue_solvers)
 {
   CGP::Dirac_options options;
   options.max_iterations = 1000;
@@ -35,10 +31,12 @@ TEST(Spin_transformation, is_the_same_with_both_eigenvalue_solvers)
   EXPECT_LT(difference(a, b), 1e-6);
 }
 
-TEST(Spin_transformation, gives_the_same_bits_twice_with_cholmod)
+TEST(Spin_transformation_solvers, gives_the_same_bits_twice_with_cholmod)
 {
   const CGP::Spin_result a = transformed<CGP::Cholmod_hermitian_solver_traits>(icosphere(3));
   const CGP::Spin_result b = transformed<CGP::Cholmod_hermitian_solver_traits>(icosphere(3));
   EXPECT_EQ(a.positions, b.positions);
   EXPECT_EQ(a.lambda, b.lambda);
 }
+
+}  // namespace cgp_test::spin_transformation_solvers_cholmod_tests

@@ -10,11 +10,11 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
+namespace cgp_test::spin_transformation_surfaces_tests {
+
 /// What does not depend on whether the surface is the mesh or, with mollification, its intrinsic
 /// Delaunay triangulation.
-namespace {
 
-using namespace cgp_test;
 using Transformation = CGP::Spin_transformation<>;
 
 CGP::Spin_transformation_options options_with(std::optional<double> mollification,
@@ -62,9 +62,7 @@ void expect_agreement(const Mesh_view& mesh, const Curvature_potential& rho,
   EXPECT_NEAR(a.report.eigenvalue, b.report.eigenvalue, 1e-10);
 }
 
-}  // namespace
-
-TEST(Spin_transformation, is_reusable_on_a_torus)
+TEST(Spin_transformation_surfaces, is_reusable_on_a_torus)
 {
   const Mesh_view mesh = torus(3, 1, 48, 24);
   const Curvature_potential rho = waves(mesh, .3);
@@ -86,7 +84,7 @@ TEST(Spin_transformation, is_reusable_on_a_torus)
   }
 }
 
-TEST(Spin_transformation, is_reusable_on_an_annulus)
+TEST(Spin_transformation_surfaces, is_reusable_on_an_annulus)
 {
   const Mesh_view mesh = annulus(.4, 1, 36, 8);
   const Curvature_potential rho = waves(mesh, .5);
@@ -102,7 +100,7 @@ TEST(Spin_transformation, is_reusable_on_an_annulus)
     }
 }
 
-TEST(Spin_transformation, is_as_before_after_it_was_cancelled_on_a_torus)
+TEST(Spin_transformation_surfaces, is_as_before_after_it_was_cancelled_on_a_torus)
 {
   const Mesh_view mesh = torus(3, 1, 24, 12);
   const Curvature_potential rho = waves(mesh, .3);
@@ -120,7 +118,7 @@ TEST(Spin_transformation, is_as_before_after_it_was_cancelled_on_a_torus)
   }
 }
 
-TEST(Spin_transformation, refuses_to_be_called_by_its_own_visitor)
+TEST(Spin_transformation_surfaces, refuses_to_be_called_by_its_own_visitor)
 {
   const Mesh_view sphere = icosphere(2), ring = torus(3, 1, 24, 12);
   for (const Mesh_view& mesh : {sphere, ring}) {
@@ -153,7 +151,7 @@ TEST(Spin_transformation, refuses_to_be_called_by_its_own_visitor)
   }
 }
 
-TEST(Spin_transformation, of_a_sphere_is_a_single_step)
+TEST(Spin_transformation_surfaces, of_a_sphere_is_a_single_step)
 {
   const Mesh_view mesh = icosphere(2);
   for (const std::optional<double>& mollification : shares) {
@@ -166,7 +164,7 @@ TEST(Spin_transformation, of_a_sphere_is_a_single_step)
   }
 }
 
-TEST(Spin_transformation, without_exactness_is_a_single_step)
+TEST(Spin_transformation_surfaces, without_exactness_is_a_single_step)
 {
   const Mesh_view mesh = torus(3, 1, 24, 12);
   for (const std::optional<double>& mollification : shares) {
@@ -181,7 +179,7 @@ TEST(Spin_transformation, without_exactness_is_a_single_step)
   }
 }
 
-TEST(Spin_transformation, agrees_on_a_Delaunay_mesh_with_and_without_mollification)
+TEST(Spin_transformation_surfaces, agrees_on_a_Delaunay_mesh_with_and_without_mollification)
 {
   const Mesh_view sphere = icosphere(2);
   expect_agreement(sphere, Curvature_potential::on_vertices(rho_of_section_3_on_vertices(sphere)));
@@ -194,7 +192,7 @@ TEST(Spin_transformation, agrees_on_a_Delaunay_mesh_with_and_without_mollificati
 }
 
 // A disk as large as numbers can be, whose image does not fit.
-TEST(Spin_transformation, has_no_direction_errors_where_coordinates_overflow)
+TEST(Spin_transformation_surfaces, has_no_direction_errors_where_coordinates_overflow)
 {
   const Mesh_view flat = disk(3);
   Quaternion_vector<double> spins(flat.size_of_vertices());
@@ -217,3 +215,5 @@ TEST(Spin_transformation, has_no_direction_errors_where_coordinates_overflow)
       EXPECT_EQ(std::isnan(report.direction_error.mean), !fits);
     }
 }
+
+}  // namespace cgp_test::spin_transformation_surfaces_tests

@@ -12,9 +12,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::target_mismatch_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::internal::Target_mismatch;
 
@@ -51,8 +50,6 @@ Points similar(const Points& p, double size)
   const Eigen::AngleAxisd turn(.8, Eigen::Vector3d(1, 2, -2).normalized());
   return ((size * turn.toRotationMatrix()) * p).colwise() + size * Eigen::Vector3d(3, -1, 2);
 }
-
-}  // namespace
 
 TEST(Target_mismatch, of_the_target_is_zero_wherever_and_however_large_it_is)
 {
@@ -142,3 +139,5 @@ TEST(Target_mismatch, refuses_weights_and_tolerances_below_zero)
     EXPECT_THROW(mismatch_of(mesh, mesh.positions(), 1, bad), CGP::Precondition_error);
   }
 }
+
+}  // namespace cgp_test::target_mismatch_tests

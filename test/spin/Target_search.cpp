@@ -17,9 +17,8 @@
 #include "support/meshes.h"
 #include "support/moebius.h"
 
-namespace {
+namespace cgp_test::target_search_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Nearest_spin_result;
 
@@ -60,8 +59,6 @@ Points transformed(const Mesh_view& mesh, double amplitude)
   EXPECT_TRUE(r.report);
   return moved_by_a_similarity(r.positions);
 }
-
-}  // namespace
 
 // Coarse and irregular: the curvature of the target alone misses it by the discretisation error.
 TEST(Target_search, comes_near_to_transformations_of_the_mesh)
@@ -239,3 +236,5 @@ TEST(Target_search, with_boundary_comes_nearer_with_the_directions_of_the_target
   EXPECT_LE(found.distance, nearest(mesh, cap, curvature_kept()).distance);
   EXPECT_LT(found.distance, .1 * found.source_distance);
 }
+
+}  // namespace cgp_test::target_search_tests

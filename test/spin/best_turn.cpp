@@ -10,9 +10,8 @@
 
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::best_turn_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Q = Quaternion<double>;
 
@@ -31,8 +30,6 @@ double misfit(const Q& q, const Points& U, const Points& V)
     sum += squared_norm(CGP::imaginary(U.col(k)) * q - q * CGP::imaginary(V.col(k)));
   return sum;
 }
-
-}  // namespace
 
 TEST(Best_turn, is_the_rotation_if_there_is_one)
 {
@@ -102,3 +99,5 @@ TEST(Best_turn, is_the_smallest_of_many_where_all_directions_lie_on_a_line)
   EXPECT_LT(norm(CGP::best_turn(U, U) - Q{1, 0, 0, 0}), 1e-14);
   EXPECT_LT(misfit(CGP::best_turn(U, -U), U, -U), 1e-25);
 }
+
+}  // namespace cgp_test::best_turn_tests

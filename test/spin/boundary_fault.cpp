@@ -11,11 +11,10 @@
 
 #include "support/bounded_meshes.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Boundary_fault = CGP::Spin_report::Boundary_fault;
+namespace cgp_test::boundary_fault_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Boundary_fault = CGP::Spin_report::Boundary_fault;
 
 class Boundary_fault_of_a_disk : public testing::Test {
  protected:
@@ -30,8 +29,6 @@ class Boundary_fault_of_a_disk : public testing::Test {
     return good;
   }();
 };
-
-}  // namespace
 
 TEST_F(Boundary_fault_of_a_disk, is_none_where_all_is_well)
 {
@@ -91,7 +88,7 @@ TEST_F(Boundary_fault_of_a_disk, allows_eigenvalues_that_should_be_zero_less_tha
   EXPECT_LT(CGP::greatest_zero(mesh), CGP::greatest_misfit(mesh));
 }
 
-TEST(Spin_report, with_a_fault_at_the_boundary_is_false)
+TEST(Spin_report_boundary_fault, with_a_fault_at_the_boundary_is_false)
 {
   CGP::Spin_report report;
   report.converged = true;
@@ -105,3 +102,5 @@ TEST(Spin_report, with_a_fault_at_the_boundary_is_false)
   }
   EXPECT_EQ(std::string(CGP::to_string(Boundary_fault::none)), "none");
 }
+
+}  // namespace cgp_test::boundary_fault_tests

@@ -11,11 +11,10 @@
 #include "support/mesh_tools.h"
 #include "support/random.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Q = Quaternion<double>;
+namespace cgp_test::boundary_planes_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Q = Quaternion<double>;
 
 /// |U l - l V| for l in the plane
 double defect(const CGP::internal::Reduced_basis<double>::Plane& plane, double a, double b,
@@ -40,8 +39,6 @@ std::vector<std::vector<int>> one_loop(int n)
 {
   return {std::vector<int>(at(n), 0)};
 }
-
-}  // namespace
 
 TEST(Boundary_plane, holds_the_spins_that_turn_one_direction_into_the_other)
 {
@@ -143,3 +140,5 @@ TEST(Boundary_spin, turns_one_frame_into_the_other_and_stretches)
       EXPECT_LT((CGP::spin(l, source.col(c)) - ratio * target.col(c)).norm(), 1e-14);
   }
 }
+
+}  // namespace cgp_test::boundary_planes_tests

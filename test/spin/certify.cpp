@@ -9,9 +9,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::certify_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Quaternions = CGP::Quaternion_vector<double>;
 
@@ -45,4 +44,4 @@ TEST(Certify, does_not_let_pass_what_is_no_number)
   EXPECT_FALSE(report.converged);
 }
 
-}  // namespace
+}  // namespace cgp_test::certify_tests

@@ -14,9 +14,8 @@
 #include "support/handlebodies.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::closed_step_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using CGP::internal::Closed_step;
@@ -54,8 +53,6 @@ std::vector<double> defects(const Mesh_view& mesh, const std::vector<double>& am
   }
   return list;
 }
-
-}  // namespace
 
 TEST(closed_step, is_the_plain_one_where_the_limit_holds)
 {
@@ -138,3 +135,5 @@ TEST(closed_step, can_be_cancelled_while_it_closes)
   EXPECT_TRUE(CGP::internal::closed_step(transformation, rho, {1e-7, 0}, 1, {}, stop)
                   .result.report.cancelled);
 }
+
+}  // namespace cgp_test::closed_step_tests

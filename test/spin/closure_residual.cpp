@@ -10,9 +10,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::closure_residual_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::internal::closure_residual;
 
@@ -23,8 +22,6 @@ Eigen::MatrixX3d edges_of(const Mesh_view& mesh)
     edges.row(k) = mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0]);
   return edges;
 }
-
-}  // namespace
 
 TEST(closure_residual, vanishes_for_the_edges_of_the_positions_and_measures_a_factor)
 {
@@ -47,3 +44,5 @@ TEST(closure_residual, is_a_norm_also_if_weights_are_negative)
   EXPECT_NEAR(closure_residual(mesh, w, mesh.positions(), edges),
               std::sqrt(one / (total + 3 * one)), 1e-14);
 }
+
+}  // namespace cgp_test::closure_residual_tests

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::constant_spins_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using Q = CGP::Quaternion<double>;
@@ -49,4 +49,4 @@ TEST(Constant_spins, do_not_exist_where_directions_are_turned_differently)
   EXPECT_EQ(CGP::constant_spins(CGP::internal::Reduced_basis<double>(3, {}, {})).size(), 4);
 }
 
-}  // namespace
+}  // namespace cgp_test::constant_spins_tests

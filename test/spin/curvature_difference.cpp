@@ -11,9 +11,8 @@
 #include "support/moebius.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::curvature_difference_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 /// a surface conformally equivalent to the mesh, of the same area
@@ -118,4 +117,4 @@ TEST(Curvature_difference, refuses_other_numbers_of_positions)
                CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::curvature_difference_tests

@@ -13,11 +13,10 @@
 #include "support/scans.h"
 #include "support/spheres.h"
 
+namespace cgp_test::curvature_of_displacement_tests {
+
 /// The tabled numbers come from an implementation of the same formulas that shares no code with
 /// this one.
-namespace {
-
-using namespace cgp_test;
 
 /// a Gauss function of standard deviation s around (x, y)
 Eigen::VectorXd bump(const Mesh_view& mesh, double height, double x, double y, double s)
@@ -66,8 +65,6 @@ Recovery recovered(int n, const Boundary_condition& condition, double height = 0
   const Eigen::VectorXd z = heights(mesh, r.positions);
   return {h.dot(z) / h.squaredNorm(), z.maxCoeff() / h.maxCoeff()};
 }
-
-}  // namespace
 
 // Between fixed directions the error falls with the fourth power of the edges; what the formula
 // takes for a linear height at a free boundary leaves one of second order.
@@ -234,3 +231,5 @@ TEST(Curvature_of_displacement, refuses_other_numbers_of_heights)
             }),
             "11 heights, one per vertex is needed: 12");
 }
+
+}  // namespace cgp_test::curvature_of_displacement_tests

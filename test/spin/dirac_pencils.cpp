@@ -9,9 +9,8 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::dirac_pencils_tests {
 
-using namespace cgp_test;
 using Vectors = CGP::Block<Quaternion<double>>;
 
 /// on a closed surface and on one with prescribed directions, whose spins are a real space
@@ -47,8 +46,6 @@ double greatest(const Vectors& x)
 {
   return greatest_entry(x);
 }
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Closed_and_bounded, Dirac_pencils, testing::Bool());
 
@@ -117,3 +114,5 @@ TEST_P(Dirac_pencils, have_forms_over_the_numbers_of_the_space)
       EXPECT_EQ(found.mass(i, j), reduced(all.mass(i, j)));
     }
 }
+
+}  // namespace cgp_test::dirac_pencils_tests

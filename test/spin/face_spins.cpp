@@ -17,9 +17,8 @@
 #include "support/thin_faces.h"
 #include "support/tori.h"
 
-namespace {
+namespace cgp_test::face_spins_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Q = CGP::Quaternion<double>;
 
@@ -174,4 +173,4 @@ TEST(Curvature_of_spins, of_vanishing_spins_is_zero)
   EXPECT_TRUE(CGP::curvature_of_spins(mesh, mu).values.isZero(0));
 }
 
-}  // namespace
+}  // namespace cgp_test::face_spins_tests

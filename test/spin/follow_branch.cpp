@@ -14,9 +14,8 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::follow_branch_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using CGP::internal::Branch_point;
@@ -99,8 +98,6 @@ class Two_branches_that_cross : public testing::Test {
     return Curvature_potential::on_vertices(values);
   }
 };
-
-}  // namespace
 
 TEST(Follow_branch, with_the_full_basis_finds_what_small_steps_with_dense_matrices_find)
 {
@@ -270,3 +267,5 @@ TEST(Follow_settled_branch, stops_where_the_misfit_is_more_than_half_of_the_gap)
         << amplitude;
   }
 }
+
+}  // namespace cgp_test::follow_branch_tests

@@ -8,11 +8,10 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Q = Quaternion<double>;
+namespace cgp_test::gauge_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Q = Quaternion<double>;
 
 Eigen::VectorXd some_areas(int n)
 {
@@ -32,8 +31,6 @@ double mean_square(const Quaternion_vector<double>& lambda, const Eigen::VectorX
   for (int i = 0; i < lambda.size(); ++i) sum += areas[i] * squared_norm(lambda[i]);
   return sum / areas.sum();
 }
-
-}  // namespace
 
 TEST(Fix_gauge, turns_a_constant_into_one)
 {
@@ -111,3 +108,5 @@ TEST(Fix_gauge, works_on_the_normals_of_the_sphere_whose_mean_is_zero)
   EXPECT_NEAR(mean_square(lambda, Eigen::VectorXd::Ones(162)), 1, 1e-14);
   for (const Q& q : lambda) EXPECT_NEAR(norm(q), 1, 1e-14);
 }
+
+}  // namespace cgp_test::gauge_tests

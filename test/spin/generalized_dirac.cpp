@@ -9,9 +9,8 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::generalized_dirac_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 
@@ -36,8 +35,6 @@ double residual(const Mesh_view& mesh, const Curvature_potential& rho,
   for (Eigen::Index v = 0; v < r.size(); ++v) r[v] = Xl[v] - s.generalized_eigenvalue * r[v];
   return CGP::components(r).norm() / CGP::components(Xl).norm();
 }
-
-}  // namespace
 
 // The eigenvalues come from an implementation that shares no code with this one.
 TEST(Generalized_dirac, has_the_tabled_eigenvalues)
@@ -152,3 +149,5 @@ TEST(Generalized_dirac, refuses_rho_on_vertices)
                  "solve_dirac_equation: the generalized eigenproblem (5.2) needs rho on faces");
   }
 }
+
+}  // namespace cgp_test::generalized_dirac_tests

@@ -13,13 +13,12 @@
 #include "support/meshes.h"
 #include "support/random.h"
 
+namespace cgp_test::least_twist_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using Q = CGP::Quaternion<double>;
 using Plane = CGP::internal::Reduced_basis<double>::Plane;
 using Eigen::Vector3d;
-
-namespace {
 
 const Q one{1, 0, 0, 0};
 
@@ -48,8 +47,6 @@ double longest_step(const std::vector<Q>& q)
     longest = std::max(longest, norm(q[(k + 1) % q.size()] - q[k]));
   return longest;
 }
-
-}  // namespace
 
 TEST(Least_twist, of_kept_directions_does_not_turn)
 {
@@ -105,3 +102,5 @@ TEST(Least_twist, spreads_what_is_missing_evenly)
   for (std::size_t k = 0; k < q.size(); ++k)
     EXPECT_NEAR(norm(q[(k + 1) % q.size()] - q[k]), step, 1e-12);
 }
+
+}  // namespace cgp_test::least_twist_tests

@@ -13,10 +13,9 @@
 #include "support/random.h"
 #include "support/tori.h"
 
-namespace {
+namespace cgp_test::move_to_class_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 CGP::Curvature_potential waves(const Mesh_view& mesh, double amplitude)
 {
@@ -35,8 +34,6 @@ double change(const Mesh_view& mesh, const CGP::Spin_result& result)
 {
   return CGP::length_cross_ratio_change(mesh, result.positions).max;
 }
-
-}  // namespace
 
 TEST(Move_to_class, keeps_length_cross_ratios_on_spheres_tori_disks_and_rings)
 {
@@ -163,3 +160,5 @@ TEST(Move_to_class, faults_where_it_is_not_reached)
   report.exact_class->converged = false;
   EXPECT_EQ(report.fault(), CGP::Spin_report::Fault::exact_class);
 }
+
+}  // namespace cgp_test::move_to_class_tests

@@ -18,9 +18,8 @@
 #include "support/moebius.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::nearest_curvature_difference_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 /// how far the transformation by rho is from the positions, relative to the diagonal
@@ -38,8 +37,6 @@ double distance_by(const CGP::Curvature_potential& rho, const Mesh_view& mesh,
   EXPECT_TRUE(result.report);
   return CGP::align(result.positions, positions).rms;
 }
-
-}  // namespace
 
 // Where the plain difference misses by the discretisation error.
 TEST(Nearest_curvature_difference, arrives_within_the_tolerance_on_coarse_and_irregular_meshes)
@@ -91,3 +88,5 @@ TEST(Nearest_curvature_difference, refuses_what_does_not_fit)
   EXPECT_THROW((void)CGP::nearest_curvature_difference(mesh, mesh.positions(), -1),
                CGP::Precondition_error);
 }
+
+}  // namespace cgp_test::nearest_curvature_difference_tests

@@ -8,9 +8,7 @@
 
 #include "spin/moebius_images.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::period_functions_tests {
 
 const std::vector<Circle> holes{{{.2, .1}, .3}, {{-.45, -.3}, .2}};
 
@@ -44,8 +42,6 @@ double derivative_error(const Moebius_image& moebius, const Eigen::Vector3d& tnb
          measured.cwiseAbs().maxCoeff();
 }
 
-}  // namespace
-
 TEST(Period_functions, are_the_exactness_functions_at_the_identity)
 {
   const Mesh_view mesh = random_domain(.15, 3, holes);
@@ -71,3 +67,5 @@ TEST(Period_functions, tell_how_periods_change_where_the_boundary_is_turned)
     EXPECT_LT(derivative_error(Moebius_image(.08, 3, holes), tnb), .06) << tnb.transpose();
   }
 }
+
+}  // namespace cgp_test::period_functions_tests

@@ -10,9 +10,7 @@
 #include "support/meshes.h"
 #include "support/thin_faces.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::require_condition_tests {
 
 /// with which a condition on `disk(2)`, whose boundary has 12 vertices, is refused
 std::string refusal(const Boundary_condition& condition, const Mesh_view& mesh = disk(2))
@@ -32,8 +30,6 @@ Points with_column(Points p, int k, const Eigen::Vector3d& v)
 }
 
 const double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 TEST(Require_condition, takes_what_fits)
 {
@@ -114,3 +110,5 @@ TEST(Require_condition, takes_boundaries_of_thin_faces_by_their_triangulation)
   EXPECT_EQ(refusal(Boundary_condition::tangents(constant(count))), "");
   EXPECT_NE(refusal(Boundary_condition::tangents(constant(count + 1))), "");
 }
+
+}  // namespace cgp_test::require_condition_tests

@@ -7,9 +7,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::restore_area_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Restore_area, takes_a_similar_surface_back_and_its_spins_to_length_one)
@@ -26,4 +25,4 @@ TEST(Restore_area, takes_a_similar_surface_back_and_its_spins_to_length_one)
   for (const Quaternion<double>& q : lambda) EXPECT_NEAR(norm(q), 1, 1e-14);
 }
 
-}  // namespace
+}  // namespace cgp_test::restore_area_tests

@@ -9,9 +9,8 @@
 
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::rotated_normals_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Quaternion;
 using CGP::Quaternion_vector;
@@ -22,8 +21,6 @@ Points area_vectors(const Mesh_view& mesh)
   for (int f = 0; f < mesh.size_of_faces(); ++f) vectors.col(f) = mesh.double_area_vector(f);
   return vectors;
 }
-
-}  // namespace
 
 TEST(Rotated_normals, by_the_identity_are_those_of_the_faces)
 {
@@ -47,3 +44,5 @@ TEST(Rotated_normals, by_a_constant_spin_are_those_of_the_rotated_surface)
   const Points expected = area_vectors(Mesh_view(turned, mesh.corners()));
   EXPECT_LT((CGP::rotated_normals(mesh, spins) - 9 * expected).cwiseAbs().maxCoeff(), 1e-13);
 }
+
+}  // namespace cgp_test::rotated_normals_tests

@@ -12,10 +12,9 @@
 
 #include "linear_algebra/spectral_problem.h"
 
-namespace {
+namespace cgp_test::signed_eigenvectors_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using Block = CGP::Block<CGP::Quaternion<double>>;
 
 /// K with eigenvalues of both signs, and N = K M^-1 K + error M, all with masses M
@@ -92,7 +91,7 @@ class Signed_eigenvectors : public testing::Test {
     std::sort(expected.begin(), expected.end());
     for (std::size_t j = 0; j < 8; ++j) EXPECT_NEAR(found[j], expected[j], 1e-11);
     const Block gram = CGP::gram_matrix(r.vectors, signs.n()(r.vectors));
-    EXPECT_LT((dense(gram) - Eigen::MatrixXd::Identity(32, 32)).norm(), 1e-11);
+    EXPECT_LT((real_form(gram) - Eigen::MatrixXd::Identity(32, 32)).norm(), 1e-11);
   }
 
   const Eigen::VectorXd values =
@@ -100,8 +99,6 @@ class Signed_eigenvectors : public testing::Test {
   const Spectral_problem signs{values}, square{squares(values)};
   CGP::internal::Pencil form;
 };
-
-}  // namespace
 
 TEST_F(Signed_eigenvectors, are_separated_and_orthonormal)
 {
@@ -138,3 +135,5 @@ TEST_F(Signed_eigenvectors, combine_the_residuals_like_the_vectors)
   EXPECT_NEAR(r.residuals[0], 1e-9 * std::hypot(.6 * 2, .8 * 3), 1e-13);
   EXPECT_NEAR(r.residuals[2], 1e-9 * std::hypot(.8 * 2, .6 * 3), 1e-13);
 }
+
+}  // namespace cgp_test::signed_eigenvectors_tests

@@ -20,9 +20,8 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace {
+namespace cgp_test::solve_dirac_equation_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 
@@ -65,8 +64,6 @@ Curvature_potential plus(const Curvature_potential& rho, double c)
 {
   return {rho.on, (rho.values.array() + c).matrix()};
 }
-
-}  // namespace
 
 TEST(Solve_dirac_equation, for_rho_zero_is_solved_by_the_identity_without_an_iteration)
 {
@@ -261,3 +258,5 @@ TEST(Solve_dirac_equation, passes_on_what_the_observer_throws)
                std::runtime_error);
   EXPECT_TRUE(CGP::solve_dirac_equation(system, shifted(mesh, 0)).converged);
 }
+
+}  // namespace cgp_test::solve_dirac_equation_tests

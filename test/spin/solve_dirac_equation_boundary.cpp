@@ -13,9 +13,8 @@
 #include "spin/solved.h"
 #include "support/dense.h"
 
-namespace {
+namespace cgp_test::solve_dirac_equation_boundary_tests {
 
-using namespace cgp_test;
 using System = CGP::internal::Dirac_system<CGP::Eigen_hermitian_solver_traits>;
 using Q = Quaternion<double>;
 
@@ -36,8 +35,6 @@ class Free_boundary : public testing::Test {
   System system{mesh};
   const double weight = CGP::nearness_weight(mesh);
 };
-
-}  // namespace
 
 TEST_F(Free_boundary, has_a_weight_of_ten_edges_on_the_disk_of_the_same_area)
 {
@@ -160,3 +157,5 @@ TEST(Solve_dirac_equation_with_a_boundary, refuses_the_generalized_problem_with_
   EXPECT_EQ(refusal_of([&] { (void)solved(mesh, rho, options); }),
             "the generalized problem is for closed surfaces only");
 }
+
+}  // namespace cgp_test::solve_dirac_equation_boundary_tests

@@ -12,9 +12,7 @@
 #include "spin/coarse_cases.h"
 #include "support/limbs.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::solve_dirac_equation_branch_tests {
 
 class Branch_on_icosphere_3 : public testing::Test {
  protected:
@@ -37,8 +35,6 @@ class Branch_on_icosphere_3 : public testing::Test {
   const Mesh_view sphere = icosphere(3);
   CGP::internal::Dirac_system<> system{sphere};
 };
-
-}  // namespace
 
 TEST_F(Branch_on_icosphere_3, is_followed_where_the_smallest_vector_is_another)
 {
@@ -196,3 +192,5 @@ TEST(Branch_on_a_dumbbell, is_not_left_for_another_as_rho_grows)
     last = s.lambda;
   }
 }
+
+}  // namespace cgp_test::solve_dirac_equation_branch_tests

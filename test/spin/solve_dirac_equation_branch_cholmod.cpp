@@ -6,9 +6,7 @@
 
 #include "spin/branch_tools.h"
 
-namespace {
-
-using namespace cgp_test;
+namespace cgp_test::solve_dirac_equation_branch_cholmod_tests {
 
 class Branch_on_icosphere_4 : public testing::Test {
  protected:
@@ -27,8 +25,6 @@ class Branch_on_icosphere_4 : public testing::Test {
   const Mesh_view sphere = icosphere(4);
 };
 
-}  // namespace
-
 TEST_F(Branch_on_icosphere_4, of_a_mild_potential_is_found_in_one_stage)
 {
   const CGP::internal::Dirac_solution s = expect_branch(smooth_potential(sphere, 1));
@@ -43,3 +39,5 @@ TEST_F(Branch_on_icosphere_4, of_strong_potentials_is_found_in_few_stages)
     EXPECT_LE(s.substeps, 4);
   }
 }
+
+}  // namespace cgp_test::solve_dirac_equation_branch_cholmod_tests

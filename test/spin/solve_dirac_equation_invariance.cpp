@@ -16,10 +16,10 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-/// What the solution does not depend on, and how it depends on rho, however coarse the mesh.
-namespace {
+namespace cgp_test::solve_dirac_equation_invariance_tests {
 
-using namespace cgp_test;
+/// What the solution does not depend on, and how it depends on rho, however coarse the mesh.
+
 using CGP::internal::Dirac_solution;
 
 const CGP::Dirac_options precise = [] {
@@ -74,8 +74,6 @@ double least_energy(const Mesh_view& mesh, const Curvature_potential& rho, doubl
 {
   return dense_eigenvalues(mesh, scaled(rho, 1, sigma))[0];
 }
-
-}  // namespace
 
 TEST(Dirac_solution_of_a_coarse_mesh, is_the_same_for_rho_and_rho_plus_a_constant)
 {
@@ -146,3 +144,5 @@ TEST(Dirac_solution_of_a_coarse_mesh, changes_little_where_rho_does_but_where_br
     }
   }
 }
+
+}  // namespace cgp_test::solve_dirac_equation_invariance_tests

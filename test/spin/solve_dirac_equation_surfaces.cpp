@@ -10,10 +10,9 @@
 #include "support/meshes.h"
 #include "support/thin_faces.h"
 
-/// The same laws for meshes and for their intrinsic Delaunay triangulations.
-namespace {
+namespace cgp_test::solve_dirac_equation_surfaces_tests {
 
-using namespace cgp_test;
+/// The same laws for meshes and for their intrinsic Delaunay triangulations.
 
 template <class Surface>
 class Solve_dirac_equation_on : public testing::Test {
@@ -50,8 +49,6 @@ void expect_agreement(const Mesh_view& mesh, const Curvature_potential& rho,
   EXPECT_NEAR(s.energy, of_view.energy, 1e-10);
   EXPECT_NEAR(s.overlap, of_view.overlap, 1e-10);
 }
-
-}  // namespace
 
 TYPED_TEST(Solve_dirac_equation_on, any_surface_with_constant_rho_finds_the_identity)
 {
@@ -100,7 +97,7 @@ TYPED_TEST(Solve_dirac_equation_on, any_bounded_surface_with_nothing_to_turn_fin
 
 // With rho = -0.5 the shift makes X that of rho = 0, so that flat triangles, whose edges close up
 // only to the heights that mollification gives them, do not matter.
-TEST(Solve_dirac_equation, finds_the_identity_on_faces_of_area_zero)
+TEST(Solve_dirac_equation_surfaces, finds_the_identity_on_faces_of_area_zero)
 {
   const Mesh_view mesh = spoilt(icosphere(2));
   for (const double share : {1e-4, 1e-6, 1e-8}) {
@@ -114,7 +111,7 @@ TEST(Solve_dirac_equation, finds_the_identity_on_faces_of_area_zero)
   }
 }
 
-TEST(Solve_dirac_equation, finds_the_same_on_both_views_of_a_Delaunay_mesh)
+TEST(Solve_dirac_equation_surfaces, finds_the_same_on_both_views_of_a_Delaunay_mesh)
 {
   const Mesh_view mesh = icosphere(2);
   for (const double strength : {1., 3.}) {
@@ -125,7 +122,7 @@ TEST(Solve_dirac_equation, finds_the_same_on_both_views_of_a_Delaunay_mesh)
   }
 }
 
-TEST(Solve_dirac_equation, finds_the_same_on_both_views_with_every_condition)
+TEST(Solve_dirac_equation_surfaces, finds_the_same_on_both_views_with_every_condition)
 {
   const Mesh_view mesh = moved_disk(6);
   const Points points = at_boundary(mesh, [](const Eigen::Vector3d& p, const auto&) { return p; });
@@ -139,3 +136,5 @@ TEST(Solve_dirac_equation, finds_the_same_on_both_views_with_every_condition)
         Boundary_condition::positions(points, normals)})
     expect_agreement(mesh, rho, condition);
 }
+
+}  // namespace cgp_test::solve_dirac_equation_surfaces_tests

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <string>
 
-namespace CGP = Conformal_geometry_processing;
+namespace cgp_test::spin_report_io_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 std::string printed(const CGP::Spin_report& report)
 {
@@ -23,8 +23,6 @@ bool contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
-
-}  // namespace
 
 TEST(Spin_report_io, prints_the_numbers_that_prove_a_transformation)
 {
@@ -121,3 +119,5 @@ TEST(Spin_report_io, tells_the_substeps_only_where_there_were_some)
   report.substeps = 3;
   EXPECT_TRUE(contains(printed(report), "in 3 substeps"));
 }
+
+}  // namespace cgp_test::spin_report_io_tests

@@ -16,10 +16,9 @@
 #include "support/skewed_tori.h"
 #include "support/spheres.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
+namespace cgp_test::spin_structure_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 int arf(const Mesh_view& mesh)
 {
@@ -48,8 +47,6 @@ CGP::internal::Face_loop around_a_point(const Mesh_view& mesh)
   } while (f != 0);
   return loop;
 }
-
-}  // namespace
 
 TEST(Spin_structure, of_embedded_surfaces_is_even)
 {
@@ -129,3 +126,5 @@ TEST(Spin_structure, differs_between_surfaces_of_one_connectivity)
     EXPECT_NE(std::string(e.what()).find("spin structure"), std::string::npos);
   }
 }
+
+}  // namespace cgp_test::spin_structure_tests

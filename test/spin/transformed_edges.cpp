@@ -12,11 +12,10 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Q = Quaternion<double>;
+namespace cgp_test::transformed_edges_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Q = Quaternion<double>;
 
 /// the vectors along the edges i -> j, i < j
 Eigen::MatrixX3d edges(const Mesh_view& mesh)
@@ -26,8 +25,6 @@ Eigen::MatrixX3d edges(const Mesh_view& mesh)
     e.row(k) = mesh.position(mesh.ends(k)[1]) - mesh.position(mesh.ends(k)[0]);
   return e;
 }
-
-}  // namespace
 
 TEST(Transformed_edges, are_the_edges_themselves_for_lambda_one)
 {
@@ -121,3 +118,5 @@ TEST(Transformed_edges, of_an_exact_spinor_almost_close_around_faces)
   }
   EXPECT_GT(slope(h, gap), 2.7);
 }
+
+}  // namespace cgp_test::transformed_edges_tests

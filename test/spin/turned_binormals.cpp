@@ -10,9 +10,8 @@
 
 #include "support/bounded_meshes.h"
 
-namespace {
+namespace cgp_test::turned_binormals_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 /// the direction in the half plane through the z axis and a point
@@ -75,4 +74,4 @@ TEST(Turned_binormals, turn_over_the_normal_by_half_a_turn)
   EXPECT_LT((B.colwise() - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
 }
 
-}  // namespace
+}  // namespace cgp_test::turned_binormals_tests

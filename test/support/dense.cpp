@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "support/dense.h"
 
+#include <Conformal_geometry_processing/algebra/quaternion_blocks.h>
+
 namespace cgp_test {
 
 Quaternion_matrix zero_matrix(int rows, int cols)
@@ -60,14 +62,10 @@ Eigen::MatrixXd real_part(const Quaternion_matrix& A)
 
 Eigen::MatrixXd real_form(const Quaternion_matrix& A)
 {
-  const Quaternion<double> units[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
   Eigen::MatrixXd M(4 * A.rows(), 4 * A.cols());
-  for (Eigen::Index i = 0; i < A.rows(); ++i)
-    for (Eigen::Index j = 0; j < A.cols(); ++j)
-      for (int u = 0; u < 4; ++u) {
-        const Quaternion<double> q = A(i, j) * units[u];
-        M.block<4, 1>(4 * i, 4 * j + u) << q.w, q.x, q.y, q.z;
-      }
+  for (Eigen::Index j = 0; j < A.cols(); ++j)
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+      M.block<4, 4>(4 * i, 4 * j) = Conformal_geometry_processing::real_block(A(i, j));
   return M;
 }
 

@@ -7,16 +7,14 @@
 
 #include <cmath>
 
-using Conformal_geometry_processing::internal::Jacobi_functions;
+namespace cgp_test::jacobi_functions_tests {
 
-namespace {
+using Conformal_geometry_processing::internal::Jacobi_functions;
 
 double modulus(double complement)
 {
   return std::sqrt((1 - complement) * (1 + complement));
 }
-
-}  // namespace
 
 TEST(Jacobi_functions, have_the_complete_integrals_at_the_quarter_period)
 {
@@ -44,3 +42,5 @@ TEST(Jacobi_functions, invert_the_incomplete_integrals)
       EXPECT_NEAR(values.second_integral, std::ellint_2(k, angle), 1e-12);
     }
 }
+
+}  // namespace cgp_test::jacobi_functions_tests

@@ -10,9 +10,8 @@
 #include "support/minimal_surfaces.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::associated_family_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Associated_family, has_the_surface_itself_and_its_mirror_image_in_a_point)
@@ -63,4 +62,4 @@ TEST(Associated_family, refuses_unsuitable_meshes)
   EXPECT_THROW((CGP::Associated_family<>{Mesh_view{}}), CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::associated_family_tests

@@ -14,9 +14,8 @@
 
 #include "support/mesh_tools.h"
 
-namespace {
+namespace cgp_test::delaunay_surface_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Delaunay_meridian, goes_from_bulge_to_neck_and_back_in_one_period)
@@ -112,4 +111,4 @@ TEST(Delaunay_surface, refuses_radii_and_grids_that_make_none)
   EXPECT_THROW((void)CGP::delaunay_surface(.5, 1, 8, 8, 0), CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::delaunay_surface_tests

@@ -12,9 +12,8 @@
 #include "support/random_delaunay.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::dirac_disk_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 double eigenvalue(const CGP::Spin_result& result, double wanted)
@@ -85,4 +84,4 @@ TEST(Dirac_disk, is_not_for_closed_surfaces)
   EXPECT_THROW((void)CGP::dirac_disk(icosphere(1), 1), CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::dirac_disk_tests

@@ -15,9 +15,8 @@
 #include "support/bounded_meshes.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::dirac_sphere_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 double energy(const CGP::Spin_result& result, const Mesh_view& mesh)
@@ -122,4 +121,4 @@ TEST(Dirac_sphere, refuses_surfaces_that_are_no_spheres)
                CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::dirac_sphere_tests

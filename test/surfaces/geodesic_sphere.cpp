@@ -9,9 +9,8 @@
 
 #include "support/mesh_tools.h"
 
-namespace {
+namespace cgp_test::geodesic_sphere_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Geodesic_sphere, is_a_closed_sphere_of_twenty_n_squared_faces_with_normals_outward)
@@ -42,4 +41,4 @@ TEST(Geodesic_sphere, refuses_a_frequency_of_zero)
   EXPECT_THROW((void)CGP::geodesic_sphere(0), CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::geodesic_sphere_tests

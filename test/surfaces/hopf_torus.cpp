@@ -16,9 +16,8 @@
 
 #include "support/mesh_tools.h"
 
-namespace {
+namespace cgp_test::hopf_torus_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Complex = std::complex<double>;
 
@@ -168,4 +167,4 @@ TEST(Evenly_spaced, divides_the_perimeter_of_a_polygon_as_its_edges_count)
                CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::hopf_torus_tests

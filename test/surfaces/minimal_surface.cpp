@@ -11,9 +11,8 @@
 #include "support/minimal_surfaces.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::minimal_surface_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Minimal_surface, of_a_hemisphere_with_its_tangents_is_the_disk_it_was_projected_from)
@@ -74,4 +73,4 @@ TEST(Minimal_surface, is_not_for_closed_surfaces)
   EXPECT_THROW((void)CGP::spin_to_minimal_surface(icosphere(1)), CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::minimal_surface_tests

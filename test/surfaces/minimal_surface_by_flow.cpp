@@ -8,10 +8,10 @@
 #include "spin/boundary_tools.h"
 #include "support/random_delaunay.h"
 
-/// Minimal surfaces that one solve does not reach.
-namespace {
+namespace cgp_test::minimal_surface_by_flow_tests {
 
-using namespace cgp_test;
+/// Minimal surfaces that one solve does not reach.
+
 using Fault = CGP::Spin_report::Fault;
 
 /// a disk with a tall bump, which is flat at its rim
@@ -29,8 +29,6 @@ CGP::Spin_result part(const Mesh_view& mesh, double share)
   return CGP::Spin_transformation<>(mesh, {Boundary_condition::tangents()})
       .transform(Curvature_potential::on_vertices(-share * CGP::mean_curvature(mesh)));
 }
-
-}  // namespace
 
 TEST(Minimal_surface_that_is_far, is_refused_with_the_share_of_the_way_that_exists)
 {
@@ -82,3 +80,5 @@ TEST(Minimal_surface_that_is_far, counts_the_turn_of_the_directions_as_part_of_t
     EXPECT_LT((tilted.targets.col(int(k)) - halfway).norm(), 1e-12);
   }
 }
+
+}  // namespace cgp_test::minimal_surface_by_flow_tests

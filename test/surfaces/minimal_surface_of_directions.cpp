@@ -8,9 +8,8 @@
 #include "support/random_delaunay.h"
 #include "support/weierstrass.h"
 
-namespace {
+namespace cgp_test::minimal_surface_of_directions_tests {
 
-using namespace cgp_test;
 using Boundary_fault = CGP::Spin_report::Boundary_fault;
 
 const Eigen::Vector3d tangent(1, 0, 0), binormal(0, 0, 1);
@@ -56,8 +55,6 @@ Eigen::Vector3d catenoid_differential(const Eigen::Vector3d& p, const Eigen::Vec
   return {(.5 * dz * (1. - z * z)).real(), (Complex(0, .5) * dz * (1. + z * z)).real(),
           (dz * z).real()};
 }
-
-}  // namespace
 
 TEST(Minimal_surface_of_directions, is_that_of_the_weierstrass_data_of_the_same_boundary)
 {
@@ -145,3 +142,5 @@ TEST(Minimal_surface_of_directions, is_refused_where_no_eigenvalue_is_zero)
     EXPECT_GT(gamma_radius(r, hemisphere), 1);
   }
 }
+
+}  // namespace cgp_test::minimal_surface_of_directions_tests

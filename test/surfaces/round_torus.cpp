@@ -19,9 +19,8 @@
 
 #include "support/mesh_tools.h"
 
-namespace {
+namespace cgp_test::round_torus_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 using Quaternion = CGP::Quaternion<double>;
 
@@ -150,4 +149,4 @@ TEST(Round_torus, refuses_radii_that_make_no_torus)
   EXPECT_THROW((void)CGP::homogeneous_torus(.1, 8), CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::round_torus_tests

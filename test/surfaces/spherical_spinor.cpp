@@ -14,9 +14,8 @@
 #include "support/random.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::spherical_spinor_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 Quaternion_vector<double> sampled(const Mesh_view& sphere, int kappa, int s)
@@ -101,4 +100,4 @@ TEST(Spherical_spinor, refuses_numbers_that_do_not_belong_to_one)
   EXPECT_NO_THROW(CGP::require_spherical_spinor(-2, 1, "test"));
 }
 
-}  // namespace
+}  // namespace cgp_test::spherical_spinor_tests

@@ -15,9 +15,8 @@
 
 #include "support/polyhedra.h"
 
-namespace {
+namespace cgp_test::torus_of_revolution_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 /// an ellipse with semiaxes 1 and `height`
@@ -115,4 +114,4 @@ TEST(Torus_of_class, refuses_families_without_it_and_surfaces_that_are_no_tori)
                CGP::Precondition_error);
 }
 
-}  // namespace
+}  // namespace cgp_test::torus_of_revolution_tests

@@ -7,6 +7,8 @@
 
 #include <chrono>
 
+namespace cgp_test::signal_tests {
+
 namespace CGP = Conformal_geometry_processing;
 
 // Both while the other thread polls, and after it has gone to sleep.
@@ -37,3 +39,5 @@ TEST(Signal, wakes_a_thread_that_polls_or_sleeps)
     waiting.join();
   }
 }
+
+}  // namespace cgp_test::signal_tests

@@ -12,7 +12,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace {
+namespace cgp_test::task_pool_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -114,4 +114,4 @@ TEST(Task_pool_of_two, has_a_second_thread_that_helps_with_the_loop_of_the_only_
   EXPECT_EQ(threads.size(), 2u);
 }
 
-}  // namespace
+}  // namespace cgp_test::task_pool_tests

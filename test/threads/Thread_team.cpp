@@ -10,7 +10,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace {
+namespace cgp_test::thread_team_tests {
 
 using Conformal_geometry_processing::internal::Thread_team;
 using Ids = std::set<std::thread::id>;
@@ -135,4 +135,4 @@ TEST(Thread_team, of_one_thread_does_not_meet_that_of_another)
   EXPECT_EQ(all.size(), 8u);
 }
 
-}  // namespace
+}  // namespace cgp_test::thread_team_tests

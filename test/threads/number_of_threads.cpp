@@ -8,7 +8,7 @@
 
 #include <thread>
 
-namespace {
+namespace cgp_test::number_of_threads_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -38,4 +38,4 @@ TEST(Number_of_threads, has_a_limit)
   CGP::set_number_of_threads(1);
 }
 
-}  // namespace
+}  // namespace cgp_test::number_of_threads_tests

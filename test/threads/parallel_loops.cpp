@@ -11,7 +11,7 @@
 
 #include "threads/threads.h"
 
-namespace {
+namespace cgp_test::parallel_loops_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using namespace CGP::internal;
@@ -105,4 +105,4 @@ TEST(Sum_of_ranges, adds_in_the_order_of_the_elements)
   EXPECT_EQ(sum_of_ranges(26, 4, Word(), add).letters, "abcdefghijklmnopqrstuvwxyz");
 }
 
-}  // namespace
+}  // namespace cgp_test::parallel_loops_tests

@@ -5,30 +5,17 @@
 
 #include "Command.h"
 
+#include <string>
 #include <vector>
 
+// Defined in the file that commands.cmake writes.
 namespace conformal {
 
-// One function for each row of the table, each in the file of its name.
-Command info_command();
-Command spin_command();
-Command deform_command();
-Command fair_command();
-Command flow_command();
-Command boundary_command();
-Command fit_command();
-Command blend_command();
-Command flatten_command();
-Command curve_command();
-Command harmonic_command();
-Command spectrum_command();
-Command sphere_command();
-Command compare_command();
-Command split_command();
-Command studio_command();
-
-/// all subcommands, in the order in which they are listed
+/// the subcommands that this program was built with, in the order in which they are listed
 std::vector<Command> commands();
+
+/// the names of the other ones
+std::vector<std::string> commands_not_built();
 
 }  // namespace conformal
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "commands.h"
+#include "Command.h"
 #include "option_groups.h"
 
 #include "conformal/io/write_surface.h"

@@ -6,7 +6,7 @@
 
 #include "linear_algebra/solver_laws.h"
 
-namespace cgp_test {
+namespace cgp_test::eigen_hermitian_solver_traits_tests {
 
 using Traits = CGP::Eigen_hermitian_solver_traits;
 using Real_traits = CGP::internal::Eigen_real_hermitian_solver_traits;
@@ -15,13 +15,13 @@ using Solvers =
                    Real_traits::Solver<double>, Real_traits::Solver<Quaternion<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Eigen, Hermitian_solver, Solvers);
 
-}  // namespace cgp_test
-
 TEST(Eigen_backend, counts_the_factor_of_a_path_without_fill_in)
 {
   // 0 - 1 - 2 in this order: every column but the last has one entry below the diagonal.
   const Conformal_geometry_processing::Sparse_pattern path{{0, 2, 4, 5}, {0, 1, 1, 2, 2}};
-  cgp_test::Traits::Solver<Conformal_geometry_processing::Quaternion<double>> solver;
+  Traits::Solver<Conformal_geometry_processing::Quaternion<double>> solver;
   ASSERT_EQ(solver.analyze(path, {0, 1, 2}), Conformal_geometry_processing::Solver_status::success);
   EXPECT_EQ(solver.statistics().factor_entries, 5);
 }
+
+}  // namespace cgp_test::eigen_hermitian_solver_traits_tests

@@ -11,11 +11,10 @@
 
 #include "linear_algebra/hermitian_matrices.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using CGP::Solver_status;
+namespace cgp_test::embedded_hermitian_solver_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using CGP::Solver_status;
 
 enum class Step { none, ordering, analysis, factorization, solution };
 
@@ -65,8 +64,6 @@ Solver_status run(Solver& solver)
   }
   return status;
 }
-
-}  // namespace
 
 TEST(Embedded_hermitian_solver, passes_on_the_failure_of_any_step_and_recovers)
 {
@@ -119,3 +116,5 @@ TEST(Embedded_hermitian_solver, cannot_be_copied)
   EXPECT_FALSE(std::is_copy_constructible_v<Solver>);
   EXPECT_FALSE(std::is_copy_assignable_v<Solver>);
 }
+
+}  // namespace cgp_test::embedded_hermitian_solver_tests

@@ -8,11 +8,10 @@
 
 #include "linear_algebra/hermitian_matrices.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Q = CGP::Quaternion<double>;
+namespace cgp_test::embedded_matrix_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Q = CGP::Quaternion<double>;
 
 template <class Scalar_, class Embedding_>
 struct Case {
@@ -47,8 +46,6 @@ using Cases = testing::Types<Case<double, CGP::internal::Number_embedding<double
                              Case<Q, CGP::internal::Complex_embedding<Q>>,
                              Case<Q, CGP::internal::Real_embedding<Q>>>;
 TYPED_TEST_SUITE(Embedded_matrix, Cases);
-
-}  // namespace
 
 TYPED_TEST(Embedded_matrix, is_the_lower_triangle_in_factor_order)
 {
@@ -93,3 +90,5 @@ TEST(Embedded_entries, fit_an_int_or_are_too_many)
   EXPECT_EQ(CGP::internal::embedded_entries(1, 134217727, 4), 10 + 2147483632);
   EXPECT_THROW(CGP::internal::embedded_entries(2, 134217727, 4), std::bad_alloc);
 }
+
+}  // namespace cgp_test::embedded_matrix_tests

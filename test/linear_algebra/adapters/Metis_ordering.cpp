@@ -13,7 +13,7 @@
 #include "linear_algebra/graphs.h"
 #include "support/spheres.h"
 
-using namespace cgp_test;
+namespace cgp_test::metis_ordering_tests {
 
 TEST(Metis_ordering, permutes_the_vertices_of_any_graph)
 {
@@ -56,3 +56,5 @@ TEST(Metis_ordering, refuses_what_metis_refuses)
   EXPECT_THROW(CGP::internal::check_metis_status(METIS_ERROR_INPUT), CGP::Solver_error);
   EXPECT_THROW(CGP::internal::check_metis_status(METIS_ERROR_MEMORY), std::bad_alloc);
 }
+
+}  // namespace cgp_test::metis_ordering_tests

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/linear_algebra/adapters/Petsc_handle.h
-// What happens when the program does not start PETSc, as this one does not: it is not given
-// test/support/slepc_main.cpp.
+// Compiled alone: this program does not start PETSc; it is not given test/support/slepc_main.cpp.
 #include <Conformal_geometry_processing/linear_algebra/adapters/Slepc_eigensolver_traits.h>
 #include <Conformal_geometry_processing/templates.h>
 
@@ -10,7 +9,8 @@
 
 #include "linear_algebra/hermitian_matrices.h"
 
-using namespace cgp_test;
+namespace cgp_test::petsc_handle_tests {
+
 using CGP::internal::check_petsc;
 
 TEST(Check_petsc, throws_what_fits_the_error)
@@ -52,3 +52,5 @@ TEST(Slepc_eigensolver_traits, refuses_to_work_before_petsc_runs)
                                                random_block<Quaternion<double>>(20, 1, 3)),
                CGP::Solver_error);
 }
+
+}  // namespace cgp_test::petsc_handle_tests

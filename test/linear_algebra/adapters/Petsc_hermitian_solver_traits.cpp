@@ -13,11 +13,15 @@
 
 namespace cgp_test {
 
-using Traits = CGP::Petsc_hermitian_solver_traits;
-
 // The iteration ends at a residual of 1e-13; condition numbers are below 100.
 template <class Scalar>
 inline constexpr double error_of_solution<CGP::internal::Petsc_hermitian_solver<Scalar>> = 1e-11;
+
+}  // namespace cgp_test
+
+namespace cgp_test::petsc_hermitian_solver_traits_tests {
+
+using Traits = CGP::Petsc_hermitian_solver_traits;
 
 using Solvers = testing::Types<Traits::Solver<double>, Traits::Solver<Quaternion<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Petsc, Hermitian_solver, Solvers);
@@ -49,4 +53,4 @@ TYPED_TEST(Petsc_hermitian_solver, reports_an_iteration_that_breaks_down)
   EXPECT_EQ(this->solver.solve(b, x), Solver_status::numerical_issue);
 }
 
-}  // namespace cgp_test
+}  // namespace cgp_test::petsc_hermitian_solver_traits_tests

@@ -7,9 +7,7 @@
 
 #include "linear_algebra/hermitian_matrices.h"
 
-using namespace cgp_test;
-
-namespace {
+namespace cgp_test::petsc_matrix_tests {
 
 template <class Scalar_>
 class Petsc_matrix : public testing::Test {
@@ -38,8 +36,6 @@ class Petsc_matrix : public testing::Test {
 using Scalars = testing::Types<double, Quaternion<double>>;
 TYPED_TEST_SUITE(Petsc_matrix, Scalars);
 
-}  // namespace
-
 TYPED_TEST(Petsc_matrix, gives_vectors_back_on_every_process)
 {
   const auto x = random_block<TypeParam>(this->n, 2, 3);
@@ -57,7 +53,7 @@ TYPED_TEST(Petsc_matrix, multiplies_as_the_matrix_does)
     const auto A = random_hermitian<TypeParam>(this->pattern, seed);
     this->distributed.set_values(A, {});
     const auto x = random_block<TypeParam>(this->n, 2, 6);
-    const Eigen::MatrixXd expected = dense(A) * real_columns(x);
+    const Eigen::MatrixXd expected = real_form(A) * real_columns(x);
     EXPECT_LE((real_columns(this->product(x)) - expected).norm(), 1e-14 * expected.norm());
   }
 }
@@ -68,7 +64,7 @@ TYPED_TEST(Petsc_matrix, adds_the_shift_to_the_diagonal)
   const Eigen::VectorXd shift = random_numbers(this->n, 8);
   this->distributed.set_values(A, shift);
   const auto x = random_block<TypeParam>(this->n, 1, 9);
-  const Eigen::MatrixXd expected = dense(plus_diagonal(A, shift)) * real_columns(x);
+  const Eigen::MatrixXd expected = real_form(plus_diagonal(A, shift)) * real_columns(x);
   EXPECT_LE((real_columns(this->product(x)) - expected).norm(), 1e-14 * expected.norm());
 }
 
@@ -82,3 +78,5 @@ TYPED_TEST(Petsc_matrix, gives_every_process_a_fair_share_of_the_rows)
   EXPECT_GE(vertices, this->n / processes);
   EXPECT_LE(vertices, this->n / processes + 1);
 }
+
+}  // namespace cgp_test::petsc_matrix_tests

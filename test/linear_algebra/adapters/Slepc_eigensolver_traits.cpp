@@ -15,10 +15,9 @@
 #include "spin/gauge_tools.h"
 #include "support/meshes.h"
 
-using namespace cgp_test;
-using Q = Quaternion<double>;
+namespace cgp_test::slepc_eigensolver_traits_tests {
 
-namespace {
+using Q = Quaternion<double>;
 
 CGP::Eigensolver_options options_for(double tolerance, int wanted, double scale = 1)
 {
@@ -73,8 +72,6 @@ void expect_agreement(const Mesh_view& mesh, int wanted)
   ASSERT_TRUE(slepc.gap.has_value());
   EXPECT_NEAR(*slepc.gap, direct.values[1] - direct.values[0], 1e-3 * *slepc.gap);
 }
-
-}  // namespace
 
 TEST(Slepc_eigensolver_traits, agrees_with_the_direct_solution_on_a_noisy_sphere)
 {
@@ -176,3 +173,5 @@ TEST(Slepc_eigensolver_traits, refuses_values_that_are_not_finite)
                                                problem.start),
                CGP::Solver_error);
 }
+
+}  // namespace cgp_test::slepc_eigensolver_traits_tests

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace cgp_test::solver_embedding_tests {
+
 namespace CGP = Conformal_geometry_processing;
 using Q = CGP::Quaternion<double>;
 
@@ -48,3 +50,5 @@ TEST(Real_embedding, lets_quaternions_act_on_their_four_components)
   static_assert(CGP::internal::Real_embedding<Q>::width == 4);
   expect_left_multiplication<CGP::internal::Real_embedding<Q>>();
 }
+
+}  // namespace cgp_test::solver_embedding_tests

@@ -7,8 +7,7 @@
 
 #include "linear_algebra/solver_laws.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::supernodal_real_solver_traits_tests {
 
 using Traits = CGP::internal::Supernodal_real_solver_traits;
 using Solvers = testing::Types<Traits::Solver<double>, Traits::Solver<Quaternion<double>>>;
@@ -30,5 +29,4 @@ TEST(Supernodal_real_solver, stores_about_as_many_blocks_as_the_quaternionic_fac
   EXPECT_GT(blocks(real), blocks(quaternionic) / 1.3);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::supernodal_real_solver_traits_tests

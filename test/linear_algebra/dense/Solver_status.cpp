@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+namespace cgp_test::solver_status_tests {
+
 namespace CGP = Conformal_geometry_processing;
 using CGP::Solver_status;
 
@@ -22,3 +24,5 @@ TEST(Solver_status, says_something_different_about_each_case)
   EXPECT_EQ(words.count("unknown"), 0u);
   EXPECT_STREQ(CGP::to_string(static_cast<Solver_status>(-1)), "unknown");
 }
+
+}  // namespace cgp_test::solver_status_tests

@@ -7,20 +7,22 @@
 
 #include "linear_algebra/hermitian_matrices.h"
 
+namespace cgp_test::block_products_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using Q = CGP::Quaternion<double>;
 
 TEST(Gram_matrix, is_the_conjugate_transpose_times_the_other)
 {
   const auto A = random_block<Q>(9, 2, 1), B = random_block<Q>(9, 3, 2);
-  EXPECT_LE((dense(CGP::gram_matrix(A, B)) - dense(A).transpose() * dense(B)).norm(), 1e-14);
+  EXPECT_LE((real_form(CGP::gram_matrix(A, B)) - real_form(A).transpose() * real_form(B)).norm(),
+            1e-14);
 }
 
 TEST(Combination, multiplies_from_the_right)
 {
   const auto V = random_block<Q>(9, 3, 3), C = random_block<Q>(3, 2, 4);
-  EXPECT_LE((dense(CGP::combination(V, C)) - dense(V) * dense(C)).norm(), 1e-14);
+  EXPECT_LE((real_form(CGP::combination(V, C)) - real_form(V) * real_form(C)).norm(), 1e-14);
 }
 
 TEST(Replace_by_combination, combines_more_rows_than_it_takes_at_a_time)
@@ -65,3 +67,5 @@ TEST(Gram_matrix, over_the_reals_holds_the_inner_products_of_the_components)
       EXPECT_EQ(G(i, j), (Q{G(i, j).w, 0, 0, 0}));
     }
 }
+
+}  // namespace cgp_test::block_products_tests

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-namespace CGP = Conformal_geometry_processing;
+namespace cgp_test::factorize_preconditioner_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
 
 struct Solver {
   using Scalar = double;
@@ -40,8 +40,6 @@ struct Rough_solver : Half_rough_solver {
 
 const CGP::Hermitian_sparse_matrix<double> A;
 
-}  // namespace
-
 TEST(Factorize_preconditioner, is_passed_on_to_solvers_that_can)
 {
   Rough_solver solver;
@@ -65,3 +63,5 @@ TEST(Factorize_preconditioner, is_any_factorization_of_other_solvers)
   EXPECT_EQ(CGP::factorize_preconditioner(solver, A, {}), CGP::Solver_status::success);
   EXPECT_EQ(solver.factorizations, 1);
 }
+
+}  // namespace cgp_test::factorize_preconditioner_tests

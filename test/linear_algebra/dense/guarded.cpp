@@ -7,6 +7,8 @@
 
 #include <stdexcept>
 
+namespace cgp_test::guarded_tests {
+
 using Conformal_geometry_processing::Solver_status;
 using Conformal_geometry_processing::internal::guarded;
 
@@ -27,3 +29,5 @@ TEST(Guarded, lets_other_exceptions_pass)
   EXPECT_THROW(guarded([]() -> Solver_status { throw std::logic_error("a mistake"); }),
                std::logic_error);
 }
+
+}  // namespace cgp_test::guarded_tests

@@ -1,6 +1,7 @@
 // Tests linear_algebra/dense/hermitian_jacobi.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <Conformal_geometry_processing/algebra/quaternion_blocks.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 
 #include <Eigen/Dense>
@@ -10,11 +11,10 @@
 
 #include "linear_algebra/eigen_decompositions.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Q = CGP::Quaternion<double>;
+namespace cgp_test::hermitian_jacobi_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Q = CGP::Quaternion<double>;
 
 // Written out here, not to depend on the products of the library.
 CGP::Block<Q> product(const CGP::Block<Q>& a, const CGP::Block<Q>& b)
@@ -30,8 +30,6 @@ void expect_decomposes(const CGP::Block<Q>& A, double tolerance)
 {
   expect_decomposition(CGP::hermitian_jacobi(A), A, tolerance, 1e-13);
 }
-
-}  // namespace
 
 TEST(Hermitian_jacobi, diagonalises_random_matrices)
 {
@@ -117,3 +115,5 @@ TEST(Hermitian_jacobi, works_in_single_and_extended_precision)
   EXPECT_LE((CGP::hermitian_jacobi(F).values.cast<double>() - expected).norm(), 1e-5);
   EXPECT_LE((CGP::hermitian_jacobi(L).values.cast<double>() - expected).norm(), 1e-14);
 }
+
+}  // namespace cgp_test::hermitian_jacobi_tests

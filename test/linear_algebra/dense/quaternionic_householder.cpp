@@ -12,18 +12,15 @@
 
 #include "linear_algebra/eigen_decompositions.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Q = CGP::Quaternion<double>;
+namespace cgp_test::quaternionic_householder_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Q = CGP::Quaternion<double>;
 
 void expect_decomposes(const CGP::Block<Q>& A, double tolerance)
 {
   expect_decomposition(CGP::quaternionic_householder(A), A, tolerance, tolerance);
 }
-
-}  // namespace
 
 TEST(Quaternionic_householder, diagonalises_random_matrices)
 {
@@ -47,7 +44,7 @@ TEST(Quaternionic_householder, makes_a_real_tridiagonal_matrix)
   };
   for (int i = 0; i < 9; ++i) set(i, i, T.diagonal[i]);
   for (int i = 0; i < 8; ++i) set(i, i + 1, T.subdiagonal[i]), set(i + 1, i, T.subdiagonal[i]);
-  EXPECT_LE((dense(T.Q).transpose() * dense(A) * dense(T.Q) - expected).norm(), 1e-13);
+  EXPECT_LE((real_form(T.Q).transpose() * real_form(A) * real_form(T.Q) - expected).norm(), 1e-13);
   EXPECT_GE(T.subdiagonal.minCoeff(), 0);
 }
 
@@ -78,3 +75,5 @@ TEST(Quaternionic_householder, refuses_values_that_are_not_finite)
   A(2, 2).w = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)CGP::quaternionic_householder(A), CGP::Solver_error);
 }
+
+}  // namespace cgp_test::quaternionic_householder_tests

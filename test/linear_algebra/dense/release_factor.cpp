@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace cgp_test::release_factor_tests {
+
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Release_factor, is_passed_on_to_solvers_that_can)
@@ -25,3 +27,5 @@ TEST(Release_factor, leaves_other_solvers_alone)
   CGP::release_factor(solver);
   EXPECT_EQ(solver.factor, 7);
 }
+
+}  // namespace cgp_test::release_factor_tests

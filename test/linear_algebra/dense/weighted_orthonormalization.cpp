@@ -11,10 +11,9 @@
 
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::weighted_orthonormalization_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 Eigen::VectorXd some_weights(int n)
 {
@@ -51,8 +50,6 @@ std::string message(const Eigen::MatrixXd& functions, const Eigen::VectorXd& wei
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Weighted_orthonormalization, divides_one_function_by_its_weighted_norm)
 {
@@ -186,3 +183,5 @@ TEST(Weighted_orthonormalization, refuses_other_sizes_bad_weights_and_bad_values
   weights[5] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(message(F, weights), "weight 5 is inf; positive numbers are needed");
 }
+
+}  // namespace cgp_test::weighted_orthonormalization_tests

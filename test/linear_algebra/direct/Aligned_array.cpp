@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <new>
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::aligned_array_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -64,5 +63,4 @@ TEST(Aligned_array, that_cannot_be_allocated_throws_and_holds_nothing)
   EXPECT_EQ(a.size(), 7);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::aligned_array_tests

@@ -10,8 +10,7 @@
 
 #include "linear_algebra/symbolic_elimination.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::contribution_stack_tests {
 
 using CGP::internal::Contribution_stack;
 using CGP::internal::Elimination_tasks;
@@ -84,5 +83,4 @@ TEST(Contribution_stack, of_tasks_are_apart_unless_one_is_done_before_the_other_
     }
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::contribution_stack_tests

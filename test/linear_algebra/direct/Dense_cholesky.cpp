@@ -12,10 +12,9 @@
 #include "linear_algebra/every_unit.h"
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::dense_cholesky_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 
 Eigen::MatrixXd some_definite_matrix(int n)
 {
@@ -34,8 +33,6 @@ CGP::internal::Dense_cholesky lower_part(const Eigen::MatrixXd& A)
     for (int i = 0; i < n; ++i) cholesky(i, j) = i >= j ? A(i, j) : 17 + i;
   return cholesky;
 }
-
-}  // namespace
 
 TEST(Dense_cholesky, has_the_factor_of_a_matrix)
 {
@@ -96,3 +93,5 @@ TEST(Dense_cholesky, gives_its_memory_back)
   cholesky.release();
   EXPECT_EQ(cholesky.bytes(), 0);
 }
+
+}  // namespace cgp_test::dense_cholesky_tests

@@ -18,11 +18,10 @@
 
 #include "linear_algebra/hermitian_matrices.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Q = CGP::Quaternion<double>;
+namespace cgp_test::dirichlet_solver_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Q = CGP::Quaternion<double>;
 
 constexpr int n = 30;
 const std::vector<int> given = {17, 3, 4, 29, 0};
@@ -38,7 +37,7 @@ class Dirichlet_solver : public testing::Test {
   void expect_solution(const Solver& solver, const CGP::Hermitian_sparse_matrix<Scalar>& A) const
   {
     const Vectors x = solver.solve(A, b, values);
-    const Eigen::MatrixXd Ax = dense(A) * real_columns(x);
+    const Eigen::MatrixXd Ax = real_form(A) * real_columns(x);
     const int k = static_cast<int>(Ax.rows()) / n;  // real components
     for (int i = 0; i < n; ++i) {
       const bool is_given = solver.is_given(i);
@@ -59,8 +58,6 @@ using Models = testing::Types<std::pair<CGP::Default_solver_traits, double>,
                               std::pair<CGP::Eigen_hermitian_solver_traits, Q>>;
 TYPED_TEST_SUITE(Dirichlet_solver, Models, );
 
-}  // namespace
-
 TYPED_TEST(Dirichlet_solver, attaches_unknowns_by_weights)
 {
   typename TestFixture::Solver solver(this->matrix.shared_pattern(), given);
@@ -68,7 +65,7 @@ TYPED_TEST(Dirichlet_solver, attaches_unknowns_by_weights)
   for (const int i : given) w[i] = 1 + .5 * i;
   solver.factorize(this->matrix, w);
   const Eigen::MatrixXd x = real_columns(solver.solve(this->matrix, this->b, this->values));
-  Eigen::MatrixXd left = dense(this->matrix) * x - real_columns(this->b);
+  Eigen::MatrixXd left = real_form(this->matrix) * x - real_columns(this->b);
   const Eigen::MatrixXd pull = x - real_columns(this->values);
   const Eigen::Index k = left.rows() / n;
   for (Eigen::Index i = 0; i < left.rows(); ++i) left.row(i) += w[i / k] * pull.row(i);
@@ -144,3 +141,5 @@ TEST(Dirichlet_solver_sharing, refuses_a_solver_that_has_none)
   EXPECT_THROW(CGP::internal::Dirichlet_solver<double>(random_pattern(n, 1), given, other),
                CGP::Solver_error);
 }
+
+}  // namespace cgp_test::dirichlet_solver_tests

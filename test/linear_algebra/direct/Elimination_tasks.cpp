@@ -10,8 +10,7 @@
 
 #include "linear_algebra/symbolic_elimination.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::elimination_tasks_tests {
 
 using CGP::internal::Elimination_tasks;
 using CGP::internal::Supernodal_structure;
@@ -99,5 +98,4 @@ TEST(Elimination_tasks, run_up_the_tree_and_down_again)
   }
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::elimination_tasks_tests

@@ -7,7 +7,8 @@
 
 #include "linear_algebra/graphs.h"
 
-using namespace cgp_test;
+namespace cgp_test::graph_region_tests {
+
 using CGP::internal::Side;
 
 TEST(Graph_region, has_every_edge_once_and_positions_in_the_unit_cube)
@@ -46,3 +47,5 @@ TEST(Graph_region, splits_into_the_parts_beside_the_separator)
   EXPECT_EQ(grandchildren[0].size(), 0);
   EXPECT_EQ(grandchildren[1].vertices, (std::vector<int>{0}));
 }
+
+}  // namespace cgp_test::graph_region_tests

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace cgp_test::ordering_tests {
+
 namespace CGP = Conformal_geometry_processing;
 
 TEST(Inverse_permutation, gives_the_new_number_of_every_old_one)
@@ -19,3 +21,5 @@ TEST(Inverse_permutation, refuses_what_is_no_permutation)
   EXPECT_TRUE(CGP::inverse_permutation({0, 3, 1}).empty());
   EXPECT_TRUE(CGP::inverse_permutation({0, -1, 1}).empty());
 }
+
+}  // namespace cgp_test::ordering_tests

@@ -17,12 +17,9 @@
 #include "linear_algebra/solver_laws.h"
 #include "support/decompositions.h"
 
-namespace {
-
+// Compiled alone: it replaces an operator of the whole program.
 /// Allocations of more bytes than this fail
 std::size_t most_bytes = ~std::size_t(0);
-
-}  // namespace
 
 void* operator new(std::size_t bytes, std::align_val_t alignment)
 {
@@ -40,8 +37,7 @@ void operator delete(void* p, std::size_t, std::align_val_t) noexcept
   std::free(p);
 }
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::supernodal_cholesky_tests {
 
 using Quaternionic = CGP::Supernodal_cholesky<Quaternion<double>>;
 using Models = testing::Types<CGP::Supernodal_cholesky<double>,
@@ -76,7 +72,7 @@ TYPED_TEST(Supernodal_cholesky, solves_with_one_vertex_without_edges_and_in_many
       ASSERT_EQ(this->solver.analyze(*pattern), Solver_status::success);
       ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
       const auto b = random_block<Scalar>(A.size(), 3, 9);
-      const Eigen::MatrixXd expected = definite_solution(dense(A), real_columns(b));
+      const Eigen::MatrixXd expected = definite_solution(real_form(A), real_columns(b));
       EXPECT_LE((solution(this->solver, b) - expected).norm(), 1e-12 * expected.norm());
     }
   });
@@ -121,7 +117,7 @@ TYPED_TEST(Supernodal_cholesky, that_does_not_fit_tells_how_much_it_needs_and_wo
   EXPECT_EQ(this->solver.solve(b, x), Solver_status::wrong_state);
   most_bytes = ~std::size_t(0);
   ASSERT_EQ(this->solver.factorize(A, {}), Solver_status::success);
-  const Eigen::MatrixXd expected = definite_solution(dense(A), real_columns(b));
+  const Eigen::MatrixXd expected = definite_solution(real_form(A), real_columns(b));
   EXPECT_LE((solution(this->solver, b) - expected).norm(), 1e-12 * expected.norm());
   most_bytes = 1000;
   EXPECT_EQ(this->solver.solve(b, x), Solver_status::out_of_memory);
@@ -223,5 +219,4 @@ TYPED_TEST(Supernodal_cholesky, keeps_the_vector_unit_that_it_was_analyzed_with)
   });
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::supernodal_cholesky_tests

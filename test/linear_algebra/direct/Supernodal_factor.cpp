@@ -18,8 +18,7 @@
 #include "support/spheres.h"
 #include "threads/threads.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::supernodal_factor_tests {
 
 template <class Kind>
 class Supernodal_factor : public testing::Test {
@@ -61,8 +60,8 @@ class Supernodal_factor : public testing::Test {
     Factor factor = factor_of(pattern, order);
     ASSERT_EQ(factor.factorize(A, shift), -1);
     const Eigen::MatrixXd expected =
-        cholesky_factor(dense(permuted(plus_diagonal(A, shift), factor.structure().order())));
-    EXPECT_LE((dense(unpacked(factor)) - expected).norm(), Kind::precision * expected.norm());
+        cholesky_factor(real_form(permuted(plus_diagonal(A, shift), factor.structure().order())));
+    EXPECT_LE((real_form(unpacked(factor)) - expected).norm(), Kind::precision * expected.norm());
   }
 };
 TYPED_TEST_SUITE(Supernodal_factor, Kinds);
@@ -201,10 +200,10 @@ TYPED_TEST(Supernodal_factor, leaves_the_schur_complement_to_kept_vertices)
             complement(row, column) += c;
             if (i != j) complement(column, row) += CGP::conjugate(c);
           }
-      const Eigen::MatrixXd all = dense(P), inverse = all.inverse();
-      const Eigen::Index size = dense(complement).rows();
+      const Eigen::MatrixXd all = real_form(P), inverse = all.inverse();
+      const Eigen::Index size = real_form(complement).rows();
       const Eigen::MatrixXd expected = inverse.bottomRightCorner(size, size).inverse();
-      EXPECT_LE((dense(complement) - expected).norm(), TypeParam::precision * all.norm());
+      EXPECT_LE((real_form(complement) - expected).norm(), TypeParam::precision * all.norm());
     }
   });
 }
@@ -220,5 +219,4 @@ TYPED_TEST(Supernodal_factor, knows_its_memory_before_it_is_allocated)
   });
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::supernodal_factor_tests

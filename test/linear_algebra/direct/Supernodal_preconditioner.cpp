@@ -15,7 +15,7 @@
 #include "linear_algebra/solver_laws.h"
 #include "support/decompositions.h"
 
-namespace cgp_test {
+namespace cgp_test::supernodal_preconditioner_tests {
 
 /// the factor that serves as a preconditioner, as a solver
 template <class Scalar>
@@ -32,11 +32,15 @@ struct Preconditioner : CGP::Supernodal_cholesky<Scalar> {
   }
 };
 
+}  // namespace cgp_test::supernodal_preconditioner_tests
+
 // A float has seven digits, and the condition numbers of these matrices cost up to two.
 template <class Scalar>
-inline constexpr double error_of_solution<Preconditioner<Scalar>> = 1e-5;
+inline constexpr double
+    cgp_test::error_of_solution<cgp_test::supernodal_preconditioner_tests::Preconditioner<Scalar>> =
+        1e-5;
 
-namespace {
+namespace cgp_test::supernodal_preconditioner_tests {
 
 using Solvers = testing::Types<Preconditioner<double>, Preconditioner<std::complex<double>>,
                                Preconditioner<Quaternion<double>>>;
@@ -58,7 +62,7 @@ class Supernodal_preconditioner : public testing::Test {
   double relative_error(const Matrix& A) const
   {
     const Vectors b = random_block<Scalar>(A.size(), 2, 4);
-    const Eigen::MatrixXd expected = definite_solution(dense(A), real_columns(b));
+    const Eigen::MatrixXd expected = definite_solution(real_form(A), real_columns(b));
     return (preconditioned(b) - expected).norm() / expected.norm();
   }
 
@@ -126,7 +130,7 @@ TYPED_TEST(Supernodal_preconditioner, improves_a_solution_to_double_precision_by
   const auto A = random_definite<TypeParam>(pattern, 6);
   ASSERT_EQ(this->solver.analyze(*pattern), Solver_status::success);
   ASSERT_EQ(this->solver.factorize_preconditioner(A, {}), Solver_status::success);
-  const Eigen::MatrixXd D = dense(A);
+  const Eigen::MatrixXd D = real_form(A);
   const auto b = random_block<TypeParam>(80, 1, 7);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(D.rows());
   for (int i = 0; i < 5; ++i) {
@@ -163,7 +167,7 @@ TYPED_TEST(Supernodal_preconditioner, is_in_double_precision_where_single_precis
   ASSERT_EQ(this->solver.factorize_preconditioner(A, {}), Solver_status::success);
   const auto b = random_block<TypeParam>(2, 1, 3);
   const Eigen::MatrixXd x = this->preconditioned(b);
-  EXPECT_LT((dense(A) * x - real_columns(b)).norm(), 1e-15 * x.norm());
+  EXPECT_LT((real_form(A) * x - real_columns(b)).norm(), 1e-15 * x.norm());
 }
 
 TYPED_TEST(Supernodal_preconditioner, does_not_depend_on_what_was_factorized_before)
@@ -203,5 +207,4 @@ TYPED_TEST(Supernodal_preconditioner, stays_in_single_precision_after_an_indefin
   EXPECT_GT(this->relative_error(A), 1e-9);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::supernodal_preconditioner_tests

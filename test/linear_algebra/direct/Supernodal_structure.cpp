@@ -8,8 +8,7 @@
 
 #include "linear_algebra/symbolic_elimination.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::supernodal_structure_tests {
 
 using CGP::internal::Supernodal_structure;
 
@@ -146,5 +145,4 @@ TEST(Supernodal_structure, has_no_entries_between_kept_vertices)
   }
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::supernodal_structure_tests

@@ -21,8 +21,7 @@
 #include "support/spheres.h"
 #include "threads/threads.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::supernodal_substitution_tests {
 
 template <class Kind, int numbers_>
 struct With_numbers : Kind {
@@ -73,7 +72,7 @@ class Supernodal_substitution : public testing::Test {
         for (int q = 0; q < planes; ++q) parts[q] = from[q];
         x(i, c) = CGP::internal::Scalar_planes<Scalar>::put(parts);
       }
-    const Eigen::MatrixXd expected = definite_solution(dense(A), real_columns(b));
+    const Eigen::MatrixXd expected = definite_solution(real_form(A), real_columns(b));
     EXPECT_LE((real_columns(x) - expected).norm(), Kind::precision * expected.norm());
   }
 };
@@ -136,7 +135,7 @@ TYPED_TEST(Supernodal_substitution, goes_through_kept_rows_in_two_halves)
     CGP::Block<Number> P(n, n);
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) P(i, j) = A.coefficient(order[at(i)], order[at(j)]);
-    const Eigen::MatrixXd all = dense(P), b = all * real_columns(x);
+    const Eigen::MatrixXd all = real_form(P), b = all * real_columns(x);
     const Eigen::Index size = parts * kept;
     const Eigen::MatrixXd complement = all.inverse().bottomRightCorner(size, size).inverse();
 
@@ -171,5 +170,4 @@ TYPED_TEST(Supernodal_substitution, takes_as_many_right_hand_sides_as_fill_a_row
   EXPECT_EQ(TestFixture::Substitution::columns * TypeParam::planes, TypeParam::numbers);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::supernodal_substitution_tests

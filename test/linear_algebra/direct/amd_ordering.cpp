@@ -10,8 +10,7 @@
 
 #include "linear_algebra/symbolic_elimination.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::amd_ordering_tests {
 
 int factor_entries(const CGP::Sparse_pattern& pattern, const CGP::internal::Ordering& order)
 {
@@ -45,5 +44,4 @@ TEST(Amd_ordering, fills_less_than_half_of_what_the_rows_of_a_grid_do)
   EXPECT_LT(factor_entries(*grid, CGP::amd_ordering(*grid)), factor_entries(*grid, rows) / 2);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::amd_ordering_tests

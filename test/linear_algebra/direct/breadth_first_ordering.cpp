@@ -11,7 +11,7 @@
 #include "linear_algebra/graphs.h"
 #include "support/spheres.h"
 
-using namespace cgp_test;
+namespace cgp_test::breadth_first_ordering_tests {
 
 TEST(Breadth_first_ordering, permutes_the_vertices_of_any_graph)
 {
@@ -48,3 +48,5 @@ TEST(Breadth_first_ordering, keeps_neighbours_near_whatever_the_numbers_of_the_m
   // Two zigzag rings around the sphere, of at most about 5 * 20 vertices.
   EXPECT_LT(farthest, 2 * 2 * 100);
 }
+
+}  // namespace cgp_test::breadth_first_ordering_tests

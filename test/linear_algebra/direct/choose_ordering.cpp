@@ -12,16 +12,12 @@
 #include "linear_algebra/graphs.h"
 #include "support/spheres.h"
 
-using namespace cgp_test;
-
-namespace {
+namespace cgp_test::choose_ordering_tests {
 
 double operations(const CGP::Sparse_pattern& pattern, const CGP::internal::Ordering& order)
 {
   return CGP::internal::Supernodal_structure(pattern, order).operations();
 }
-
-}  // namespace
 
 TEST(Choose_ordering, takes_minimum_degree_for_small_meshes)
 {
@@ -95,3 +91,5 @@ TEST(Choose_ordering, permutes_any_graph)
     EXPECT_EQ(static_cast<int>(CGP::inverse_permutation(order).size()), graph.size) << graph.name;
   }
 }
+
+}  // namespace cgp_test::choose_ordering_tests

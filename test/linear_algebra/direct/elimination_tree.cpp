@@ -8,8 +8,7 @@
 
 #include "linear_algebra/symbolic_elimination.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::elimination_tree_tests {
 
 using CGP::internal::Graph_rows;
 using CGP::internal::Permuted_graph;
@@ -128,5 +127,4 @@ TEST(Column_counts, are_those_of_the_eliminated_graph)
   }
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::elimination_tree_tests

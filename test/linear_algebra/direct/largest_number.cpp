@@ -13,10 +13,9 @@
 #include "linear_algebra/hermitian_matrices.h"
 #include "threads/threads.h"
 
-namespace {
+namespace cgp_test::largest_number_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using Q = CGP::Quaternion<double>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
@@ -73,4 +72,4 @@ TEST(Power_of_two, is_one_where_there_is_none)
   }
 }
 
-}  // namespace
+}  // namespace cgp_test::largest_number_tests

@@ -7,11 +7,10 @@
 
 #include "linear_algebra/graphs.h"
 
-using namespace cgp_test;
+namespace cgp_test::minimum_vertex_cut_tests {
+
 using CGP::internal::Side;
 using CGP::internal::Terminal_graph;
-
-namespace {
 
 Terminal_graph random_graph(int n, int edges, int sources, int sinks, std::uint64_t seed)
 {
@@ -72,8 +71,6 @@ void expect_separated(const Terminal_graph& graph, const std::vector<Side>& side
     EXPECT_FALSE(graph.is_sink[at(v)] && sides[at(v)] == Side::left);
   }
 }
-
-}  // namespace
 
 TEST(Minimum_vertex_cut, of_an_hourglass_is_its_waist)
 {
@@ -180,3 +177,5 @@ TEST(Minimum_vertex_cut, follows_long_paths)
   graph.is_source.front() = graph.is_sink.back() = 1;
   EXPECT_EQ(size_of_separator(CGP::minimum_vertex_cut(graph)), 1);
 }
+
+}  // namespace cgp_test::minimum_vertex_cut_tests

@@ -8,6 +8,8 @@
 #include <chrono>
 #include <thread>
 
+namespace cgp_test::stopwatch_tests {
+
 // A sleep is never shorter than asked for, so lower bounds hold on any machine.
 TEST(Stopwatch, measures_each_lap_from_the_last_one)
 {
@@ -22,3 +24,5 @@ TEST(Stopwatch, measures_each_lap_from_the_last_one)
   EXPECT_GE(second, 0);
   EXPECT_LE(first + second, total);
 }
+
+}  // namespace cgp_test::stopwatch_tests

@@ -9,8 +9,7 @@
 #include <numeric>
 #include <vector>
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::supernodes_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -87,5 +86,4 @@ TEST(Relaxed_supernodes, are_cut_into_even_pieces)
   }
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::supernodes_tests

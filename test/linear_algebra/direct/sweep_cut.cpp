@@ -7,10 +7,9 @@
 
 #include "linear_algebra/graphs.h"
 
-using namespace cgp_test;
-using CGP::internal::Side;
+namespace cgp_test::sweep_cut_tests {
 
-namespace {
+using CGP::internal::Side;
 
 int size_of(const std::vector<Side>& sides, Side side)
 {
@@ -21,8 +20,6 @@ std::vector<Side> sides_of(int n, const Edges& edges, const Eigen::Matrix3Xd& po
 {
   return CGP::internal::Sweep_cut()(CGP::graph_region(pattern_of(n, edges), positions));
 }
-
-}  // namespace
 
 TEST(Sweep_cut, leaves_a_quarter_on_either_side)
 {
@@ -83,3 +80,5 @@ TEST(Sweep_cut, halves_where_most_vertices_coincide)
   EXPECT_EQ(size_of(sides, Side::left), 50);
   EXPECT_EQ(size_of(sides, Side::right), 50);
 }
+
+}  // namespace cgp_test::sweep_cut_tests

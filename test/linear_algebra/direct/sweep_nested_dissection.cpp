@@ -11,9 +11,7 @@
 #include "support/spheres.h"
 #include "threads/threads.h"
 
-using namespace cgp_test;
-
-namespace {
+namespace cgp_test::sweep_nested_dissection_tests {
 
 double operations(const CGP::Sparse_pattern& pattern, const CGP::internal::Ordering& order)
 {
@@ -31,8 +29,6 @@ void expect_permutation(int n, const CGP::internal::Ordering& order, const std::
   EXPECT_EQ(static_cast<int>(order.size()), n) << name;
   EXPECT_EQ(CGP::inverse_permutation(order).size(), order.size()) << name;
 }
-
-}  // namespace
 
 TEST(Sweep_nested_dissection, permutes_the_vertices_of_any_graph_at_any_positions)
 {
@@ -134,3 +130,5 @@ TEST(Sweep_nested_dissection, is_as_good_after_motion_and_scaling)
     EXPECT_NEAR(sweep_operations(moved), reference, 0.1 * reference);
   }
 }
+
+}  // namespace cgp_test::sweep_nested_dissection_tests

@@ -7,10 +7,9 @@
 
 #include "linear_algebra/graphs.h"
 
-using namespace cgp_test;
-using CGP::internal::Side;
+namespace cgp_test::vertex_separator_tests {
 
-namespace {
+using CGP::internal::Side;
 
 CGP::internal::Graph_region grid_region(int a)
 {
@@ -30,8 +29,6 @@ bool is_separated(const CGP::internal::Graph_region& region, const std::vector<S
   }
   return true;
 }
-
-}  // namespace
 
 TEST(Thin_separator, of_thick_columns_of_a_grid_is_one_column)
 {
@@ -85,3 +82,5 @@ TEST(Thin_separator, is_empty_between_components)
   CGP::thin_separator(region, sides);
   EXPECT_EQ(size_of(sides, Side::separator), 0);
 }
+
+}  // namespace cgp_test::vertex_separator_tests

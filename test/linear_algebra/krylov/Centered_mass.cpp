@@ -9,9 +9,8 @@
 
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::centered_mass_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 Eigen::MatrixXcd random_block(int rows, int columns, std::uint64_t seed)
@@ -30,8 +29,6 @@ Eigen::VectorXd half_of_them(int n)
   for (int i = 0; i < n; i += 2) weights[i] = 1 + i;
   return weights;
 }
-
-}  // namespace
 
 TEST(Centered_mass, is_the_spread_around_the_weighted_mean)
 {
@@ -58,3 +55,5 @@ TEST(Centered_mass, makes_columns_orthonormal)
   EXPECT_LT((x.adjoint() * (mass * x) - Eigen::MatrixXcd::Identity(3, 3)).norm(), 1e-12);
   EXPECT_LT((x.col(0).normalized() - first.normalized()).norm(), 1e-13);
 }
+
+}  // namespace cgp_test::centered_mass_tests

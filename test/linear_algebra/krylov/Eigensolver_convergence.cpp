@@ -9,12 +9,11 @@
 
 #include "linear_algebra/spectral_problem.h"
 
+namespace cgp_test::eigensolver_convergence_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using Q = CGP::Quaternion<double>;
 using Block = CGP::Block<Q>;
-
-namespace {
 
 // Feeds iterates of dimension two: the vector is (1, 0), the residual (0, size).
 class Iteration {
@@ -50,8 +49,6 @@ class Iteration {
   CGP::internal::Eigensolver_convergence m_convergence;
   CGP::internal::Always_go_further m_go_further;
 };
-
-}  // namespace
 
 TEST(Eigensolver_convergence, stops_below_the_tolerance)
 {
@@ -167,3 +164,5 @@ TEST(Eigensolver_result, starts_without_success)
   EXPECT_FALSE(r.converged || r.stagnated || r.cancelled);
   EXPECT_EQ(r.iterations, 0);
 }
+
+}  // namespace cgp_test::eigensolver_convergence_tests

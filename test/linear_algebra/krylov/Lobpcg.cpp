@@ -17,12 +17,11 @@
 #include "linear_algebra/lobpcg_runs.h"
 #include "support/decompositions.h"
 
+namespace cgp_test::lobpcg_tests {
+
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using Q = CGP::Quaternion<double>;
 using Block = CGP::Block<Q>;
-
-namespace {
 
 // A matrix, masses and a solver, with dense eigenvalues to compare.
 struct Matrix_problem {
@@ -31,7 +30,7 @@ struct Matrix_problem {
     EXPECT_EQ(solver.analyze(A.pattern()), CGP::Solver_status::success);
     EXPECT_EQ(solver.factorize(A, 1e-3 * masses), CGP::Solver_status::success);
     const Eigen::MatrixXd N = four_times(masses).asDiagonal();
-    expected = symmetric_eigenvalues(dense(A), N);
+    expected = symmetric_eigenvalues(real_form(A), N);
   }
   CGP::Hermitian_sparse_matrix<Q> A;
   Eigen::VectorXd masses = (random_numbers(40, 3).array() + 2).matrix();
@@ -80,8 +79,6 @@ class Real_problem {
   Eigen::MatrixXd m_vectors;
 };
 
-}  // namespace
-
 TEST(Lobpcg, finds_simple_eigenvalues_on_a_space_over_the_reals)
 {
   const Real_problem problem(10);
@@ -119,8 +116,8 @@ TEST(Lobpcg, finds_the_smallest_eigenpairs_of_a_matrix)
         p.A, p.masses, p.solver, random_block<Q>(40, block, 4), until(1e-10, block));
     ASSERT_TRUE(r.converged);
     for (int j = 0; j < block; ++j) EXPECT_NEAR(r.values[j], p.expected[4 * j], 1e-12);
-    const Eigen::MatrixXd X = dense(r.vectors), N = four_times(p.masses).asDiagonal();
-    EXPECT_LE((dense(p.A) * X - N * X * four_times(r.values).asDiagonal()).norm(), 1e-8);
+    const Eigen::MatrixXd X = real_form(r.vectors), N = four_times(p.masses).asDiagonal();
+    EXPECT_LE((real_form(p.A) * X - N * X * four_times(r.values).asDiagonal()).norm(), 1e-8);
     EXPECT_LE((X.transpose() * N * X - Eigen::MatrixXd::Identity(4 * block, 4 * block)).norm(),
               1e-12);
     ASSERT_TRUE(r.gap.has_value());
@@ -137,7 +134,7 @@ TEST(Lobpcg, takes_a_mass_matrix_as_well)
   const auto r =
       CGP::Lobpcg_eigensolver_traits{}(p.A, N, p.solver, random_block<Q>(40, 1, 7), until(1e-10));
   ASSERT_TRUE(r.converged);
-  EXPECT_NEAR(r.values[0], symmetric_eigenvalues(dense(p.A), dense(N))[0], 1e-12);
+  EXPECT_NEAR(r.values[0], symmetric_eigenvalues(real_form(p.A), real_form(N))[0], 1e-12);
 }
 
 TEST(Lobpcg, finds_eigenvalues_of_the_matrix_that_the_iterates_have_led_to)
@@ -154,7 +151,7 @@ TEST(Lobpcg, finds_eigenvalues_of_the_matrix_that_the_iterates_have_led_to)
                                                     random_block<Q>(40, block, 4), options);
     ASSERT_TRUE(r.converged);
     const Eigen::MatrixXd N = four_times(p.masses).asDiagonal();
-    const Eigen::VectorXd expected = symmetric_eigenvalues(dense(p.A), N);
+    const Eigen::VectorXd expected = symmetric_eigenvalues(real_form(p.A), N);
     for (int j = 0; j < block; ++j) EXPECT_NEAR(r.values[j], expected[4 * j], 1e-12);
     EXPECT_GT(r.values[0], p.expected[0] + 1e-3);
     EXPECT_NEAR(p.A.value(0).w, start + 300 * CGP::squared_norm(r.vectors(0, 0)), 1e-8);
@@ -296,3 +293,5 @@ TEST(Lobpcg, refuses_operators_that_return_values_that_are_not_finite)
       CGP::lobpcg(problem.k(), problem.n(), broken, random_block<Q>(10, 1, 1), until(1e-6)),
       CGP::Solver_error);
 }
+
+}  // namespace cgp_test::lobpcg_tests

@@ -7,13 +7,14 @@
 
 #include "linear_algebra/lobpcg_runs.h"
 
+namespace cgp_test::lobpcg_pitfalls_tests {
+
 // Singular matrices, rounding errors, eigenvalues close together.
 namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
 using Q = CGP::Quaternion<double>;
 using Block = CGP::Block<Q>;
 
-TEST(Lobpcg, is_done_at_once_with_the_exact_eigenvector_of_a_singular_matrix)
+TEST(Lobpcg_pitfalls, is_done_at_once_with_the_exact_eigenvector_of_a_singular_matrix)
 {
   // As rho = 0 does with lambda = 1: the eigenvalue is 0, the vector constant.
   Eigen::VectorXd values = counting(20);
@@ -27,7 +28,7 @@ TEST(Lobpcg, is_done_at_once_with_the_exact_eigenvector_of_a_singular_matrix)
   }
 }
 
-TEST(Lobpcg, stays_at_the_eigenpair_past_the_rounding_floor)
+TEST(Lobpcg_pitfalls, stays_at_the_eigenpair_past_the_rounding_floor)
 {
   for (const double second : {1.001, 1.1, 3.0, 100.0})
     for (const double shift : {1e-3, 1e-9}) {
@@ -43,7 +44,7 @@ TEST(Lobpcg, stays_at_the_eigenpair_past_the_rounding_floor)
     }
 }
 
-TEST(Lobpcg, stays_at_a_singular_eigenpair_past_the_rounding_floor)
+TEST(Lobpcg_pitfalls, stays_at_a_singular_eigenpair_past_the_rounding_floor)
 {
   Eigen::VectorXd values = counting(30);
   values[0] = 0;
@@ -55,7 +56,7 @@ TEST(Lobpcg, stays_at_a_singular_eigenpair_past_the_rounding_floor)
   }
 }
 
-TEST(Lobpcg, finds_a_singular_eigenpair_with_a_nearly_singular_preconditioner)
+TEST(Lobpcg_pitfalls, finds_a_singular_eigenpair_with_a_nearly_singular_preconditioner)
 {
   Eigen::VectorXd values = counting(30);
   values[0] = 0;
@@ -68,7 +69,7 @@ TEST(Lobpcg, finds_a_singular_eigenpair_with_a_nearly_singular_preconditioner)
 
 // Such a T makes x^H r, which is rounding only, as large as all else in T r; with an exact inverse
 // the first step would be the last one.
-TEST(Lobpcg, finds_a_singular_eigenpair_with_an_inexact_nearly_singular_preconditioner)
+TEST(Lobpcg_pitfalls, finds_a_singular_eigenpair_with_an_inexact_nearly_singular_preconditioner)
 {
   Eigen::VectorXd values = counting(30);
   values[0] = 0;
@@ -82,7 +83,7 @@ TEST(Lobpcg, finds_a_singular_eigenpair_with_an_inexact_nearly_singular_precondi
   }
 }
 
-TEST(Lobpcg, stops_where_there_is_no_direction_left)
+TEST(Lobpcg_pitfalls, stops_where_there_is_no_direction_left)
 {
   const Spectral_problem problem(Eigen::VectorXd::Ones(1));
   const auto r = solve(problem, random_block<Q>(1, 1, 4), until(-1));
@@ -90,7 +91,7 @@ TEST(Lobpcg, stops_where_there_is_no_direction_left)
   EXPECT_NEAR(r.values[0], 1, 1e-14);
 }
 
-TEST(Lobpcg, separates_two_nearly_equal_eigenvalues_with_two_columns)
+TEST(Lobpcg_pitfalls, separates_two_nearly_equal_eigenvalues_with_two_columns)
 {
   Eigen::VectorXd values = 2 + counting(30).array();
   values[0] = 1;
@@ -105,7 +106,7 @@ TEST(Lobpcg, separates_two_nearly_equal_eigenvalues_with_two_columns)
   EXPECT_LE(problem.sine(two.vectors, 2), 1e-8);
 }
 
-TEST(Lobpcg, finds_both_vectors_of_a_double_eigenvalue)
+TEST(Lobpcg_pitfalls, finds_both_vectors_of_a_double_eigenvalue)
 {
   // As for the square of an operator with eigenvalues +-1, +-2, ...
   Eigen::VectorXd values(24);
@@ -124,7 +125,7 @@ TEST(Lobpcg, finds_both_vectors_of_a_double_eigenvalue)
   EXPECT_LE(problem.sine(three.vectors, 4), 1e-8);
 }
 
-TEST(Lobpcg, leaves_an_initial_vector_that_is_nearly_orthogonal_to_the_answer)
+TEST(Lobpcg_pitfalls, leaves_an_initial_vector_that_is_nearly_orthogonal_to_the_answer)
 {
   const Spectral_problem problem(counting(30));
   Block x0 = Block::Constant(30, 1, Q{});
@@ -136,3 +137,5 @@ TEST(Lobpcg, leaves_an_initial_vector_that_is_nearly_orthogonal_to_the_answer)
   EXPECT_TRUE(r.converged);
   EXPECT_NEAR(r.values[0], 1, 1e-12);
 }
+
+}  // namespace cgp_test::lobpcg_pitfalls_tests

@@ -8,11 +8,10 @@
 
 #include "linear_algebra/hermitian_matrices.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Q = CGP::Quaternion<double>;
+namespace cgp_test::ritz_panel_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Q = CGP::Quaternion<double>;
 
 constexpr int n = 12;
 
@@ -26,8 +25,8 @@ class Ritz_panel : public testing::Test {
   // Checks the invariant of a panel: v, K v, N v.
   void expect_consistent(const CGP::internal::Ritz_panel& p) const
   {
-    EXPECT_LE((real_columns(p.kv) - dense(K) * real_columns(p.v)).norm(), 1e-11);
-    EXPECT_LE((real_columns(p.nv) - dense(N) * real_columns(p.v)).norm(), 1e-11);
+    EXPECT_LE((real_columns(p.kv) - real_form(K) * real_columns(p.v)).norm(), 1e-11);
+    EXPECT_LE((real_columns(p.nv) - real_form(N) * real_columns(p.v)).norm(), 1e-11);
   }
 
   CGP::Hermitian_sparse_matrix<Q> K = random_hermitian<Q>(random_pattern(n, 1), 2);
@@ -36,10 +35,8 @@ class Ritz_panel : public testing::Test {
 
 double distance_to_identity(const CGP::Block<Q>& A)
 {
-  return (dense(A) - Eigen::MatrixXd::Identity(4 * A.rows(), 4 * A.cols())).norm();
+  return (real_form(A) - Eigen::MatrixXd::Identity(4 * A.rows(), 4 * A.cols())).norm();
 }
-
-}  // namespace
 
 TEST_F(Ritz_panel, holds_what_k_and_n_make_of_the_vectors)
 {
@@ -139,3 +136,5 @@ TEST_F(Ritz_panel, over_the_reals_keeps_what_differs_by_a_quaternion)
   EXPECT_LE((gram - Eigen::MatrixXd::Identity(2, 2)).norm(), 1e-13);
   EXPECT_LE(distance_to_identity(p.gram(p.v, p.nv)), 1e-13);
 }
+
+}  // namespace cgp_test::ritz_panel_tests

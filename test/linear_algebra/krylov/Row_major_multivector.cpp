@@ -10,11 +10,10 @@
 #include "linear_algebra/hermitian_matrices.h"
 #include "threads/threads.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Q = CGP::Quaternion<double>;
+namespace cgp_test::row_major_multivector_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Q = CGP::Quaternion<double>;
 
 const int n = 700;  // more rows than are combined in one go
 
@@ -35,8 +34,6 @@ CGP::Block<Q> columns(const CGP::internal::Row_major_multivector& p, int first)
   return p.combination(one, first);
 }
 
-}  // namespace
-
 TEST(Row_major_multivector, holds_the_columns_that_it_was_given)
 {
   const auto V = random_block<Q>(n, 3, 1);
@@ -51,8 +48,9 @@ TEST(Row_major_multivector, has_the_inner_products_of_its_columns)
 {
   const auto V = random_block<Q>(n, 3, 1), W = random_block<Q>(n, 2, 2);
   const CGP::internal::Row_major_multivector p = panel(V, 5);
-  const Eigen::MatrixXd expected = dense(V).transpose() * dense(W);
-  EXPECT_LE((dense(p.gram(W, CGP::internal::Coefficients::quaternions)) - expected).norm(), 1e-11);
+  const Eigen::MatrixXd expected = real_form(V).transpose() * real_form(W);
+  EXPECT_LE((real_form(p.gram(W, CGP::internal::Coefficients::quaternions)) - expected).norm(),
+            1e-11);
   const auto G = p.gram(W, CGP::internal::Coefficients::reals);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 2; ++j) {
@@ -64,9 +62,10 @@ TEST(Row_major_multivector, has_the_inner_products_of_its_columns)
 TEST(Row_major_multivector, has_those_of_its_last_columns)
 {
   const auto V = random_block<Q>(n, 3, 1), W = random_block<Q>(n, 2, 2);
-  const Eigen::MatrixXd expected = dense(CGP::Block<Q>(V.rightCols(2))).transpose() * dense(W);
+  const Eigen::MatrixXd expected =
+      real_form(CGP::Block<Q>(V.rightCols(2))).transpose() * real_form(W);
   const auto found = panel(V, 5).gram(W, CGP::internal::Coefficients::quaternions, 1);
-  EXPECT_LE((dense(found) - expected).norm(), 1e-11);
+  EXPECT_LE((real_form(found) - expected).norm(), 1e-11);
 }
 
 // Rows that no number of threads divides, in products whose last bits depend on their size.
@@ -93,9 +92,11 @@ TEST(Row_major_multivector, combines_its_columns_from_the_right)
 {
   const auto V = random_block<Q>(n, 3, 3), C = random_block<Q>(3, 2, 4);
   CGP::internal::Row_major_multivector p = panel(V, 4);
-  const Eigen::MatrixXd expected = dense(V) * dense(C);
-  EXPECT_LE((dense(p.combination(C)) - expected).norm(), 1e-11);
+  const Eigen::MatrixXd expected = real_form(V) * real_form(C);
+  EXPECT_LE((real_form(p.combination(C)) - expected).norm(), 1e-11);
   p.combine(C);
   EXPECT_EQ(p.size(), 2);
-  EXPECT_LE((dense(columns(p, 0)) - expected).norm(), 1e-11);
+  EXPECT_LE((real_form(columns(p, 0)) - expected).norm(), 1e-11);
 }
+
+}  // namespace cgp_test::row_major_multivector_tests

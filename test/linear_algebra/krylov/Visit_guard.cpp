@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace {
+namespace cgp_test::visit_guard_tests {
 
 using Conformal_geometry_processing::Precondition_error;
 using Conformal_geometry_processing::internal::Visit_guard;
@@ -67,4 +67,4 @@ TEST(Visit_guard, of_a_copy_knows_no_visitor)
   });
 }
 
-}  // namespace
+}  // namespace cgp_test::visit_guard_tests

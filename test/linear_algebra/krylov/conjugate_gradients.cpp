@@ -15,8 +15,7 @@
 #include "linear_algebra/hermitian_matrices.h"
 #include "support/decompositions.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::conjugate_gradients_tests {
 
 template <class Scalar_>
 class Conjugate_gradients : public testing::Test {
@@ -65,13 +64,13 @@ TYPED_TEST_SUITE(Conjugate_gradients, Scalars);
 
 TYPED_TEST(Conjugate_gradients, solves_to_the_tolerance_in_the_energy_norm)
 {
-  const Eigen::MatrixXd D = dense(this->A);
+  const Eigen::MatrixXd D = real_form(this->A);
   const auto b = random_block<TypeParam>(this->n, 3, 3);
   const Eigen::MatrixXd expected = definite_solution(D, real_columns(b));
   for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12})
     for (const double change : {0.02, 0.2}) {
       this->options.tolerance = tolerance;
-      const auto old = this->inverse(dense(this->nearby(this->A, change)));
+      const auto old = this->inverse(real_form(this->nearby(this->A, change)));
       const auto result =
           CGP::conjugate_gradients(CGP::block_operator(this->A), old, b, this->x, this->options);
       EXPECT_TRUE(result.converged);
@@ -87,7 +86,7 @@ TYPED_TEST(Conjugate_gradients, needs_one_step_with_the_inverse_itself)
 {
   const auto b = random_block<TypeParam>(this->n, 2, 3);
   const auto result = CGP::conjugate_gradients(CGP::block_operator(this->A),
-                                               this->inverse(dense(this->A)), b, this->x);
+                                               this->inverse(real_form(this->A)), b, this->x);
   EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.iterations, 1);
 }
@@ -194,5 +193,4 @@ TEST(Conjugate_gradients_estimate, is_not_fooled_by_short_residuals)
   EXPECT_NEAR(x(0, 0), b(0, 0) / k[0], 1e-3 * b(0, 0));
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::conjugate_gradients_tests

@@ -11,11 +11,10 @@
 
 #include "linear_algebra/spectral_problem.h"
 
-namespace CGP = Conformal_geometry_processing;
-using namespace cgp_test;
-using Q = CGP::Quaternion<double>;
+namespace cgp_test::inverse_power_method_tests {
 
-namespace {
+namespace CGP = Conformal_geometry_processing;
+using Q = CGP::Quaternion<double>;
 
 CGP::Eigensolver_options options(double tolerance, int max_iterations)
 {
@@ -30,8 +29,6 @@ CGP::Eigensolver_result solve(const Spectral_problem& p, const CGP::Block<Q>& x0
 {
   return CGP::inverse_power_method(p.k(), p.n(), p.inverse(), x0, o);
 }
-
-}  // namespace
 
 TEST(Inverse_power_method, gains_the_ratio_of_the_eigenvalues_in_every_step)
 {
@@ -117,5 +114,7 @@ TEST(Inverse_power_eigensolver_traits, use_a_matrix_and_its_factorization)
       A, masses, solver, random_block<Q>(30, 1, 3), options(1e-8, 2000));
   ASSERT_TRUE(r.converged);
   const Eigen::MatrixXd X = real_columns(r.vectors);
-  EXPECT_LE((dense(A) * X - X * r.values[0]).norm(), 1e-6);
+  EXPECT_LE((real_form(A) * X - X * r.values[0]).norm(), 1e-6);
 }
+
+}  // namespace cgp_test::inverse_power_method_tests

@@ -12,9 +12,8 @@
 
 #include "support/random.h"
 
-namespace {
+namespace cgp_test::subspace_iteration_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 /// the Laplacian of a path: eigenvalues 2 - 2 cos(pi k / n), vectors cos(pi k (i + 1/2) / n)
@@ -59,8 +58,6 @@ struct Path_problem {
   CGP::internal::Centered_mass<double> mass;
   CGP::Supernodal_cholesky<double> solver;
 };
-
-}  // namespace
 
 TEST(Subspace_iteration, finds_the_slowest_mode_of_a_path)
 {
@@ -116,3 +113,5 @@ TEST(Subspace_iteration, hands_on_the_failure_of_a_solver)
   EXPECT_EQ(result.status, CGP::Solver_status::wrong_state);
   EXPECT_FALSE(result.converged);
 }
+
+}  // namespace cgp_test::subspace_iteration_tests

@@ -13,8 +13,7 @@
 #include "linear_algebra/multigrid_tools.h"
 #include "support/decompositions.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::multigrid_cycle_tests {
 
 using CGP::Solver_status;
 
@@ -94,7 +93,7 @@ TYPED_TEST(Multigrid_cycle, is_hermitian_and_positive_definite)
     const Eigen::MatrixXd T = this->matrix(A.size());
     EXPECT_LT(relative_difference(T, T.transpose()), 2e-6);
     const Eigen::VectorXd eigenvalues = symmetric_eigenvalues(T);
-    EXPECT_GT(eigenvalues.minCoeff(), 1e-3 / dense(A).norm());
+    EXPECT_GT(eigenvalues.minCoeff(), 1e-3 / real_form(A).norm());
   }
 }
 
@@ -105,7 +104,7 @@ TYPED_TEST(Multigrid_cycle, is_close_to_the_inverse)
   const auto A = plus_diagonal(laplacian<TypeParam>(pattern, 3), shift);
   for (const int coarsest_size : {10, 1000}) {
     ASSERT_EQ(this->build(A, options_for(coarsest_size)), Solver_status::success);
-    const Eigen::MatrixXd L = cholesky_factor(dense(A));
+    const Eigen::MatrixXd L = cholesky_factor(real_form(A));
     const Eigen::MatrixXd TA = L.transpose() * this->matrix(A.size()) * L;
     const Eigen::VectorXd eigenvalues = symmetric_eigenvalues(TA);
     EXPECT_GT(eigenvalues.minCoeff(), 0.15);
@@ -130,7 +129,7 @@ TYPED_TEST(Multigrid_cycle, is_the_inverse_where_there_are_no_connections)
   ASSERT_EQ(this->build(A), Solver_status::success);
   EXPECT_EQ(this->cycle.coarsest_size(), 0);
   const Eigen::MatrixXd x = real_columns(random_block<TypeParam>(30, this->columns, 6));
-  EXPECT_LT(relative_difference(this->applied(dense(A) * x), x), 1e-6);
+  EXPECT_LT(relative_difference(this->applied(real_form(A) * x), x), 1e-6);
 }
 
 TYPED_TEST(Multigrid_cycle, solves_for_vertices_that_are_cut_off_exactly)
@@ -211,5 +210,4 @@ TYPED_TEST(Multigrid_cycle, tells_its_cost_and_gives_the_memory_back)
   EXPECT_TRUE(this->cycle.levels().empty());
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::multigrid_cycle_tests

@@ -10,8 +10,7 @@
 
 #include "linear_algebra/multigrid_tools.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::multigrid_level_tests {
 
 template <class Scalar>
 class Multigrid_level : public testing::Test {
@@ -46,7 +45,7 @@ class Multigrid_level : public testing::Test {
   Pattern pattern = random_pattern(n, 1);
   CGP::Hermitian_sparse_matrix<Scalar> matrix = random_definite<Scalar>(pattern, 3);
   Level level{single(matrix), prolongation(pattern)};
-  Eigen::MatrixXd A = dense(matrix), P = dense(level.prolongation(), planes);
+  Eigen::MatrixXd A = real_form(matrix), P = real_form(level.prolongation(), planes);
   Eigen::MatrixXd b = real_columns(random_block<Scalar>(n, columns, 4));
 };
 using Scalars = testing::Types<double, Quaternion<double>>;
@@ -95,5 +94,4 @@ TYPED_TEST(Multigrid_level, tells_its_memory)
   EXPECT_EQ(&this->level.matrix().pattern(), this->pattern.get());
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::multigrid_level_tests

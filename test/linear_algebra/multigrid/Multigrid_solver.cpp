@@ -17,8 +17,7 @@
 #include "linear_algebra/solver_laws.h"
 #include "support/spheres.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::multigrid_solver_tests {
 
 using Models = testing::Types<CGP::internal::Multigrid_solver<double>,
                               CGP::internal::Multigrid_solver<Quaternion<double>>>;
@@ -241,5 +240,4 @@ TYPED_TEST(Multigrid_solver, tells_the_cost_and_gives_memory_back)
   EXPECT_EQ(this->solver.solve(b, x), Solver_status::success);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::multigrid_solver_tests

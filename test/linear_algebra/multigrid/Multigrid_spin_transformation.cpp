@@ -11,9 +11,9 @@
 #include "support/dense.h"
 #include "support/meshes.h"
 
+namespace cgp_test::multigrid_spin_transformation_tests {
+
 // Compiled alone: support/dense.h and hermitian_matrices.h each have a dense().
-namespace cgp_test {
-namespace {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -32,8 +32,6 @@ double difference(const CGP::Spin_result& a, const CGP::Spin_result& b)
   return std::max((a.positions - b.positions).cwiseAbs().maxCoeff(),
                   greatest_difference(a.lambda, b.lambda));
 }
-
-}  // namespace
 
 TEST(Multigrid_spin_transformation, is_that_of_the_direct_solver_within_five_tolerances)
 {
@@ -56,4 +54,4 @@ TEST(Multigrid_spin_transformation, gives_the_same_bits_twice)
   EXPECT_EQ(a.lambda, b.lambda);
 }
 
-}  // namespace cgp_test
+}  // namespace cgp_test::multigrid_spin_transformation_tests

@@ -8,8 +8,7 @@
 
 #include "linear_algebra/multigrid_tools.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::prolongation_tests {
 
 /// a connected graph of 200 vertices, of which 7 are then cut off
 CGP::internal::Connection_graph graph_with_isolated_vertices()
@@ -24,12 +23,10 @@ CGP::internal::Connection_graph graph_with_isolated_vertices()
 const CGP::internal::Connection_graph graph = graph_with_isolated_vertices();
 const CGP::internal::Aggregation aggregation = CGP::aggregate(graph);
 
-}  // namespace
-
 TEST(Prolongation, without_smoothing_is_constant_on_aggregates)
 {
   const CGP::internal::Prolongation P = CGP::smoothed_prolongation(graph, aggregation, 0);
-  const Eigen::MatrixXd D = dense(P);
+  const Eigen::MatrixXd D = real_form(P);
   EXPECT_EQ(D.rows(), 200);
   EXPECT_EQ(D.cols(), aggregation.size);
   for (int i = 0; i < 200; ++i)
@@ -40,7 +37,7 @@ TEST(Prolongation, without_smoothing_is_constant_on_aggregates)
 TEST(Prolongation, is_smoothed_by_one_step_of_jacobi)
 {
   const double omega = 0.7;
-  const Eigen::MatrixXd P0 = dense(CGP::smoothed_prolongation(graph, aggregation, 0));
+  const Eigen::MatrixXd P0 = real_form(CGP::smoothed_prolongation(graph, aggregation, 0));
   Eigen::MatrixXd W = Eigen::MatrixXd::Zero(200, 200);
   for (int i = 0; i < 200; ++i)
     for (int k = graph.begin(i); k < graph.end(i); ++k)
@@ -48,7 +45,7 @@ TEST(Prolongation, is_smoothed_by_one_step_of_jacobi)
   const Eigen::VectorXd sums = W.rowwise().sum().cwiseMax(1e-300);
   const Eigen::MatrixXd expected = (1 - omega) * P0 + omega * sums.asDiagonal().inverse() * W * P0;
   const CGP::internal::Prolongation P = CGP::smoothed_prolongation(graph, aggregation, omega);
-  EXPECT_LT((dense(P) - expected).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_LT((real_form(P) - expected).cwiseAbs().maxCoeff(), 1e-6);
 }
 
 TEST(Prolongation, carries_constants_over_and_has_no_negative_entry)
@@ -76,4 +73,4 @@ TEST(Prolongation, names_every_column_once_in_a_row)
   EXPECT_EQ(P.bytes(), 4 * (201 + 2 * P.columns.size()));
 }
 
-}  // namespace cgp_test
+}  // namespace cgp_test::prolongation_tests

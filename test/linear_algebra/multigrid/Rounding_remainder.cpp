@@ -10,8 +10,7 @@
 
 #include "linear_algebra/multigrid_tools.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::rounding_remainder_tests {
 
 template <class Scalar>
 class Rounding_remainder : public testing::Test {
@@ -29,7 +28,7 @@ TYPED_TEST(Rounding_remainder, completes_the_rounded_matrix_to_fourteen_digits)
   const auto x = random_block<TypeParam>(50, 3, 3);
   CGP::Block<TypeParam> y;
   this->remainder.multiply(rounded, x, y);
-  const Eigen::MatrixXd expected = dense(this->A) * real_columns(x);
+  const Eigen::MatrixXd expected = real_form(this->A) * real_columns(x);
   EXPECT_LT(relative_difference(real_columns(y), expected), 2e-15);
 }
 
@@ -49,7 +48,7 @@ TYPED_TEST(Rounding_remainder, includes_a_shift_of_the_diagonal)
   const auto x = random_block<TypeParam>(50, 1, 5);
   CGP::Block<TypeParam> y;
   this->remainder.multiply(rounded, x, y);
-  const Eigen::MatrixXd expected = dense(plus_diagonal(this->A, shift)) * real_columns(x);
+  const Eigen::MatrixXd expected = real_form(plus_diagonal(this->A, shift)) * real_columns(x);
   EXPECT_LT(relative_difference(real_columns(y), expected), 2e-15);
 }
 
@@ -74,5 +73,4 @@ TYPED_TEST(Rounding_remainder, takes_as_much_memory_as_the_rounded_matrix)
   EXPECT_EQ(this->remainder.bytes(), 0);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::rounding_remainder_tests

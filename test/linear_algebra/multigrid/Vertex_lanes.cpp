@@ -8,8 +8,7 @@
 
 #include "support/random.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::vertex_lanes_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -105,5 +104,4 @@ TYPED_TEST(Vertex_lanes, of_numbers_are_four_right_hand_sides)
   this->expect_equal(scattered, y - TypeParam(3) * x);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::vertex_lanes_tests

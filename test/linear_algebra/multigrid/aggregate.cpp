@@ -13,8 +13,7 @@
 #include "linear_algebra/hermitian_matrices.h"
 #include "support/spheres.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::aggregate_tests {
 
 using Ints = std::vector<int>;
 
@@ -41,8 +40,6 @@ int reached(const CGP::internal::Connection_graph& g, const CGP::internal::Aggre
     for (int k = g.begin(queue.front()); k < g.end(queue.front()); ++k) reach(g.neighbor(k));
   return count;
 }
-
-}  // namespace
 
 TEST(Aggregate, groups_a_path_by_threes)
 {
@@ -99,4 +96,4 @@ TEST(Aggregate, makes_groups_of_about_nine_on_triangle_meshes)
   EXPECT_LT(mesh.size_of_vertices(), 12 * a.size);
 }
 
-}  // namespace cgp_test
+}  // namespace cgp_test::aggregate_tests

@@ -8,8 +8,7 @@
 
 #include "linear_algebra/multigrid_tools.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::galerkin_product_tests {
 
 template <class Scalar>
 class Galerkin_product : public testing::Test {};
@@ -30,10 +29,10 @@ TYPED_TEST(Galerkin_product, is_the_dense_product)
     const auto A = random_hermitian<TypeParam>(pattern, 3);
     const CGP::internal::Prolongation P = prolongation(pattern);
     const auto C = CGP::galerkin_product(A, P);
-    const Eigen::MatrixXd D = dense(P, planes_of<TypeParam>);
-    const Eigen::MatrixXd expected = D.transpose() * dense(A) * D;
+    const Eigen::MatrixXd D = real_form(P, planes_of<TypeParam>);
+    const Eigen::MatrixXd expected = D.transpose() * real_form(A) * D;
     ASSERT_EQ(C.size(), P.coarse_size);
-    EXPECT_LT((dense(C) - expected).cwiseAbs().maxCoeff(), 1e-14 * pattern->size());
+    EXPECT_LT((real_form(C) - expected).cwiseAbs().maxCoeff(), 1e-14 * pattern->size());
   }
 }
 
@@ -72,5 +71,4 @@ TYPED_TEST(Galerkin_product, gives_the_same_bits_twice)
   for (int k = 0; k < C.pattern().size_of_entries(); ++k) EXPECT_EQ(C.value(k), D.value(k));
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::galerkin_product_tests

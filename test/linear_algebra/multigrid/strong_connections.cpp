@@ -10,8 +10,7 @@
 
 #include "linear_algebra/hermitian_matrices.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::strong_connections_tests {
 
 using Ints = std::vector<int>;
 using Floats = std::vector<float>;
@@ -28,8 +27,6 @@ CGP::Hermitian_sparse_matrix<Scalar> path(const std::vector<Scalar>& entries)
   }
   return A;
 }
-
-}  // namespace
 
 TEST(Strong_connections, are_negative_entries_with_both_ends)
 {
@@ -75,4 +72,4 @@ TEST(Strong_connections, have_ascending_neighbors)
     }
 }
 
-}  // namespace cgp_test
+}  // namespace cgp_test::strong_connections_tests

@@ -8,13 +8,11 @@
 
 #include "linear_algebra/reduced_solver_laws.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::real_reduced_solver_tests {
 
 using Models = testing::Types<
     CGP::internal::Real_reduced_solver<>,
     CGP::internal::Real_reduced_solver<CGP::Eigen_hermitian_solver_traits::Solver<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Real, Reduced_solver, Models);
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::real_reduced_solver_tests

@@ -8,8 +8,7 @@
 
 #include "linear_algebra/reduced_problem.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::reduced_complement_tests {
 
 using Q = Quaternion<double>;
 
@@ -57,5 +56,4 @@ TEST(Reduced_complement, knows_its_size)
   EXPECT_NEAR(complement.flops(), 512 / 3., 1e-9);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::reduced_complement_tests

@@ -14,8 +14,7 @@
 
 #include "linear_algebra/reduced_problem.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::reduced_form_tests {
 
 CGP::internal::Reduced_form form_of(const Mesh_view& mesh, const std::vector<int>& reduced)
 {
@@ -93,5 +92,4 @@ TEST(Reduced_form, tries_dissection_only_where_that_may_pay_and_keeps_the_cheape
   EXPECT_EQ(cost(&mesh.positions(), always), std::min(by_degree, by_dissection));
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::reduced_form_tests

@@ -8,8 +8,7 @@
 
 #include "linear_algebra/reduced_solver_laws.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::reduced_hermitian_solver_tests {
 
 using CGP::internal::Reduced_hermitian_solver;
 using Q = Quaternion<double>;
@@ -73,5 +72,4 @@ TEST(Reduced_hermitian_solver, refuses_positions_and_rows_of_another_mesh)
   EXPECT_EQ(solver.factorize(p.X, p.shift, p.basis()), Solver_status::wrong_state);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::reduced_hermitian_solver_tests

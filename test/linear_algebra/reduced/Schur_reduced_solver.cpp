@@ -9,8 +9,7 @@
 #include "linear_algebra/reduced_solver_laws.h"
 #include "threads/threads.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::schur_reduced_solver_tests {
 
 using Models = testing::Types<CGP::internal::Schur_reduced_solver>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Schur, Reduced_solver, Models);
@@ -51,5 +50,4 @@ TEST(Schur_reduced_solver, solves_on_every_vector_unit)
   });
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::schur_reduced_solver_tests

@@ -8,14 +8,13 @@
 
 #include "linear_algebra/reduced_problem.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::reduced_matrix_tests {
 
 Eigen::MatrixXd reduced(const Reduced_problem& p)
 {
   CGP::Hermitian_sparse_matrix<double> R(CGP::reduced_pattern(p.X.pattern(), p.rows()));
   CGP::assemble_reduced_matrix(p.X, p.basis(), R);
-  return dense(plus_diagonal(R, CGP::reduced_diagonal(p.shift, p.rows())));
+  return real_form(plus_diagonal(R, CGP::reduced_diagonal(p.shift, p.rows())));
 }
 
 TEST(Reduced_matrix, is_the_product_with_the_basis_on_both_sides)
@@ -55,5 +54,4 @@ TEST(Reduced_ordering, keeps_the_coordinates_of_a_row_together)
             (CGP::internal::Ordering{6, 7, 8, 9, 4, 5, 0, 1, 2, 3}));
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::reduced_matrix_tests

@@ -13,8 +13,7 @@
 #include "linear_algebra/reduced_problem.h"
 #include "support/decompositions.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::reduced_operators_tests {
 
 using Q = Quaternion<double>;
 using Vectors = CGP::Block<Q>;
@@ -25,7 +24,7 @@ TEST(Reduced_operator, is_the_reduced_matrix_on_embedded_vectors)
   const auto basis = p.basis();
   const Eigen::MatrixXd B = p.dense_basis(), c = random_block<double>(p.rows().dimension(), 2, 3);
   const Vectors y = CGP::reduced_operator(p.X, basis)(basis.embed(c));
-  const Eigen::MatrixXd expected = B * (B.transpose() * dense(p.X) * B) * c;
+  const Eigen::MatrixXd expected = B * (B.transpose() * real_form(p.X) * B) * c;
   EXPECT_LE((real_columns(y) - expected).norm(), 1e-14 * expected.norm());
 }
 
@@ -124,5 +123,4 @@ TEST(Reduced_operator, finds_the_spectrum_of_the_dirac_disk_with_second_order)
   EXPECT_LT(previous, 0.01);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::reduced_operators_tests

@@ -11,8 +11,7 @@
 
 #include "linear_algebra/dense_fronts.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::extend_add_tests {
 
 template <class Kind>
 class Extend_add : public testing::Test {
@@ -95,5 +94,4 @@ TYPED_TEST(Extend_add, serves_some_rows_after_others)
   });
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::extend_add_tests

@@ -15,8 +15,7 @@
 #include "linear_algebra/dense_fronts.h"
 #include "support/decompositions.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::front_kernels_tests {
 
 template <class Kind>
 class Front_kernels : public testing::Test {
@@ -65,8 +64,8 @@ TYPED_TEST(Front_kernels, factor_a_panel_as_a_dense_cholesky_factorization_does)
       const auto A = random_definite_block<TypeParam>(k + u, 3);
       this->set_panel(A, k);
       ASSERT_EQ(this->factor_panel(), -1);
-      const Eigen::MatrixXd expected = cholesky_factor(dense(A));
-      const Eigen::MatrixXd found = dense(this->factor());
+      const Eigen::MatrixXd expected = cholesky_factor(real_form(A));
+      const Eigen::MatrixXd found = real_form(this->factor());
       EXPECT_LE((found - expected.leftCols(found.cols())).norm(),
                 TypeParam::precision * expected.norm());
     }
@@ -83,13 +82,14 @@ TYPED_TEST(Front_kernels, do_the_rows_below_in_parts_as_well)
       const auto A = random_definite_block<TypeParam>(k + u, 6);
       this->set_panel(A, k);
       ASSERT_EQ(this->factor_panel(), -1);
-      const Eigen::MatrixXd expected = dense(this->factor());
+      const Eigen::MatrixXd expected = real_form(this->factor());
       this->set_panel(A, k);
       const int triangle = layout.blocks(k), all = triangle + layout.blocks(u);
       ASSERT_EQ(front.factor_panel(this->panel.data(), k, triangle), -1);
       for (int b = all; b > triangle; b -= 3)
         front.solve_below(this->panel.data(), k, std::max(triangle, b - 3), b);
-      EXPECT_LE((dense(this->factor()) - expected).norm(), TypeParam::precision * expected.norm());
+      EXPECT_LE((real_form(this->factor()) - expected).norm(),
+                TypeParam::precision * expected.norm());
 
       CGP::internal::Aligned_array<typename TypeParam::Real> whole, parts;
       whole.resize(layout.update_size(u));
@@ -140,7 +140,7 @@ TYPED_TEST(Front_kernels, hand_minus_the_outer_product_to_the_parent)
       std::fill_n(update.data(), update.size(), typename TypeParam::Real(77));
       front.set_outer_product(update.data(), this->panel.data() + layout.panel_size(k, 0), k, u, 0,
                               layout.blocks(u));
-      const Eigen::MatrixXd L = dense(A).bottomRows(TypeParam::planes * u);
+      const Eigen::MatrixXd L = real_form(A).bottomRows(TypeParam::planes * u);
       const Eigen::MatrixXd expected = -L * L.transpose();
       CGP::Block<typename TypeParam::Scalar> found(u, u);
       for (int j = 0; j < u; ++j)
@@ -149,7 +149,7 @@ TYPED_TEST(Front_kernels, hand_minus_the_outer_product_to_the_parent)
               update.data() + in_update<TypeParam>(u, std::max(i, j), std::min(i, j));
           found(i, j) = i >= j ? get<TypeParam>(lower) : CGP::conjugate(get<TypeParam>(lower));
         }
-      EXPECT_LE((dense(found) - expected).norm(), TypeParam::precision * expected.norm());
+      EXPECT_LE((real_form(found) - expected).norm(), TypeParam::precision * expected.norm());
     }
   });
 }
@@ -170,5 +170,4 @@ TYPED_TEST(Front_kernels, name_the_column_whose_pivot_is_not_positive)
   });
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::front_kernels_tests

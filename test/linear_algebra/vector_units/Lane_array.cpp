@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace cgp_test::lane_array_tests {
 
 struct Unit;
 using Lanes = Conformal_geometry_processing::internal::Lane_array<Unit, double, 4>;
@@ -44,4 +44,4 @@ TEST(Lane_array, is_changed_in_place)
   expect_lanes(v, 0.5, 0, 1.5, -1.5);
 }
 
-}  // namespace
+}  // namespace cgp_test::lane_array_tests

@@ -8,8 +8,7 @@
 
 #include "linear_algebra/dense_fronts.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::panel_layout_tests {
 
 template <class Kind>
 class Panel_layout : public testing::Test {};
@@ -46,5 +45,4 @@ TEST(Panel_layout_of_two_planes, has_room_for_whole_row_blocks)
   EXPECT_EQ(layout.update_size(9), 3 * 128);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::panel_layout_tests

@@ -9,8 +9,7 @@
 
 #include "linear_algebra/hermitian_matrices.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::plane_products_tests {
 
 template <class Scalar>
 class Plane_products : public testing::Test {
@@ -47,5 +46,4 @@ TYPED_TEST(Plane_products, multiply_as_the_scalars_do)
                        c + CGP::conjugate(a) * b);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::plane_products_tests

@@ -12,8 +12,7 @@
 
 #include "linear_algebra/hermitian_matrices.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::row_block_kernels_tests {
 
 // Small whole numbers: every sum is exact.
 template <class Kind>
@@ -118,5 +117,4 @@ TYPED_TEST(Row_block_kernels, put_a_row_into_its_lane_and_leave_the_others)
                 l == lane ? this->row[i] : this->before[i * this->lanes + l]);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::row_block_kernels_tests

@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::simd_lanes_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -61,5 +60,4 @@ TYPED_TEST(Simd_lanes, are_the_rows_of_a_row_block)
   EXPECT_EQ(layout.planes, 4);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::simd_lanes_tests

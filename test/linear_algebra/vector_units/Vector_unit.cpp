@@ -10,8 +10,7 @@
 
 #include "linear_algebra/every_unit.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::vector_unit_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using Unit = CGP::internal::Vector_unit;
@@ -40,5 +39,4 @@ TEST(Vector_unit, has_a_name)
   EXPECT_NE(std::string(CGP::to_string(Unit::baseline)), "");
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::vector_unit_tests

@@ -9,8 +9,7 @@
 
 #include "linear_algebra/every_unit.h"
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::kernels_for_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -52,5 +51,4 @@ TYPED_TEST(Kernels_for, the_unit_of_this_file_can_be_compiled_here)
   EXPECT_EQ(panel[0], TypeParam(2));
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::kernels_for_tests

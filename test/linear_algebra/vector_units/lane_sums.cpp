@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cgp_test {
-namespace {
+namespace cgp_test::lane_sums_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
@@ -58,5 +57,4 @@ TEST(Lane_sums, of_small_and_large_numbers_are_added_in_pairs)
   EXPECT_EQ(a[0][0], Simd::size > 2 ? 1 : 0);
 }
 
-}  // namespace
-}  // namespace cgp_test
+}  // namespace cgp_test::lane_sums_tests

@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace {
+namespace cgp_test::plain_functions_tests {
 
 namespace plain = Conformal_geometry_processing::internal;
 
@@ -41,4 +41,4 @@ TEST(Plain_functions, take_roots_and_set_zeros)
   EXPECT_EQ(numbers[2], 3);
 }
 
-}  // namespace
+}  // namespace cgp_test::plain_functions_tests

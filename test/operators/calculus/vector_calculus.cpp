@@ -23,9 +23,8 @@
 #include "support/bounded_meshes.h"
 #include "support/spheres.h"
 
-namespace {
+namespace cgp_test::vector_calculus_tests {
 
-using namespace cgp_test;
 namespace CGP = Conformal_geometry_processing;
 
 const Function phi{[](double u, double v) { return std::sin(u) + std::cos(u + v); }};
@@ -254,4 +253,4 @@ TEST(Surface_derivative, takes_values_apart_into_real_tangential_and_normal_part
   }
 }
 
-}  // namespace
+}  // namespace cgp_test::vector_calculus_tests

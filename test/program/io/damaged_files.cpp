@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::damaged_files_tests {
 
 using namespace conformal;
 
@@ -78,4 +78,4 @@ TEST(Damaged_files, with_any_faults_are_read_or_refused)
       read_damaged(fuzz::Mutator(i).mutant(format.seeds[i % format.seeds.size()]), format.path);
 }
 
-}  // namespace
+}  // namespace cgp_test::damaged_files_tests

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace cgp_test::numbers_tests {
 
 using namespace conformal;
 
@@ -75,4 +75,4 @@ TEST(Numbers, words_in_quotes_are_short_and_printable)
   EXPECT_EQ(in_quotes(std::string(100, 'x')), "'" + std::string(40, 'x') + "...'");
 }
 
-}  // namespace
+}  // namespace cgp_test::numbers_tests

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace {
+namespace cgp_test::plane_curves_tests {
 
 using namespace conformal;
 using namespace program_test;
@@ -130,4 +130,4 @@ TEST_F(Curve_files, that_cannot_be_read_or_written_are_refused)
   EXPECT_TRUE(refuses([&] { write_plane_curves(path_of("a.dxf"), {}); }, "has no known extension"));
 }
 
-}  // namespace
+}  // namespace cgp_test::plane_curves_tests

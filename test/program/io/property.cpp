@@ -8,7 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace {
+namespace cgp_test::property_tests {
 
 using namespace conformal;
 
@@ -108,4 +108,4 @@ TEST(Property, of_another_size_is_refused)
   EXPECT_THROW(set_property(element, "quality", std::vector<float>{1.0f}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace cgp_test::property_tests

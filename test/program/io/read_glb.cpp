@@ -14,7 +14,7 @@
 #include <cmath>
 #include <string>
 
-namespace {
+namespace cgp_test::read_glb_tests {
 
 using namespace io_test;
 using namespace conformal;
@@ -151,4 +151,4 @@ TEST(Read_glb, refuses_indices_that_are_negative_or_no_numbers)
     EXPECT_NE(message(with_index(index)).find("has the vertex index"), std::string::npos) << index;
 }
 
-}  // namespace
+}  // namespace cgp_test::read_glb_tests

@@ -8,7 +8,7 @@
 #include "program/io/encoded_pictures.h"
 #include "program/io/io_support.h"
 
-namespace {
+namespace cgp_test::read_gray_image_tests {
 
 using namespace io_test;
 
@@ -89,4 +89,4 @@ TEST(Pictures, with_samples_above_white_are_refused)
   EXPECT_NE(refusal("P5 2 1 65536\n1111").find("the largest value is 65536"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace cgp_test::read_gray_image_tests

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::read_obj_tests {
 
 using namespace conformal;
 using namespace io_test;
@@ -150,4 +150,4 @@ TEST(Read_obj, refuses_what_is_no_word_of_obj_and_what_has_no_surface)
   EXPECT_EQ(refusal("# nothing\n"), "a.obj:2: no vertices, wanted a surface");
 }
 
-}  // namespace
+}  // namespace cgp_test::read_obj_tests

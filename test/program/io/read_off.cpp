@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::read_off_tests {
 
 using namespace conformal;
 using namespace io_test;
@@ -168,4 +168,4 @@ TEST(Read_off, refuses_vertices_with_too_few_or_different_numbers)
             "a.off:3: a vertex without texture coordinates, wanted two numbers");
 }
 
-}  // namespace
+}  // namespace cgp_test::read_off_tests

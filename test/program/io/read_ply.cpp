@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::read_ply_tests {
 
 using namespace conformal;
 using namespace io_test;
@@ -223,4 +223,4 @@ TEST(Read_ply, refuses_bad_binary_values_with_their_element)
   EXPECT_EQ(parse_ply(text + "\r\n", "a.ply").points.size(), 4u);
 }
 
-}  // namespace
+}  // namespace cgp_test::read_ply_tests

@@ -6,7 +6,7 @@
 #include "program/io/io_support.h"
 #include "tools/fuzz_readers_seeds.h"
 
-namespace {
+namespace cgp_test::read_stl_tests {
 
 using namespace conformal;
 using namespace io_test;
@@ -108,4 +108,4 @@ TEST(Read_stl, refuses_bad_bytes)
             "284");
 }
 
-}  // namespace
+}  // namespace cgp_test::read_stl_tests

@@ -9,7 +9,7 @@
 
 #include <unistd.h>
 
-namespace {
+namespace cgp_test::read_surface_tests {
 
 using namespace conformal;
 using namespace io_test;
@@ -124,4 +124,4 @@ TEST(Read_surface, tells_the_line_of_an_error)
   }
 }
 
-}  // namespace
+}  // namespace cgp_test::read_surface_tests

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::read_svg_tests {
 
 using namespace conformal;
 using namespace program_test;
@@ -212,4 +212,4 @@ TEST(Read_svg, names_the_line_of_what_is_wrong)
   EXPECT_TRUE(refuses([] { svg("<?xml "); }, "a declaration without an end"));
 }
 
-}  // namespace
+}  // namespace cgp_test::read_svg_tests

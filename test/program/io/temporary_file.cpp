@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace {
+namespace cgp_test::temporary_file_tests {
 
 using namespace conformal;
 using namespace io_test;
@@ -189,4 +189,4 @@ TEST(Temporary_file, says_why_it_cannot_be_written)
   EXPECT_EQ(message_of<Write_error>([&] { write_file("", ""); }), ": no name, wanted a file");
 }
 
-}  // namespace
+}  // namespace cgp_test::temporary_file_tests

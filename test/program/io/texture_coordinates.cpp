@@ -11,7 +11,7 @@
 
 #include <stdexcept>
 
-namespace {
+namespace cgp_test::texture_coordinates_tests {
 
 using namespace conformal;
 using namespace io_test;
@@ -110,4 +110,4 @@ TEST(Color_properties, are_three_or_four_in_order)
   EXPECT_EQ(color_properties(element).size(), 3u);
 }
 
-}  // namespace
+}  // namespace cgp_test::texture_coordinates_tests

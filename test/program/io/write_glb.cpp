@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-namespace {
+namespace cgp_test::write_glb_tests {
 
 using namespace conformal;
 using namespace io_test;
@@ -176,4 +176,4 @@ TEST(Checkerboard, has_several_blocks_and_a_checksum_if_it_is_large)
   EXPECT_EQ(png.substr(png.size() - 20, 4), std::string("\x4c\xac\xa1\x3a", 4));
 }
 
-}  // namespace
+}  // namespace cgp_test::write_glb_tests

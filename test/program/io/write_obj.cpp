@@ -8,7 +8,7 @@
 #include "program/io/io_support.h"
 #include "tools/fuzz_readers_seeds.h"
 
-namespace {
+namespace cgp_test::write_obj_tests {
 
 using namespace conformal;
 using namespace io_test;
@@ -59,4 +59,4 @@ TEST(Write_obj, notes_what_the_format_has_no_place_for)
                                              "the element edge is not written to OBJ"}));
 }
 
-}  // namespace
+}  // namespace cgp_test::write_obj_tests

@@ -9,7 +9,7 @@
 #include "program/io/io_support.h"
 #include "tools/fuzz_readers_seeds.h"
 
-namespace {
+namespace cgp_test::write_off_tests {
 
 using namespace conformal;
 using namespace io_test;
@@ -56,4 +56,4 @@ TEST(Write_off, notes_what_the_format_has_no_place_for)
                                              "groups and materials are not written to OFF"}));
 }
 
-}  // namespace
+}  // namespace cgp_test::write_off_tests

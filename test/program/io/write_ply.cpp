@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace {
+namespace cgp_test::write_ply_tests {
 
 using namespace conformal;
 using namespace io_test;
@@ -171,4 +171,4 @@ TEST(Write_ply, keeps_comments_on_one_line)
             (std::vector<std::string>{"two lines", " blanks around "}));
 }
 
-}  // namespace
+}  // namespace cgp_test::write_ply_tests

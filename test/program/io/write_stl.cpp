@@ -8,7 +8,7 @@
 #include "conformal/io/off/read_off.h"
 #include "conformal/io/stl/read_stl.h"
 
-namespace {
+namespace cgp_test::write_stl_tests {
 
 using namespace io_test;
 using namespace conformal;
@@ -48,4 +48,4 @@ TEST(Write_stl, cuts_polygons_keeps_attributes_and_notes_the_rest)
   EXPECT_GT(notes.size(), 3u);  // the colours
 }
 
-}  // namespace
+}  // namespace cgp_test::write_stl_tests

@@ -10,7 +10,7 @@
 
 #include <clocale>
 
-namespace {
+namespace cgp_test::write_surface_tests {
 
 using namespace conformal;
 using namespace io_test;
@@ -141,4 +141,4 @@ TEST(Write_surface, refuses_formats_that_it_does_not_write)
   EXPECT_EQ(message("mesh"), "mesh: has no known extension, wanted .ply, .off, .obj, .glb or .stl");
 }
 
-}  // namespace
+}  // namespace cgp_test::write_surface_tests

@@ -1,0 +1,49 @@
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+# The subcommands: NAME.cpp defines NAME_command(), for each NAME of this list.
+
+set(CGP_ALL_COMMANDS info spin deform fair flow boundary fit blend flatten curve harmonic spectrum
+    sphere compare split studio CACHE INTERNAL "in the order in which they are listed")
+set(CGP_COMMANDS all CACHE STRING "the subcommands of conformal that are built, or all: spin;info")
+
+# Writes the table of the commands that a program has: cgp_write_commands(<source> <name>...)
+function(cgp_write_commands source)
+  set(declarations "")
+  set(calls "")
+  set(others "")
+  foreach(command IN LISTS CGP_ALL_COMMANDS)
+    if(command IN_LIST ARGN)
+      string(APPEND declarations "Command ${command}_command();\n")
+      string(APPEND calls "${command}_command(), ")
+    else()
+      string(APPEND others "\"${command}\", ")
+    endif()
+  endforeach()
+  file(CONFIGURE OUTPUT ${source} @ONLY CONTENT [[
+#include "conformal/commands/commands.h"
+
+namespace conformal {
+
+@declarations@
+std::vector<Command> commands() { return {@calls@}; }
+std::vector<std::string> commands_not_built() { return {@others@}; }
+
+}  // namespace conformal
+]])
+endfunction()
+
+set(built_commands ${CGP_COMMANDS})
+if(CGP_COMMANDS STREQUAL "all")
+  set(built_commands ${CGP_ALL_COMMANDS})
+endif()
+foreach(command IN LISTS built_commands)
+  if(NOT command IN_LIST CGP_ALL_COMMANDS)
+    message(FATAL_ERROR "CGP_COMMANDS names ${command}; there are ${CGP_ALL_COMMANDS}")
+  endif()
+endforeach()
+foreach(command IN LISTS CGP_ALL_COMMANDS)
+  if(NOT command IN_LIST built_commands)
+    list(FILTER command_sources EXCLUDE REGEX "/commands/${command}\\.cpp$")
+  endif()
+endforeach()
+cgp_write_commands(${CMAKE_CURRENT_BINARY_DIR}/commands.cpp ${built_commands})
