@@ -18,19 +18,24 @@
 namespace CGP = Conformal_geometry_processing;
 
 int main(int argc, char* argv[])
-{
+try {
   CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
   if (argc < 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh)) return 1;
   const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
-  const double bottom = box.ymin(), length = box.ymax() - bottom;
+  const double unit = std::hypot(box.x_span(), box.y_span(), box.z_span()) / 2;
 
   auto rho = mesh.add_property_map<CGAL::SM_Vertex_index, double>("v:rho").first;
-  for (auto v : vertices(mesh))  // the change of mean curvature, in 1/length: six rings
-    rho[v] = 4 / length * std::sin(12 * 3.14159 * (mesh.point(v).y() - bottom) / length);
+  for (auto v : vertices(mesh)) {  // the change of mean curvature, in 1/length: rings
+    const double y = (mesh.point(v).y() - (box.ymin() + box.ymax()) / 2) / unit;
+    rho[v] = 1.5 * std::sin(5 * y) / unit;
+  }
 
   // moves vertices; no length changes by more than a factor of 2
   const auto report = CGP::spin_transform(mesh, rho, CGP::parameters::scale_bound(2));
   std::cout << report;  // the certificate
   return report && CGAL::IO::write_polygon_mesh(argv[2], mesh) ? 0 : 1;
+} catch (const std::exception& error) {  // names the first face that is no triangle, ...
+  std::cerr << error.what() << '\n';
+  return 1;
 }
 //! [program]

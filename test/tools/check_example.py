@@ -3,7 +3,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """An example runs on a generated surface: it succeeds and writes as many vertices as it read.
 
-usage: check_example.py PROGRAM   (which takes INPUT OUTPUT.ply, or a curve and OUTPUT.svg)
+usage: check_example.py PROGRAM [CONFORMAL]   (which takes INPUT OUTPUT.ply, or a curve and OUTPUT.svg)
+
+first_program does the same as the command CONFORMAL in the README.
 """
 
 import itertools
@@ -99,6 +101,13 @@ def beam(n, length=6):
     return [tuple(x / n for x in place) for place in number], faces
 
 
+def dumbbell(subdivisions):
+    """(points, faces) of two lobes and a neck, along y: a strong rho shrinks the neck."""
+    points, faces = sphere(subdivisions)
+    return [((0.3 + y * y) * x, 3 * y, (0.3 + y * y) * z) for x, y, z in points], faces
+
+
+README = re.compile(r"conformal spin \S+ --rho-expression '([^']*)'")
 WANTED = {"uncurl_a_torus": lambda: torus(48), "fields_along_handles": lambda: torus(48),
           "minimal_surface": lambda: disk(12),
           "soap_film_cmc": lambda: dome(12), "bend_the_boundary": lambda: dome(12),
@@ -109,8 +118,35 @@ WANTED = {"uncurl_a_torus": lambda: torus(48), "fields_along_handles": lambda: t
 def write_off(path, points, faces):
     lines = ["OFF", f"{len(points)} {len(faces)} 0"]
     lines += [" ".join(map(repr, map(float, point))) for point in points]
-    lines += [" ".join(map(str, (3, *face))) for face in faces]
+    lines += [" ".join(map(str, (len(face), *face))) for face in faces]
     path.write_text("\n".join(lines) + "\n")
+
+
+def read_off(path):
+    """the points of a file that begins with OFF and the counts"""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    rows = [line.split() for line in lines[1:] if line and not line.startswith("#")]
+    return [tuple(map(float, row[:3])) for row in rows[1:1 + int(rows[0][0])]]
+
+
+def check_first_program(program, conformal):
+    """It moves vertices as the command does, also where the bound on lengths acts, and names a face
+    of four corners."""
+    with tempfile.TemporaryDirectory() as folder:
+        source, own, other = (pathlib.Path(folder) / f"{name}.off" for name in ("in", "own", "other"))
+        write_off(source, [(1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0), (0, 0, 1)],
+                  [(0, 1, 2, 3), (1, 0, 4), (2, 1, 4), (3, 2, 4), (0, 3, 4)])
+        refusal = subprocess.run([program, source, own], check=False, stderr=subprocess.PIPE, text=True)
+        if refusal.returncode != 1 or "face 0" not in refusal.stderr or own.exists():
+            sys.exit(f"a face of four corners: {refusal.returncode}, {refusal.stderr}")
+        write_off(source, *dumbbell(4))
+        subprocess.run([program, source, own], check=True)
+        rho = README.search(pathlib.Path(__file__).parents[2].joinpath("README.md").read_text(encoding="utf-8"))[1]
+        subprocess.run([conformal, "spin", source, "--rho-expression", rho, "-o", other], check=True)
+        before, *after = (read_off(path) for path in (source, own, other))
+    moved, apart = (max(map(math.dist, a, b)) for a, b in ((before, after[0]), after))
+    if not (moved > 0.1 and apart < 1e-4 * moved):
+        sys.exit(f"the program moved points by {moved}, and they are {apart} from the command's")
 
 
 def check_curve(program, size=100):
@@ -172,6 +208,8 @@ def check_filled_hole(program):
 
 
 def main():
+    if len(sys.argv) > 2:
+        check_first_program(*sys.argv[1:3])
     if pathlib.Path(sys.argv[1]).stem == "fair_a_hole":
         return check_filled_hole(sys.argv[1])
     if pathlib.Path(sys.argv[1]).stem == "average_rotations":
