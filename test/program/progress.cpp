@@ -116,7 +116,7 @@ TEST_F(Progress_of_program, is_told_when_the_alarm_comes)
   const std::string flow = " flow a.off --steps 100000 --time-step .001 --every 1 -o b.ply";
   const Program_run r = shell(program() + flow +
                               " & while [ ! -e b_0001.ply ]; do sleep .01; done; "
-                              "kill -ALRM $!; sleep .05; kill -KILL $!");
+                              "kill -ALRM $!; kill -INT $!; kill -TERM $!; wait $!");
   EXPECT_NE(r.err.find("conformal: progress: step "), std::string::npos) << r.err;
   EXPECT_NE(r.err.find(" of 100000, energy "), std::string::npos) << r.err;
 }
