@@ -24,6 +24,7 @@ TEST(Near_names, are_an_edit_of_each_three_letters_away)
   EXPECT_EQ(near_names("ouptut", names), Names({"output"}));
   EXPECT_EQ(near_names("rho-expresion", names), Names({"rho-expression"}));
   EXPECT_EQ(near_names("jsn", names), Names({"json"}));
+  EXPECT_EQ(near_names("josn", names), Names({"json"}));
   EXPECT_EQ(near_names("feed", names), Names({"seed"}));
   EXPECT_EQ(near_names("fled", names), Names());
 }

@@ -4,14 +4,13 @@
 
 #include "Signal_text.h"
 
-#include <atomic>
 #include <ctime>
 
 namespace conformal {
 namespace {
 
 Signal_text status;
-std::atomic<std::time_t> begin{0};
+const std::time_t begin = std::time(nullptr);
 
 void write_number(std::time_t number) noexcept
 {
@@ -24,7 +23,6 @@ void write_number(std::time_t number) noexcept
 
 void set_status(const std::string& text)
 {
-  if (begin == 0) begin = std::time(nullptr);
   status.set(text);
 }
 

@@ -13,7 +13,7 @@ namespace conformal {
 /// calls nobody back. \param text what the work does; empty: nothing is told
 void set_status(const std::string& text);
 
-/// Writes the line with the seconds since the first text. Safe to call in a signal handler.
+/// Writes the line with the seconds since the program began. Safe to call in a signal handler.
 void write_status() noexcept;
 
 }  // namespace conformal
