@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Command_line.h"
 
+#include "unknown_argument.h"
+
 #include "conformal/commands/commands.h"
 #include "conformal/commands/option_checks.h"
 #include "conformal/commands/option_groups.h"
 #include "conformal/process/Failure.h"
+#include "conformal/process/near_names.h"
 #include "conformal/process/versions.h"
 
 #include <CLI/CLI.hpp>
@@ -19,7 +22,9 @@ const char* const about =
     "Vertices and faces keep their order and their properties; numbers in messages count from 0.\n"
     "Example: conformal spin bear.off --rho-expression '1.5*sin(5*y)' -o bear_spin.ply\n"
     "Exit codes: 0 done, 1 failed or not verified, 2 usage, 3 cannot read, 4 input unsuitable,\n"
-    "5 cannot write, 6 out of memory, 130 interrupted, 143 terminated.";
+    "5 cannot write, 6 out of memory, 130 interrupted, 143 terminated. Where the reader of "
+    "standard\n"
+    "output ends early, as head does, the rest is dropped, and the exit code is that of the work.";
 
 Report::Value value_of(const CLI::Option& option)
 {
@@ -88,11 +93,12 @@ class Parser {
       return answered(answer.what());
     } catch (const CLI::CallForHelp&) {
       return answered(m_app.help());
-    } catch (const CLI::ExtrasError&) {
-      throw Failure(Exit_code::usage,
-                    "unknown: " + unknown_argument() + "; try: " + help_command());
     } catch (const CLI::ParseError& error) {
-      throw Failure(Exit_code::usage, std::string(error.what()) + "; try: " + help_command());
+      // Without an option that is unknown, another one may seem to be missing.
+      const std::string fault = fault_of_unknown_argument(m_app);
+      throw Failure(
+          Exit_code::usage,
+          !fault.empty() ? fault : error.what() + std::string("; try: ") + help_command(m_app));
     }
     return chosen();
   }
@@ -109,9 +115,11 @@ class Parser {
   {
     if (name.empty() || name[0] == '-' || find(name) != nullptr) return;
     require_that_it_was_built(name);
-    std::string all;
-    for (const Command& command : m_commands) all += command.name + ", ";
-    throw Failure(Exit_code::usage, "unknown command '" + name + "'; try: " + all + "or --help");
+    std::vector<std::string> all;
+    for (const Command& command : m_commands) all.push_back(command.name);
+    const std::vector<std::string> near = near_names(name, all);
+    throw Failure(Exit_code::usage, "unknown command '" + name + "'; try: " +
+                                        listed(near.empty() ? all : near) + ", or --help");
   }
 
   static void require_that_it_was_built(const std::string& name)
@@ -120,22 +128,6 @@ class Parser {
       if (other == name)
         throw Failure(Exit_code::usage,
                       "this program was built without '" + name + "'; try: " + how_to_build_all);
-  }
-
-  // In `--wrong 3 input`, where 3 was parsed as the input, the option is the error.
-  std::string unknown_argument() const
-  {
-    const std::vector<std::string> all = m_app.remaining(true);
-    for (const std::string& argument : all)
-      if (argument.size() > 1 && argument[0] == '-') return argument;
-    return all.empty() ? "" : all.front();
-  }
-
-  std::string help_command() const
-  {
-    for (const CLI::App* command : m_app.get_subcommands())
-      return "conformal " + command->get_name() + " --help";
-    return "conformal --help";
   }
 
   static Command_line answered(std::string answer)

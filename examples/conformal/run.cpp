@@ -19,6 +19,8 @@
 
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -73,18 +75,21 @@ void run_with_name(const Command& command, Session& session)
   }
 }
 
-void flush_output()
+// A reader such as `head` that ends early has had what it wanted, and that is no error; the rest
+// goes nowhere.
+void print(const std::string& text)
 {
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw Write_error("standard output", "cannot be written");
+  errno = 0;
+  const std::size_t size = std::fwrite(text.data(), 1, text.size(), stdout);
+  if (size == text.size() && std::fflush(stdout) == 0) return;
+  if (errno != EPIPE) throw Write_error("standard output", "cannot be written");
+  [[maybe_unused]] const std::FILE* const nowhere = std::freopen("/dev/null", "w", stdout);
 }
 
 // Also what a command has told before it failed.
 void print_tables(Session& session)
 {
-  const std::string text = printable(session.report().text());
-  if (!session.options().quiet) std::fwrite(text.data(), 1, text.size(), stdout);
-  flush_output();
+  if (!session.options().quiet) print(printable(session.report().text()));
 }
 
 bool is_interrupted(const Ending& ending)
@@ -109,6 +114,9 @@ Ending run_command(const Command_line& line)
   const Outcome& outcome = session.finished(is_interrupted(ending) ? "" : ending.error);
   const Ending written = carry_out([&] { files.write(outcome); });
   if (ending.code == Exit_code::done) ending = written;
+  // A signal may have come while the last of the outputs was written.
+  if (ending.code == Exit_code::done && has_written())
+    ending = carry_out([] { throw_if_interrupted(); });
   return ending.code == Exit_code::done ? outcome.ending() : ending;
 }
 
@@ -122,10 +130,7 @@ Ending parse_and_run(int argc, const char* const* argv)
     set_threads(line.common.threads);
     return run_command(line);
   }
-  return carry_out([&] {
-    std::fputs(line.answer.c_str(), stdout);
-    flush_output();
-  });
+  return carry_out([&] { print(line.answer); });
 }
 
 // Allocates nothing.

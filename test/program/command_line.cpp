@@ -1,5 +1,6 @@
 // Tests examples/conformal/Command_line.cpp
 // Tests examples/conformal/run.cpp examples/conformal/process/versions.cpp
+// Tests examples/conformal/unknown_argument.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "program/support.h"
@@ -61,6 +62,32 @@ TEST_F(Command_line, tells_how_to_build_the_commands_that_were_not)
   EXPECT_NE(help.out.find("Built without info, deform"), std::string::npos) << help.out;
   EXPECT_EQ(run("--help").out.find("Built without"), std::string::npos);
   EXPECT_TRUE(shell(small + "spin --help").out == run("spin --help").out);
+}
+
+TEST_F(Command_line, unknown_options_are_named_with_those_that_are_near)
+{
+  const std::string spin = "spin a.off -o b.ply ";
+  const std::string advice =
+      "unknown option --rho; try: --rho-expression, --rho-property, --rho-file, --rho-image, or "
+      "conformal spin --help";
+  EXPECT_TRUE(fails(run(spin + "--rho x"), 2, advice));
+  EXPECT_TRUE(fails(run(spin + "--rho=x"), 2, advice));
+  EXPECT_TRUE(fails(run("spin --rho x a.off -o b.ply"), 2, advice));
+  EXPECT_TRUE(
+      fails(run("spin a.off --rho-expression x --ouptut b.ply"), 2, "--ouptut; try: --output"));
+  EXPECT_TRUE(fails(run("spin a.off --rho-expression x -x b.ply"), 2, "option -x; try: conformal"));
+  EXPECT_TRUE(
+      fails(run("flow a.off -o b.ply --rho-file x"), 2, "--rho-file, which is one of spin"));
+  EXPECT_TRUE(fails(run("--versoin"), 2, "unknown option --versoin; try: --version, or conformal"));
+  EXPECT_TRUE(fails(run("--rho x spin"), 2, "--rho is before the name of a command"));
+}
+
+TEST_F(Command_line, unknown_arguments_and_commands_are_named)
+{
+  EXPECT_TRUE(fails(run("spin a.off -o b.ply --rho-expression 2 + x"), 2,
+                    "unexpected argument '+'; try: quotes around"));
+  EXPECT_TRUE(fails(run("spn a.off"), 2, "unknown command 'spn'; try: spin, or --help"));
+  EXPECT_TRUE(fails(run("x"), 2, "unknown command 'x'; try: info, spin, "));
 }
 
 TEST_F(Command_line, numbers_that_no_work_could_use_are_usage_errors)
@@ -195,6 +222,8 @@ TEST_F(Command_line, signals_end_the_program_without_a_trace)
               " spin - --rho-expression x -o b.ply --json b.json <in & sleep 0.3; kill -" +
               std::string(signal) + " $!; wait $!");
     EXPECT_EQ(r.code, code) << signal << r.err;
+    const std::string told = code == 137 ? "" : "error: interrupted; nothing was written\n";
+    EXPECT_NE(r.err.find(told), std::string::npos) << r.err;
     EXPECT_FALSE(has("b.ply"));
     EXPECT_EQ(temporary_files(), 0u);
   }

@@ -53,6 +53,7 @@ TEST_F(Html_report, is_written_or_refused_with_the_reason)
     EXPECT_NE(content(path("r.html")).find(policy), std::string::npos);
   } else {
     EXPECT_TRUE(fails(r, 2, conformal::why_no_html_reports()));
+    EXPECT_TRUE(fails(r, 2, " -DCGP_HTML_REPORT=ON && cmake --build "));
     EXPECT_FALSE(has("b.ply"));
   }
   EXPECT_EQ(temporary_files(), 0u);

@@ -56,6 +56,7 @@ TEST_F(Studio, is_written_or_refused_with_the_reason)
     EXPECT_EQ(page.find("id=\"squares-1\""), std::string::npos);
   } else {
     EXPECT_TRUE(fails(r, 2, conformal::why_no_studio()));
+    EXPECT_TRUE(fails(r, 2, "-DCGP_STUDIO=ON -DCGP_HTML_REPORT=ON && cmake --build "));
     EXPECT_FALSE(has("page.html"));
   }
   EXPECT_EQ(temporary_files(), 0u);

@@ -117,11 +117,11 @@ std::vector<Plane_curve> read(const Curve_options& options, Session& session)
 void flow(Curve_flows& flows, const Curve_options& options, Session& session, Pictures& pictures,
           std::optional<Patience>& patience)
 {
-  Progress progress(session.options().quiet);
+  Progress progress = session.progress();
   pictures.take(flows, 0);
   for (int step = 1; step <= options.steps && signal_received() == 0; ++step) {
-    progress.show("step " + std::to_string(step) + " of " + std::to_string(options.steps),
-                  (step - 1.) / options.steps);
+    progress.show({"step", (step - 1.) / options.steps,
+                   "step " + std::to_string(step) + " of " + std::to_string(options.steps), step});
     if (!flows.step()) break;
     if (!patience) patience.emplace();  // there is something to write
     pictures.take(flows, step);

@@ -82,12 +82,12 @@ CGP::internal::Fairing_result fair_watched(const CGP::Mesh_view& mesh,
   CGP::internal::Fairing_options fairing;
   fairing.exact_conformal_class = !options.outline;
   fairing.max_steps = options.steps;
-  Progress progress(session.options().quiet);
+  Progress progress = session.progress();
   int step = 0;
   const auto go_further = [&] {
     ++step;
-    progress.show(session.part() + "step " + std::to_string(step),
-                  static_cast<double>(step) / options.steps);
+    progress.show(
+        {"step", static_cast<double>(step) / options.steps, "step " + std::to_string(step), step});
     return signal_received() == 0;
   };
   try {

@@ -24,6 +24,9 @@ void add_common(CLI::App& command, Common_options& common)
                   "the container has)")
       ->check(CLI::Range(.1, 1e6));
   command.add_flag("-q,--quiet", common.quiet, "print nothing but errors");
+  add_choice(command, "--progress", common.progress, {"auto", "none", "json"},
+             "of long work, on stderr: auto shows it on a terminal, and elsewhere writes a line "
+             "every ten seconds, unless --quiet; json writes an object per line, for programs");
   command.add_flag("--strict", common.strict, "refuse what would be repaired with a note");
 }
 

@@ -89,11 +89,12 @@ CGP::internal::Dirac_spectrum find(const Surface_input& input, const Spectrum_op
   o.shift = options.shift;
   o.tolerance = common.tolerance;
   o.random_seed = common.seed;
-  Progress progress(common.quiet);
+  Progress progress = session.progress();
   const auto go_further = [&](const CGP::internal::Krylov_progress& p) {
-    progress.show(session.part() + std::to_string(p.converged) + " converged, round " +
-                      std::to_string(p.restart + 1),
-                  static_cast<double>(p.vectors) / p.capacity);
+    progress.show(
+        {"round", static_cast<double>(p.vectors) / p.capacity,
+         std::to_string(p.converged) + " converged, round " + std::to_string(p.restart + 1),
+         p.restart + 1});
     return signal_received() == 0;
   };
   const auto condition = CGP::boundary_loops(mesh).empty() ? CGP::Boundary_condition::free()

@@ -6,6 +6,7 @@
 #include "conformal/input/boundary_condition.h"
 #include "conformal/input/rho.h"
 #include "conformal/process/Failure.h"
+#include "conformal/process/text.h"
 #include "conformal/transform/deform.h"
 #include "conformal/transform/each_component.h"
 #include "conformal/transform/suitable_surface.h"
@@ -13,6 +14,8 @@
 
 #include <Conformal_geometry_processing/mesh/topology.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace conformal {
@@ -22,8 +25,10 @@ const char* const spin_about =
     "Deforms a surface conformally so that its mean curvature changes by rho.\n"
     "rho is in 1/length of the normalised frame (the middle of the bounding box at 0, its "
     "diagonal\n"
-    "2), positive rho bulges outward, constants have no effect. The output has the vertex\n"
-    "properties quality (quasi-conformal error, 1 is perfect) and rho; normals are left out.\n"
+    "2), positive rho bulges outward, constants have no effect on closed surfaces. The output has\n"
+    "the vertex properties quality (quasi-conformal error, 1 is perfect) and rho; normals are "
+    "left\n"
+    "out.\n"
     "On surfaces with handles (genus > 0) or several boundary loops the part of rho is left out\n"
     "with which they would not close up, and the rest is reached in as many steps as it takes; "
     "the\n"
@@ -118,6 +123,16 @@ Spin_problem problem_of(CGP::Curvature_potential rho, const Spin_options& spin)
   return problem;
 }
 
+// On a closed surface, a constant shifts the eigenvalue of the Dirac operator, and nothing else.
+void note_constant_rho(const CGP::Curvature_potential& rho, Session& session)
+{
+  const double low = rho.values.minCoeff(), high = rho.values.maxCoeff();
+  const double rounding = 1e-12 * std::max({1., std::abs(low), std::abs(high)});
+  if (high - low > rounding) return;
+  session.note("rho is constant (" + text_of(high) +
+               "), so nothing has changed; try: one that varies, such as sin(5*y)");
+}
+
 void spin(const Spin_options& options, Session& session)
 {
   require_writable(session.options().output);
@@ -135,6 +150,8 @@ void spin(const Spin_options& options, Session& session)
     if (scales.weights.size() > 0) problem.scales.weights = scales.weights(component.vertices);
     surface.set(component, deform(component.input, problem, options, easier(options), own));
   });
+  const bool has_effect = scales.factors.size() > 0 || options.exact_class;
+  if (!has_effect && CGP::topology(input.mesh).is_closed()) note_constant_rho(surface.rho, session);
   write_result(input, surface, session, options.lambda);
 }
 

@@ -62,8 +62,7 @@ void studio(const Studio_options& options, Session& session)
 {
   const std::string why = why_no_studio();
   if (!why.empty())
-    throw Failure(Exit_code::usage,
-                  "this program was built without the studio: " + why + "; try: conformal spin");
+    throw Failure(Exit_code::usage, "this program was built without the studio: " + why);
   require_page_name(session.options().output);
   std::vector<Studio_shape> shapes;
   if (options.input.empty())

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "Expression.h"
 
+#include "corrected_formula.h"
+
 #include "conformal/io/file/numbers.h"
 #include "conformal/process/Failure.h"
+#include "conformal/process/near_names.h"
 
 #include <muParser.h>
 
@@ -25,11 +28,14 @@ double bump(double d, double r)
   return t * t < 1 ? std::exp(1 - 1 / (1 - t * t)) : 0;
 }
 
-std::string listed(const std::vector<std::string>& names)
+// muParser has constants of its own that begin with a low line.
+template <class Map>
+std::vector<std::string> names_in(const Map& map)
 {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
+  std::vector<std::string> names;
+  for (const auto& entry : map)
+    if (entry.first[0] != '_') names.push_back(entry.first);
+  return names;
 }
 
 /// where a variable is assigned to, which muParser allows; npos if nowhere
@@ -75,16 +81,41 @@ struct Expression::Parser {
       return all[0];
     } catch (const mu::Parser::exception_type& error) {
       // muParser counts from 0, and says so in most of its messages, but not in all.
+      // It reads a blank after the end, and has no place where a condition lacks its second case.
       const std::string message = error.GetMsg();
-      throw bad(message.substr(0, message.find(" at position")) + ", at place " +
-                std::to_string(error.GetPos() + 1));
+      const auto place = static_cast<std::size_t>(error.GetPos()) + 1;
+      throw bad(
+          message.substr(0, message.find(" at position")) +
+          (place == 0 ? "" : ", at place " + std::to_string(std::min(place, text.size() + 1))));
     }
   }
 
   Failure bad(const std::string& message) const
   {
-    return {Exit_code::usage, option + " " + in_quotes(text) + ": " + message +
-                                  "; try: a formula in " + listed(names) + " such as sin(5*y)"};
+    const std::vector<std::string> constants = names_in(parser.GetConst());
+    Formula_names known{names, names_in(parser.GetFunDef())};
+    known.values.insert(known.values.end(), constants.begin(), constants.end());
+    const std::string meant = corrected_formula(text, known);
+    const bool is_better = meant != text && is_formula(meant);
+    return {Exit_code::usage,
+            option + " " + in_quotes(text) + ": " + message +
+                "; try: " + (is_better ? "'" + meant + "'" : "a formula such as sin(5*y)") +
+                "; there are the variables " + listed(names) + ", the constants " +
+                listed(constants) + ", the operators + - * / ^, and the functions " +
+                listed(known.functions)};
+  }
+
+  bool is_formula(const std::string& other) const
+  {
+    try {
+      mu::Parser another = parser;
+      another.SetExpr(other);
+      int results = 0;
+      another.Eval(results);
+      return results == 1 && assignment_in(other) == std::string::npos;
+    } catch (const mu::Parser::exception_type&) {
+      return false;
+    }
   }
 
   std::string text, option;

@@ -21,7 +21,8 @@ class Expression {
  public:
   /// \param option whose value the text is
   /// \param more names of variables beside the six
-  /// \throws Failure (usage) that names the place of the fault, counted from 1
+  /// \throws Failure (usage) that names the place of the fault, counted from 1, the formula that
+  /// may have been meant, and what there is
   explicit Expression(const std::string& text, const std::string& option = "--rho-expression",
                       const std::vector<std::string>& more = {});
   ~Expression();

@@ -7,6 +7,10 @@
 
 namespace conformal {
 
+/// Where progress goes: on a terminal a line that is erased, elsewhere a line every ten seconds;
+/// nowhere; or an object of JSON on each line
+enum class Progress_choice { automatic, none, json };
+
 /// what every command takes
 struct Common_options {
   std::string output, json, html;
@@ -14,6 +18,7 @@ struct Common_options {
   unsigned seed = 0;
   double tolerance = 1e-8;
   double max_memory = 0;  ///< in GiB; 0 for half of the machine's
+  Progress_choice progress = Progress_choice::automatic;
   bool quiet = false, strict = false, repair = false;
   bool each_component = false;  ///< works on one component after the other
   bool keep_going = false;      ///< writes those that succeed

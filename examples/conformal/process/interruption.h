@@ -9,8 +9,9 @@ namespace conformal {
 
 /// \brief From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU are heard: the first one asks the work to
 /// end, which it does between two iterations, or by force one second later; a second one ends it at
-/// once. Temporary files are removed in any case. A closed pipe and a file that grows beyond the
-/// system's limit become write errors.
+/// once. Temporary files are removed in any case, and a line on stderr tells what was written. A
+/// closed pipe and a file that grows beyond the system's limit no longer end the program, but the
+/// write fails. Every ten seconds, and on SIGALRM, the status line is written.
 void listen_to_signals();
 
 /// the signal that has come, or zero
@@ -26,8 +27,14 @@ class Patience {
   Patience& operator=(const Patience&) = delete;
 };
 
+/// `nothing was written`, or which files were
+const char* what_was_written() noexcept;
+
+/// whether a file has been written
+bool has_written() noexcept;
+
 /// \throws Failure if a signal has come
-void throw_if_interrupted(const std::string& consequence = "nothing was written");
+void throw_if_interrupted(const std::string& consequence = what_was_written());
 
 }  // namespace conformal
 

@@ -14,8 +14,7 @@ void require_html(const std::string& path)
 {
   const std::string why = why_no_html_reports();
   if (!why.empty())
-    throw Failure(Exit_code::usage,
-                  "--html: this program was built without HTML reports: " + why + "; try: --json");
+    throw Failure(Exit_code::usage, "--html: this program was built without HTML reports: " + why);
   require_page_name(path);
 }
 

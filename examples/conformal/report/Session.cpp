@@ -11,7 +11,9 @@ namespace conformal {
 
 Session::Session(const Common_options& options, std::string part)
     : m_options(options), m_part(std::move(part))
-{}
+{
+  Pace::of_run();  // begins with the first session
+}
 
 void Session::note(const std::string& text)
 {

@@ -5,7 +5,7 @@
 
 #include "Outcome.h"
 
-#include "conformal/process/Common_options.h"
+#include "conformal/process/Progress.h"
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 
@@ -51,6 +51,9 @@ class Session {
   /// \throws Failure if the result does not verify and is refused
   void conclude(Verdict verdict, On_fault on_fault, const std::string& what);
   void conclude(Verdict verdict, On_fault on_fault) { conclude(verdict, on_fault, m_input); }
+
+  /// shows that of the command, or of its work on a component
+  Progress progress() const { return Progress(m_options, m_outcome.command, m_part); }
 
   /// Ends a stage that began when the last one ended.
   void end_stage(const std::string& stage) { m_outcome.seconds.add(stage, m_watch.lap()); }

@@ -45,7 +45,8 @@ std::string html_report(const Exhibit& exhibit, const std::string& json)
 
 std::string why_no_html_reports()
 {
-  return report_page_fault;
+  const std::string fault = report_page_fault;
+  return fault.empty() ? fault : fault + "; try: " + report_page_advice;
 }
 
 }  // namespace conformal

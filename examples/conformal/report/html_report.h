@@ -17,7 +17,7 @@ namespace conformal {
 /// and little endian. \param json the report \pre `why_no_html_reports()` is empty
 std::string html_report(const Exhibit& exhibit, const std::string& json);
 
-/// why this program cannot write such pages; empty if it can
+/// why this program cannot write such pages, and how to build one that can; empty if it can
 std::string why_no_html_reports();
 
 }  // namespace conformal

@@ -18,6 +18,9 @@ extern const char* const report_page_end;
 /// why there was no three.js
 extern const char* const report_page_fault;
 
+/// the commands that build a program which has it
+extern const char* const report_page_advice;
+
 }  // namespace conformal
 
 #endif

@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Puts the page of `conformal studio` into the target conformal_lib, or, where there is no emscripten or
-# no three.js, the reason. em++ compiles the kernels to WebAssembly; they need Eigen's headers only.
+# no three.js, the reason and what to do. em++ compiles the kernels to WebAssembly; they need Eigen's headers only.
 
 set(studio_fault "")
 set(CGP_HAS_STUDIO FALSE)
@@ -19,7 +19,9 @@ else()
   endif()
 endif()
 
-set(studio_arguments -D "FAULT=${studio_fault}")
+cgp_build_advice("-DCGP_STUDIO=ON -DCGP_HTML_REPORT=ON" "some minutes for emscripten" studio_advice emscripten
+                 npm)
+set(studio_arguments -D "FAULT=${studio_fault}" -D "ADVICE=${studio_advice}")
 set(studio_parts "")
 if(CGP_HAS_STUDIO)
   # Debian's emscripten finds its JavaScript libraries with Debian's Node.js alone.

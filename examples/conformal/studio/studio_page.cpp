@@ -52,7 +52,8 @@ std::string studio_page(const std::vector<Studio_shape>& shapes)
 
 std::string why_no_studio()
 {
-  return studio_page_fault;
+  const std::string fault = studio_page_fault;
+  return fault.empty() ? fault : fault + "; try: " + studio_page_advice;
 }
 
 }  // namespace conformal

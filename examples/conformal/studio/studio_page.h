@@ -28,7 +28,7 @@ struct Studio_shape {
 /// \pre `why_no_studio()` is empty
 std::string studio_page(const std::vector<Studio_shape>& shapes);
 
-/// why this program cannot write such pages; empty if it can
+/// why this program cannot write such pages, and how to build one that can; empty if it can
 std::string why_no_studio();
 
 }  // namespace conformal

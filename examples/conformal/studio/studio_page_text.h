@@ -16,6 +16,9 @@ extern const char* const studio_page_end;
 /// why it could not be built
 extern const char* const studio_page_fault;
 
+/// the commands that build a program which has it
+extern const char* const studio_page_advice;
+
 }  // namespace conformal
 
 #endif

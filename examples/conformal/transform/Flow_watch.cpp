@@ -20,10 +20,10 @@
 namespace conformal {
 
 Flow_watch::Flow_watch(const Surface_input& input, const Flow_options& options, Session& session)
-    : m_input(input), m_options(options), m_session(session), m_progress(session.options().quiet)
+    : m_input(input), m_options(options), m_session(session), m_progress(session.progress())
 {
   m_evidence.steps = 0;
-  m_progress.show("analysis", 0);
+  m_progress.show({"analysis", 0});
 }
 
 void Flow_watch::on_flow_begin(const CGP::Mesh_view&, double energy)
@@ -57,11 +57,11 @@ void Flow_watch::on_step_end(const CGP::Flow_step_report& step, const CGP::Mesh_
 void Flow_watch::show(double share_of_step, const std::string& more)
 {
   const double share = std::isfinite(share_of_step) ? std::clamp(share_of_step, 0., 1.) : 0;
-  m_progress.show(m_session.part() + "step " +
-                      std::to_string(std::min(m_steps + 1, m_options.steps)) + " of " +
-                      std::to_string(m_options.steps) + ", energy " +
-                      text_of(m_energy / (4 * std::acos(-1.)), 4) + " * 4 pi" + more,
-                  (m_steps + share) / m_options.steps);
+  const int step = std::min(m_steps + 1, m_options.steps);
+  m_progress.show({"step", (m_steps + share) / m_options.steps,
+                   "step " + std::to_string(step) + " of " + std::to_string(m_options.steps) +
+                       ", energy " + text_of(m_energy / (4 * std::acos(-1.)), 4) + " * 4 pi" + more,
+                   step});
 }
 
 void Flow_watch::write_snapshot(int step, const CGP::Mesh_view& mesh)

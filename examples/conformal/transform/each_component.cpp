@@ -32,6 +32,7 @@ void attempt(const std::string& name, const Component& component, const Componen
              Component_failures& failures, Session& session)
 {
   Session own(session.options(), name + ": ");
+  own.outcome().command = session.outcome().command;
   own.set_input(session.input());
   Outcome& outcome = own.outcome();
   outcome.error = failures.attempt(name, [&] { work(component, own); });

@@ -13,13 +13,13 @@ namespace conformal {
 Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& solve,
                       const Session& session, const std::string& words)
 {
-  const std::string prefix = session.part() + words;
-  Progress progress(session.options().quiet);
-  progress.show(prefix + "factorization", 0);
+  Progress progress = session.progress();
+  progress.show({"factorization", 0, words + "factorization"});
   const auto go_further = [&](const CGP::Eigensolver_progress& p) {
-    progress.show(prefix + "iteration " + std::to_string(p.iteration) + ", residual " +
-                      text_of(p.estimate, 2),
-                  std::log(p.estimate) / std::log(session.options().tolerance));
+    progress.show({"iteration", std::log(p.estimate) / std::log(session.options().tolerance),
+                   words + "iteration " + std::to_string(p.iteration) + ", residual " +
+                       text_of(p.estimate, 2),
+                   p.iteration});
     return signal_received() == 0;
   };
   Spin_solution solution = solve(go_further);

@@ -48,6 +48,14 @@ void leave(std::size_t slot)
   if (slot < slots) registered[slot].state = vacant;
 }
 
+std::atomic<Listener_to_written_files> listener{nullptr};
+std::atomic<bool> is_renaming{false};
+
+void tell_written(const std::string& path)
+{
+  if (const Listener_to_written_files tell = listener) tell(path);
+}
+
 std::string folder_of(const std::string& path)
 {
   const std::size_t slash = path.rfind('/');
@@ -68,6 +76,16 @@ std::string resolved(const std::string& path)
 std::string path_of_open(int file)
 {
   return "/proc/self/fd/" + std::to_string(file);
+}
+
+// The reader of a pipe, such as `head`, may end before all is written.
+bool is_pipe_of_standard_output(int file)
+{
+  struct stat own {
+  }, standard{};
+  return ::fstat(file, &own) == 0 && ::fstat(STDOUT_FILENO, &standard) == 0 &&
+         (S_ISFIFO(own.st_mode) || S_ISSOCK(own.st_mode)) && own.st_dev == standard.st_dev &&
+         own.st_ino == standard.st_ino;
 }
 
 bool is_unsupported(int error)
@@ -156,9 +174,11 @@ void Temporary_file::create_named(const Create& create, const std::string& fault
 
 void Temporary_file::write(std::string_view bytes)
 {
+  if (m_is_direct) tell_written(m_target);
   while (!bytes.empty()) {
     const ssize_t n = ::write(m_file, bytes.data(), std::min(bytes.size(), std::size_t{1} << 30));
     if (n < 0 && errno == EINTR) continue;
+    if (n < 0 && errno == EPIPE && is_pipe_of_standard_output(m_file)) return;
     if (n < 0) fail("cannot be written");
     bytes.remove_prefix(static_cast<std::size_t>(n));
   }
@@ -192,11 +212,23 @@ void Temporary_file::commit()
         "cannot be named");
   close_file();
   if (m_is_direct) return;
-  if (::rename(m_temporary.c_str(), m_path.c_str()) != 0) fail("cannot be replaced");
+  rename();
   m_temporary.clear();
   leave(m_slot);
   m_slot = slots;
   flush_folder();
+}
+
+// A signal handler that ends the program between the two would tell what is not true.
+void Temporary_file::rename()
+{
+  is_renaming = true;
+  const bool is_renamed = ::rename(m_temporary.c_str(), m_path.c_str()) == 0;
+  const int error = errno;
+  if (is_renamed) tell_written(m_target);
+  is_renaming = false;
+  errno = error;
+  if (!is_renamed) fail("cannot be replaced");
 }
 
 void Temporary_file::close_file()
@@ -218,6 +250,16 @@ void Temporary_file::flush_folder() const
 void Temporary_file::fail(const std::string& what) const
 {
   throw Write_error(m_target, what + ": " + std::strerror(errno));
+}
+
+void tell_written_files_to(Listener_to_written_files own) noexcept
+{
+  listener = own;
+}
+
+bool is_renaming_file() noexcept
+{
+  return is_renaming;
 }
 
 void remove_temporary_files() noexcept

@@ -19,7 +19,8 @@ namespace conformal {
 /// either the old file or the new one, never a part. Where the system has no such files, it is
 /// `.conformal-PID-N.tmp`, and the destructor removes it. A device or pipe is written directly; a
 /// symbolic link is preserved, and its target is replaced. The new file has the old one's mode and,
-/// if the system allows it, its owner. Every failure is a `Write_error` with the system's reason.
+/// if the system allows it, its owner. Every failure is a `Write_error` with the system's reason,
+/// except that the reader of standard output may end: what it would have read is dropped.
 class Temporary_file {
  public:
   enum class Name { if_necessary, at_once };  ///< when the file gets a name before the target's
@@ -41,6 +42,7 @@ class Temporary_file {
 
  private:
   void take_after(const struct stat& old);
+  void rename();
   void open_nameless();
   template <class Create>
   void create_named(const Create& create, const std::string& fault);
@@ -55,6 +57,14 @@ class Temporary_file {
   int m_file = -1;
   bool m_is_direct = false, m_changes_owner = false;
 };
+
+/// told the name of every file that is written, as the user wrote it
+using Listener_to_written_files = void (*)(const std::string& path);
+void tell_written_files_to(Listener_to_written_files listener) noexcept;
+
+/// Whether a file has got its name and the listener may not know yet. Safe to call in a signal
+/// handler.
+bool is_renaming_file() noexcept;
 
 /// Removes all temporary files that exist now. Safe to call in a signal handler.
 void remove_temporary_files() noexcept;

@@ -3,7 +3,7 @@
 # Joins the sources of the page and three.js into C++ that holds the page as two strings, what comes
 # before the data and what comes after.
 #
-# usage: cmake -D OUTPUT=FILE.cpp [-D THREE=FILE -D LICENSE=FILE | -D FAULT=WORDS] -P join.cmake
+# usage: cmake -D OUTPUT=FILE.cpp [-D THREE=FILE -D LICENSE=FILE | -D FAULT=WORDS -D ADVICE=WORDS] -P join.cmake
 
 include(${CMAKE_CURRENT_LIST_DIR}/page_text.cmake)
 set(page "")
@@ -27,4 +27,4 @@ base-uri 'none'; form-action 'none'")
     fill_in(${part})
   endforeach()
 endif()
-write_page(${OUTPUT} conformal/report/report_page.h report_page "${FAULT}")
+write_page(${OUTPUT} conformal/report/report_page.h report_page "${FAULT}" "${ADVICE}")

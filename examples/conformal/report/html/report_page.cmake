@@ -1,6 +1,9 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# Puts the page of `--html` into the target conformal_lib, or, where there is no three.js, the reason.
+# Puts the page of `--html` into the target conformal_lib, or, where there is no three.js, the reason and
+# what to do.
+
+include(${CMAKE_CURRENT_LIST_DIR}/page_text.cmake)
 
 set(Three_FAULT "it was configured without CGP_HTML_REPORT")
 set(CGP_HAS_THREE FALSE)
@@ -12,7 +15,8 @@ if(CGP_HAS_THREE)
   set(archive ${Three_MODULE})
 else()
   message(STATUS "conformal is built without --html: ${Three_FAULT}")
-  set(arguments -D "FAULT=${Three_FAULT}")
+  cgp_build_advice(-DCGP_HTML_REPORT=ON "about a minute" advice npm)
+  set(arguments -D "FAULT=${Three_FAULT}" -D "ADVICE=${advice}")
   set(archive "")
 endif()
 set(report_page ${CMAKE_CURRENT_BINARY_DIR}/report_page.cpp)

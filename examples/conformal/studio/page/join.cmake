@@ -3,8 +3,8 @@
 # Joins the sources of the studio, the viewer of the reports, three.js and the kernels into C++ that
 # holds the page.
 #
-# usage: cmake -D OUTPUT=FILE.cpp [-D THREE=FILE -D LICENSE=FILE -D KERNELS=FILE | -D FAULT=WORDS]
-#              -P join.cmake
+# usage: cmake -D OUTPUT=FILE.cpp
+#              [-D THREE=FILE -D LICENSE=FILE -D KERNELS=FILE | -D FAULT=WORDS -D ADVICE=WORDS] -P join.cmake
 
 set(here ${CMAKE_CURRENT_LIST_DIR})
 set(reports ${here}/../../report/html)
@@ -37,4 +37,4 @@ style-src ${style_hash}; img-src data: blob:; connect-src data:; base-uri 'none'
     fill_in(${part})
   endforeach()
 endif()
-write_page(${OUTPUT} conformal/studio/studio_page_text.h studio_page "${FAULT}")
+write_page(${OUTPUT} conformal/studio/studio_page_text.h studio_page "${FAULT}" "${ADVICE}")
