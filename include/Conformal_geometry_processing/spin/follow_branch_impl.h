@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_FOLLOW_BRANCH_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/spin/follow_branch.h>
 #include <Conformal_geometry_processing/threads/parallel_loops.h>
 
@@ -155,7 +155,7 @@ CGP_INLINE Branch_point continued(const Dirac_gram& gram, const Branch_point& fr
   to.t = t;
   to.gamma += gram.quotient(t, from.c) - gram.quotient(from.t, from.c);
   for (int k = 0; k < 4; ++k) {
-    const auto ritz = hermitian_jacobi(gram.energy(t, to.gamma));
+    const auto ritz = hermitian_eigen_decomposition(gram.energy(t, to.gamma));
     Eigen::Index own = 0;
     for (Eigen::Index j = 1; j < ritz.values.size(); ++j)
       if (overlap_of(ritz.vectors.col(j), from.c) > overlap_of(ritz.vectors.col(own), from.c))
