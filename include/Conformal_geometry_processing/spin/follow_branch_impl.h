@@ -177,6 +177,7 @@ CGP_INLINE Branch_point follow_branch(const Dirac_gram& gram, const Branch_point
 {
   const double longest = 1. / 4, shortest = 1. / 24, smooth = 0.95, same_branch = 0.75;
   Branch_point at = first;
+  at.is_settled = false;
   double step = longest;
   while (at.t < end) {
     const Branch_point next = continued(gram, at, (std::min)(end, at.t + step));
@@ -216,6 +217,7 @@ CGP_INLINE Branch_point follow_settled_branch(const Dirac_gram& gram, const Bran
         next.t == t && in_smaller.t == t && norm(inner_product(in_smaller.c, shared)) >= same;
     if (!has_settled || next.misfit > next.gap / 2) return at;
     at = next;
+    at.is_settled = true;
   }
   return at;
 }
