@@ -205,9 +205,11 @@ CGP_INLINE Branch_point follow_settled_branch(const Dirac_gram& gram, const Bran
                                               double end)
 {
   const double step = 1. / 8, little = 0.97, same = 0.98;
-  const Dirac_gram smaller_gram = gram.without_last();
-  Branch_point at = first, in_smaller = without_last(first);
+  Branch_point at = first;
   at.is_settled = true;
+  if (!(components(first.c).leftCols(first.c.size() - 1).norm() > 0)) return at;
+  const Dirac_gram smaller_gram = gram.without_last();
+  Branch_point in_smaller = without_last(first);
   while (at.t < end) {
     const double t = (std::min)(end, at.t + step);
     const Branch_point next = follow_branch(gram, at, t, little);
