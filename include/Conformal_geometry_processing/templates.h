@@ -11,6 +11,7 @@
 #include <Conformal_geometry_processing/flow/Constrained_direction_templates.h>
 #include <Conformal_geometry_processing/flow/Curvature_filter_templates.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition_templates.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_cycle_templates.h>

@@ -4,7 +4,7 @@
 #define TEST_CONCEPTS_SPARSE_HERMITIAN_EIGENSOLVER_ARCHETYPE_H
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ struct Sparse_hermitian_eigensolver_archetype {
     CGP::Block<Quaternion<double>> D(n, n);
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) D(i, j) = A.coefficient(i, j) / std::sqrt(masses[i] * masses[j]);
-    const auto decomposition = CGP::hermitian_jacobi(D);
+    const auto decomposition = CGP::hermitian_eigen_decomposition(D);
 
     CGP::Eigensolver_result result;
     result.cancelled = !go_further(CGP::Eigensolver_progress{0, decomposition.values[0], 0});

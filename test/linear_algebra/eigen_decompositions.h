@@ -11,29 +11,40 @@
 
 namespace cgp_test {
 
-/// a dense Hermitian matrix of quaternions
-inline CGP::Block<Quaternion<double>> random_hermitian_block(int d, std::uint64_t seed)
+/// a dense Hermitian matrix
+template <class Scalar = Quaternion<double>>
+CGP::Block<Scalar> random_hermitian_block(int d, std::uint64_t seed)
 {
-  CGP::Block<Quaternion<double>> A = random_block<Quaternion<double>>(d, d, seed);
+  using Traits = CGP::internal::Scalar_traits<Scalar>;
+  CGP::Block<Scalar> A = random_block<Scalar>(d, d, seed);
   for (int j = 0; j < d; ++j) {
-    A(j, j) = {A(j, j).w, 0, 0, 0};
+    A(j, j) = Traits::from_real(Traits::real(A(j, j)));
     for (int i = 0; i < j; ++i) A(j, i) = CGP::conjugate(A(i, j));
   }
   return A;
 }
 
 /// A V = V D with orthonormal V and ascending D
-template <class Decomposition>
-void expect_decomposition(const Decomposition& e, const CGP::Block<Quaternion<double>>& A,
-                          double tolerance, double tolerance_of_vectors)
+template <class Decomposition, class Scalar>
+void expect_decomposition(const Decomposition& e, const CGP::Block<Scalar>& A, double tolerance,
+                          double tolerance_of_vectors)
 {
-  const int d = static_cast<int>(A.rows());
+  const Eigen::Index d = A.rows();
   ASSERT_EQ(e.values.size(), d);
+<<<<<<< HEAD
   const Eigen::MatrixXd V = real_form(e.vectors), D = four_times(e.values).asDiagonal();
   EXPECT_LE((real_form(A) * V - V * D).norm(), tolerance);
   EXPECT_LE((V.transpose() * V - Eigen::MatrixXd::Identity(4 * d, 4 * d)).norm(),
             tolerance_of_vectors);
   for (int i = 1; i < d; ++i) EXPECT_LE(e.values[i - 1], e.values[i]);
+=======
+  const Eigen::MatrixXd V = real_form(e.vectors);
+  const Eigen::Index n = V.rows(), components = d > 0 ? n / d : 1;
+  const Eigen::MatrixXd D = e.values.transpose().replicate(components, 1).reshaped().asDiagonal();
+  EXPECT_LE((real_form(A) * V - V * D).norm(), tolerance);
+  EXPECT_LE((V.transpose() * V - Eigen::MatrixXd::Identity(n, n)).norm(), tolerance_of_vectors);
+  for (Eigen::Index i = 1; i < d; ++i) EXPECT_LE(e.values[i - 1], e.values[i]);
+>>>>>>> 1086bfa16cc4c885ce5ef8518ff1afa1f3dbb852
 }
 
 }  // namespace cgp_test

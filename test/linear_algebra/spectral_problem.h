@@ -4,7 +4,7 @@
 #define TEST_LINEAR_ALGEBRA_SPECTRAL_PROBLEM_H
 
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 
 #include <Eigen/Core>
 
@@ -31,7 +31,7 @@ class Spectral_problem {
     for (int j = 0; j < size(); ++j)
       for (int i = 0; i <= j; ++i)
         A(j, i) = i == j ? Quaternion<double>{A(i, i).w, 0, 0, 0} : CGP::conjugate(A(i, j));
-    const Block U = CGP::hermitian_jacobi(A).vectors;
+    const Block U = CGP::hermitian_eigen_decomposition(A).vectors;
     for (int j = 0; j < size(); ++j)
       for (int i = 0; i < size(); ++i) {
         m_vectors(i, j) = U(i, j) / std::sqrt(m_masses[i]);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Dirac_spectral_problem.h
 #include <Conformal_geometry_processing/linear_algebra/dense/block_operators.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
@@ -138,7 +138,7 @@ Eigen::VectorXd squares_in_span(const Mesh_view& mesh, double shift, const Dirac
   rho.values.array() += shift;
   const auto X = CGP::dirac_energy(mesh, rho);
   const auto forms = CGP::gram_matrix(s.vectors, CGP::block_operator(X)(s.vectors));
-  return CGP::hermitian_jacobi(forms).values / area(mesh);
+  return CGP::hermitian_eigen_decomposition(forms).values / area(mesh);
 }
 
 TEST(Dirac_spectrum_at_shifts, contains_the_lowest_eigenvectors_of_the_dense_square)

@@ -229,6 +229,18 @@ TEST_F(Two_branches_that_cross, are_settled_without_a_vector_that_they_do_not_ne
   EXPECT_EQ(b.t, 0) << "its vector is the last";
 }
 
+// Otherwise whatever is predicted after a settled stage would be trusted like one that is settled.
+TEST_F(Two_branches_that_cross, are_not_settled_beyond_a_settled_point_where_they_are_not_found_so)
+{
+  const Dirac_gram gram(both, rho(), vectors());
+  Branch_point first;
+  first.c = unit_vector(0);
+  const Branch_point settled = follow_settled_branch(gram, first, .25);
+  ASSERT_TRUE(settled.is_settled);
+  EXPECT_FALSE(follow_branch(gram, settled, 1, .9).is_settled);
+  EXPECT_FALSE(follow_branch(gram, settled, .25, .9).is_settled);
+}
+
 TEST_F(Two_branches_that_cross, are_described_without_the_last_vector)
 {
   const Dirac_gram gram(both, rho(), vectors()), one(both, rho(), vectors().leftCols(1));

@@ -193,4 +193,25 @@ TEST(Branch_on_a_dumbbell, is_not_left_for_another_as_rho_grows)
   }
 }
 
+// The dense work of a stage grows with the cube of the span. With few vectors it is bounded by a
+// multiple of the solves, of which each stage has one at least.
+TEST(Branch_in_a_span, has_few_vectors_whatever_the_mesh_and_rho)
+{
+  const int most = 20;
+  CGP::Dirac_options options;
+  options.max_substeps = 100;
+  std::vector<Coarse_case> cases = coarse_cases();
+  const Mesh_view limbs = scaled_to_area(dumbbell(2), 4 * pi);
+  cases.push_back({"dumbbell", limbs, waves(limbs)});
+  for (const Coarse_case& c : cases) {
+    CGP::internal::Dirac_system<> system(c.mesh);
+    for (const double amplitude : {1., 4., 16., 64.}) {
+      const auto s = CGP::solve_dirac_equation(system, scaled(c.rho, amplitude, 0), options);
+      EXPECT_GE(s.largest_span, 2) << c.name << ' ' << amplitude;
+      EXPECT_LE(s.largest_span, most) << c.name << ' ' << amplitude;
+      EXPECT_LE(s.substeps, s.solves) << c.name << ' ' << amplitude;
+    }
+  }
+}
+
 }  // namespace cgp_test::solve_dirac_equation_branch_tests

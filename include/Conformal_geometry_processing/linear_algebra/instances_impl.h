@@ -5,12 +5,15 @@
 
 // Instantiates the templates of the compiled library, for its own solvers.
 
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_cycle_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_level_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver_templates.h>
+
+#include <complex>
 
 namespace Conformal_geometry_processing {
 
@@ -24,6 +27,13 @@ template class internal::Multigrid_cycle<float>;
 template class internal::Multigrid_cycle<Quaternion<float>>;
 template class internal::Multigrid_solver<double>;
 template class internal::Multigrid_solver<Quaternion<double>>;
+template internal::Hermitian_eigen_decomposition<float> hermitian_eigen_decomposition(Block<float>);
+template internal::Hermitian_eigen_decomposition<double> hermitian_eigen_decomposition(
+    Block<double>);
+template internal::Hermitian_eigen_decomposition<std::complex<double>>
+    hermitian_eigen_decomposition(Block<std::complex<double>>);
+template internal::Hermitian_eigen_decomposition<Quaternion<double>> hermitian_eigen_decomposition(
+    Block<Quaternion<double>>);
 
 }  // namespace Conformal_geometry_processing
 

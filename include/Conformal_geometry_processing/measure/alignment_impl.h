@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion.h>
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 
@@ -32,7 +32,7 @@ CGP_INLINE Eigen::Matrix3d best_rotation(const Eigen::Matrix3d& S)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
           form(r, c) -= S(i, j) * dot(units[i + 1] * units[r], units[c] * units[j + 1]);
-  const Eigen::Vector4d q = hermitian_jacobi(form).vectors.col(0);
+  const Eigen::Vector4d q = hermitian_eigen_decomposition(form).vectors.col(0);
   return Eigen::Quaterniond(q[0], -q[1], -q[2], -q[3]).toRotationMatrix();  // Eigen: q a q^-1
 }
 

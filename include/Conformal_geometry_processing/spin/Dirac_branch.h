@@ -64,6 +64,12 @@ class Dirac_branch {
   void correct(const Dirac_solution& guess);
 
  private:
+  /// \brief vectors of the span, which bounds the dense work of a stage.
+  ///
+  /// A stage begins with ten at most, and adds four whenever another end is tried, to which the way
+  /// is at most half as long: beyond these, the shorter way helps, not more vectors.
+  static constexpr Eigen::Index most_vectors = 20;
+
   /// least overlap of two approximations of one eigenvector
   static constexpr double same_vector = 0.85;
 
@@ -97,7 +103,7 @@ class Dirac_branch {
   /// adds a vector to the span, unless it is in it
   bool add(Quaternion_vector<double> v);
 
-  /// adds the next `words` images of the last vector
+  /// adds the next `words` images of the last vector, as long as there is room for them
   void extend(int words);
 
   /// keeps only the identity and the last vectors: those of earlier stages describe D - t rho for

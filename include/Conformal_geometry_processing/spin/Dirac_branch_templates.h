@@ -167,7 +167,7 @@ template <class SolverTraits, class EigensolverTraits>
 void Dirac_branch<SolverTraits, EigensolverTraits>::extend(int words)
 {
   Stopwatch watch;
-  for (int k = 0; k < words; ++k) {
+  for (int k = 0; k < words && m_span.cols() < most_vectors; ++k) {
     const Quaternion_vector<double> last = m_span.rightCols(1).col(0);
     const Vectors b = apply_dirac_form(m_system.surface(), potential(m_pole.t, m_pole.gamma), last);
     Vectors w;
@@ -197,6 +197,7 @@ Branch_point Dirac_branch<SolverTraits, EigensolverTraits>::predict(Branch_point
     if (least_overlap < 0.98) extend(2);
     Stopwatch watch;
     m_gram.extend(m_system.surface(), m_rho, m_span);
+    m_s.largest_span = (std::max)(m_s.largest_span, static_cast<int>(m_span.cols()));
     first.c = gram_matrix(m_span, block_operator(m_system.areas())(Vectors(m_s.lambda))).col(0);
     components(first.c) /= components(first.c).norm();
     p = follow_branch(m_gram, first, end, least_overlap);

@@ -76,9 +76,10 @@ struct Dirac_evidence {
 /// a solution of the Dirac equation
 struct Dirac_solution : Dirac_evidence {
   Quaternion_vector<double> lambda;  ///< |V|; mean real and positive, mean of |lambda|^2 one
-  double energy = 0;  ///< mu = <lambda, X lambda> / <lambda, M_V lambda> >= 0, of rho + gamma on
-                      ///< closed surfaces
-  Seconds seconds;    ///< of each stage
+  double energy = 0;     ///< mu = <lambda, X lambda> / <lambda, M_V lambda> >= 0, of rho + gamma on
+                         ///< closed surfaces
+  Seconds seconds;       ///< of each stage
+  int largest_span = 0;  ///< vectors of the largest span in which the branch was followed
 };
 
 /// \ingroup PkgSpin

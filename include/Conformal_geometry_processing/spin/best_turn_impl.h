@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/spin/best_turn.h>
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@ CGP_INLINE Quaternion<double> best_turn(const Points& U, const Points& V)
       for (int r = 0; r < 4; ++r)
         M(r, c) += dot(image[r], image[c]) / static_cast<double>(U.cols());
   }
-  const auto eigen = hermitian_jacobi<double>(M);
+  const auto eigen = hermitian_eigen_decomposition<double>(M);
   const auto vector = [&](int c) -> Eigen::Vector4d { return eigen.vectors.col(c); };
   // If even the best rotation does not fit, those with up to three times its misfit count as
   // equally good: nearly parallel binormals of a hemisphere, to be tilted inward, do not require a

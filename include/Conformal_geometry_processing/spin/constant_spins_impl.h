@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONSTANT_SPINS_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/spin/constant_spins.h>
 
 #include <Eigen/Core>
@@ -23,7 +23,7 @@ CGP_INLINE Vector<Quaternion<double>> constant_spins(const internal::Reduced_bas
   for (int i = 0; i < n; ++i)
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b < 4; ++b) defect(a, b) += dot(rest(i, a), rest(i, b));
-  const auto eigen = hermitian_jacobi(defect);
+  const auto eigen = hermitian_eigen_decomposition(defect);
   const double rounding = 1e-20 * n;
   const Eigen::Index count = (eigen.values.array() <= rounding).count();
   Vector<Quaternion<double>> spins(count);

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_FOLLOW_BRANCH_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/spin/follow_branch.h>
 #include <Conformal_geometry_processing/threads/parallel_loops.h>
 
@@ -155,7 +155,7 @@ CGP_INLINE Branch_point continued(const Dirac_gram& gram, const Branch_point& fr
   to.t = t;
   to.gamma += gram.quotient(t, from.c) - gram.quotient(from.t, from.c);
   for (int k = 0; k < 4; ++k) {
-    const auto ritz = hermitian_jacobi(gram.energy(t, to.gamma));
+    const auto ritz = hermitian_eigen_decomposition(gram.energy(t, to.gamma));
     Eigen::Index own = 0;
     for (Eigen::Index j = 1; j < ritz.values.size(); ++j)
       if (overlap_of(ritz.vectors.col(j), from.c) > overlap_of(ritz.vectors.col(own), from.c))
@@ -177,6 +177,7 @@ CGP_INLINE Branch_point follow_branch(const Dirac_gram& gram, const Branch_point
 {
   const double longest = 1. / 4, shortest = 1. / 24, smooth = 0.95, same_branch = 0.75;
   Branch_point at = first;
+  at.is_settled = false;
   double step = longest;
   while (at.t < end) {
     const Branch_point next = continued(gram, at, (std::min)(end, at.t + step));
@@ -204,9 +205,11 @@ CGP_INLINE Branch_point follow_settled_branch(const Dirac_gram& gram, const Bran
                                               double end)
 {
   const double step = 1. / 8, little = 0.97, same = 0.98;
-  const Dirac_gram smaller_gram = gram.without_last();
-  Branch_point at = first, in_smaller = without_last(first);
+  Branch_point at = first;
   at.is_settled = true;
+  if (!(components(first.c).leftCols(first.c.size() - 1).norm() > 0)) return at;
+  const Dirac_gram smaller_gram = gram.without_last();
+  Branch_point in_smaller = without_last(first);
   while (at.t < end) {
     const double t = (std::min)(end, at.t + step);
     const Branch_point next = follow_branch(gram, at, t, little);
@@ -216,6 +219,7 @@ CGP_INLINE Branch_point follow_settled_branch(const Dirac_gram& gram, const Bran
         next.t == t && in_smaller.t == t && norm(inner_product(in_smaller.c, shared)) >= same;
     if (!has_settled || next.misfit > next.gap / 2) return at;
     at = next;
+    at.is_settled = true;
   }
   return at;
 }

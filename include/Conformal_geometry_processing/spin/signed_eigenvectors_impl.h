@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_SIGNED_EIGENVECTORS_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/quaternionic_householder.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Row_major_multivector.h>
 #include <Conformal_geometry_processing/spin/signed_eigenvectors.h>
 
@@ -73,7 +73,7 @@ CGP_INLINE Signed_projection signed_projection(const Pencil& pencil,
 CGP_INLINE std::array<Block<Quaternion<double>>, 2> split_by_losses(
     const Block<Quaternion<double>>& losses)
 {
-  const auto pairs = quaternionic_householder(losses);
+  const auto pairs = hermitian_eigen_decomposition(losses);
   const Eigen::Index kept = (pairs.values.array() < lost_by_mixtures).count();
   return {pairs.vectors.leftCols(kept), pairs.vectors.rightCols(pairs.values.size() - kept)};
 }
@@ -83,7 +83,7 @@ CGP_INLINE double least_value(const Block<Quaternion<double>>& vectors,
                               const Vector<double>& values)
 {
   if (vectors.cols() == 0) return std::numeric_limits<double>::infinity();
-  return quaternionic_householder(congruent(vectors, values)).values[0];
+  return hermitian_eigen_decomposition(congruent(vectors, values)).values[0];
 }
 
 /// \brief of sqrt(mu_i mu_j), which bounds |<v_i, K v_j>|: what N has mixed exceeds this share,
@@ -121,7 +121,7 @@ CGP_INLINE internal::Signed_eigenvectors signed_eigenvectors(const internal::Pen
   const auto [pure, mixtures] = internal::split_by_losses(projection.losses);
   const Vector<double> mu = square.values.cwiseInverse();
   const Vectors S = internal::between_mixtures(projection.form, mu);
-  const auto ritz = quaternionic_householder(gram_matrix(pure, combination(S, pure)));
+  const auto ritz = hermitian_eigen_decomposition(gram_matrix(pure, combination(S, pure)));
   const Vectors coefficients = combination(pure, ritz.vectors);
   return {basis.combination(coefficients),
           internal::combined_residuals(coefficients, square.residuals),

@@ -3,7 +3,6 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SWEEP_NESTED_DISSECTION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SWEEP_NESTED_DISSECTION_H
 
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_cut.h>
 #include <Conformal_geometry_processing/threads/Task_pool.h>

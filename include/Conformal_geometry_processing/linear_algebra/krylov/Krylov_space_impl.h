@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_KRYLOV_SPACE_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Krylov_space.h>
 
 #include <Eigen/Core>
@@ -98,7 +98,7 @@ CGP_INLINE double Krylov_space::longest(const Vectors& w, const Vectors& Nw)
 
 CGP_INLINE Krylov_space::Gram_basis Krylov_space::gram_basis(const Vectors& gram, double least)
 {
-  const auto pairs = hermitian_jacobi(gram);
+  const auto pairs = hermitian_eigen_decomposition(gram);
   const Vector<double> lengths = pairs.values.cwiseMax(0).cwiseSqrt();  // ascending
   const Eigen::Index rank = (lengths.array() > least).count(), first = lengths.size() - rank;
   Gram_basis b{pairs.vectors.rightCols(rank), Vectors(rank, gram.cols()),

@@ -4,8 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_KRYLOV_SCHUR_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/quaternionic_householder.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
 #include <Conformal_geometry_processing/threads/Thread_team.h>
 
@@ -99,7 +98,7 @@ CGP_INLINE bool is_next_beside(const Vector<double>& values, const Vector<double
 CGP_INLINE Ritz_pairs ritz_pairs(const Krylov_space& space, const Krylov_options& options)
 {
   Ritz_pairs p;
-  p.all = dominant_first(quaternionic_householder(space.projection()));
+  p.all = dominant_first(hermitian_eigen_decomposition(space.projection()));
   p.found = (std::min)(p.all.values.size(), Eigen::Index(options.wanted));
   const Vector<double> residuals = space.residuals(p.all.vectors);
   p.converged = converged_pairs(p.values(), residuals, options.tolerance);

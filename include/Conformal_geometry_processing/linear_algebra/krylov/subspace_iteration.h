@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Centered_mass.h>
 #include <Conformal_geometry_processing/threads/Thread_team.h>
 
@@ -54,6 +54,7 @@ struct Subspace_result {
 /// \param solver has factorized A + shift D. A shift by the mass, not by the identity, does not
 /// change the eigenvectors.
 /// \param x initial vectors, one per column
+/// \throw Solver_error if a solution is not finite
 template <class Solver, class Scalar>
 internal::Subspace_result<Scalar> subspace_iteration(const Hermitian_sparse_matrix<Scalar>& A,
                                                      const internal::Centered_mass<Scalar>& B,
@@ -70,10 +71,10 @@ internal::Subspace_result<Scalar> subspace_iteration(const Hermitian_sparse_matr
     result.status = solver.solve(b, y);
     if (result.status != Solver_status::success) return result;
     const Block<Scalar> H = b.adjoint() * y;
-    const auto ritz = hermitian_jacobi<Scalar>((H + H.adjoint()) / Scalar(2));
+    const auto ritz = hermitian_eigen_decomposition<Scalar>((H + H.adjoint()) / Scalar(2));
     const auto inverses = ritz.values.reverse();
     const Block<Scalar> turn = ritz.vectors.rowwise().reverse();
-    if (!(inverses[0] > 0) || !std::isfinite(inverses[0])) {
+    if (!(inverses[0] > 0)) {
       result.status = Solver_status::numerical_issue;
       return result;
     }

@@ -4,7 +4,6 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_REDUCED_REDUCED_FORM_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_form.h>

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_HERMITIAN_EIGEN_DECOMPOSITION_H
+#define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DENSE_HERMITIAN_EIGEN_DECOMPOSITION_H
+
+#include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/algebra/scalar.h>
+
+#include <Eigen/Core>
+
+namespace Conformal_geometry_processing {
+
+namespace internal {
+
+/// \ingroup PkgLinearAlgebra
+/// \brief A V = V diag(values) for a Hermitian matrix A, with V^H V = 1 and ascending values.
+template <class Scalar>
+struct Hermitian_eigen_decomposition {
+  Vector<typename Scalar_traits<Scalar>::FT> values;
+  Block<Scalar> vectors;
+};
+
+}  // namespace internal
+
+/// \ingroup PkgLinearAlgebra
+/// \brief Computes the eigenvalues and eigenvectors of a dense Hermitian matrix, real, complex or
+/// quaternionic, by Eigen's SelfAdjointEigenSolver.
+///
+/// The eigenvalues act from the right, A v = v theta; theta is real, and v is unique up to a unit
+/// scalar on its right. A quaternionic matrix is first made tridiagonal by reflections over the
+/// quaternions. Its tridiagonal form is real, so that each eigenvalue occurs once, not in a pair as
+/// in the complex form, from which one vector of each pair would have to be selected again; a real
+/// A has real eigenvectors. O(d^3); errors of eigenvalues are rounding errors of the norm of A.
+///
+/// The library contains the instances for float, double, std::complex<double> and
+/// Quaternion<double>, because Eigen's decomposition compiles slowly; `templates.h` is for others.
+/// \pre A is Hermitian
+/// \throw Solver_error if the iteration for the tridiagonal matrix does not converge, for example
+/// because of values that are not finite
+template <class Scalar>
+internal::Hermitian_eigen_decomposition<Scalar> hermitian_eigen_decomposition(Block<Scalar> A);
+
+}  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition_templates.h>
+#endif
+
+#endif
