@@ -10,6 +10,8 @@ option(CGP_BUILD_BENCHMARKS "Build the benchmarks" ${PROJECT_IS_TOP_LEVEL})
 option(CGP_BUILD_DOC "Check and build the reference manual" ${PROJECT_IS_TOP_LEVEL})
 option(CGP_HTML_REPORT "HTML reports of the program; npm fetches three.js" ${PROJECT_IS_TOP_LEVEL})
 option(CGP_STUDIO "The page of `conformal studio`; emscripten compiles the kernels" ${PROJECT_IS_TOP_LEVEL})
+set(CGP_COMMANDS all CACHE STRING "the commands of the program that are built, for instance spin;info, \
+with what they need of the libraries; or all")
 option(CGP_WARNINGS_AS_ERRORS "Stop at a warning in our own code, as test/run does" OFF)
 option(CGP_KERNELS_ONLY "Build what needs no CGAL: the compiled libraries, the Python module" OFF)
 option(CGP_HEADER_ONLY "Let tests and programs compile all of the library themselves" OFF)

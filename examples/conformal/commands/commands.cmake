@@ -4,7 +4,6 @@
 
 set(CGP_ALL_COMMANDS info spin deform fair flow boundary fit blend flatten curve harmonic spectrum
     sphere compare split studio CACHE INTERNAL "in the order in which they are listed")
-set(CGP_COMMANDS all CACHE STRING "the subcommands of conformal that are built, or all: spin;info")
 
 # Writes the table of the commands that a program has: cgp_write_commands(<source> <name>...)
 function(cgp_write_commands source)
@@ -36,14 +35,4 @@ set(built_commands ${CGP_COMMANDS})
 if(CGP_COMMANDS STREQUAL "all")
   set(built_commands ${CGP_ALL_COMMANDS})
 endif()
-foreach(command IN LISTS built_commands)
-  if(NOT command IN_LIST CGP_ALL_COMMANDS)
-    message(FATAL_ERROR "CGP_COMMANDS names ${command}; there are ${CGP_ALL_COMMANDS}")
-  endif()
-endforeach()
-foreach(command IN LISTS CGP_ALL_COMMANDS)
-  if(NOT command IN_LIST built_commands)
-    list(FILTER command_sources EXCLUDE REGEX "/commands/${command}\\.cpp$")
-  endif()
-endforeach()
 cgp_write_commands(${CMAKE_CURRENT_BINARY_DIR}/commands.cpp ${built_commands})

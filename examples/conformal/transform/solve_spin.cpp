@@ -7,11 +7,13 @@
 
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 #include <Conformal_geometry_processing/surfaces/minimal_surface.h>
+#ifdef CONFORMAL_HAS_OTHER_SOLVERS
+#include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/templates.h>
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
 #include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
 #endif
-#include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
+#endif
 #include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 
 #include <utility>
@@ -61,16 +63,18 @@ Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem
                       : CGP::Dirac_options::Eigenproblem::standard;
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
+#ifdef CONFORMAL_HAS_OTHER_SOLVERS
   if (options.solver == "eigen")
     return solve_by<CGP::Eigen_hermitian_solver_traits>(mesh, problem, options, dirac, go_further);
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
   if (options.solver == "cholmod")
     return solve_by<CGP::Cholmod_hermitian_solver_traits>(mesh, problem, options, dirac,
                                                           go_further);
-#else
-  if (options.solver == "cholmod")
-    throw Failure(Exit_code::usage, "this program was built without CHOLMOD; try: --solver native");
 #endif
+#endif
+  if (options.solver != "native")
+    throw Failure(Exit_code::usage, "this program was built without the solver " + options.solver +
+                                        "; try: --solver native");
   return solve_by<CGP::Default_solver_traits>(mesh, problem, options, dirac, go_further);
 }
 

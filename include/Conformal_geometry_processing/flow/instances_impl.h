@@ -9,7 +9,6 @@
 
 namespace Conformal_geometry_processing {
 
-template class internal::Curvature_filter<Default_solver_traits>;
 template class internal::Constrained_direction<Default_solver_traits, Lobpcg_eigensolver_traits,
                                                Willmore_direction>;
 template class Conformal_willmore_flow<Default_solver_traits, Lobpcg_eigensolver_traits,

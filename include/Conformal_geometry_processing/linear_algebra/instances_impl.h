@@ -3,14 +3,11 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_INSTANCES_IMPL_H
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_INSTANCES_IMPL_H
 
-// Instantiates the templates of the compiled library, for its own solvers.
+// Template instantiations of the compiled library, for its own solvers.
 
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver_templates.h>
-#include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_cycle_templates.h>
-#include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_level_templates.h>
-#include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver_templates.h>
 
 #include <complex>
@@ -21,12 +18,6 @@ template class internal::Grounded_solver<Default_solver_traits>;
 template class internal::Dirichlet_solver<double, Default_solver_traits>;
 template class internal::Dirichlet_solver<Quaternion<double>, Default_solver_traits>;
 template class internal::Real_reduced_solver<Supernodal_cholesky<double>>;
-template class internal::Multigrid_level<float>;
-template class internal::Multigrid_level<Quaternion<float>>;
-template class internal::Multigrid_cycle<float>;
-template class internal::Multigrid_cycle<Quaternion<float>>;
-template class internal::Multigrid_solver<double>;
-template class internal::Multigrid_solver<Quaternion<double>>;
 template internal::Hermitian_eigen_decomposition<float> hermitian_eigen_decomposition(Block<float>);
 template internal::Hermitian_eigen_decomposition<double> hermitian_eigen_decomposition(
     Block<double>);

@@ -5,11 +5,11 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/Control_point.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -39,11 +39,11 @@ CGP_INLINE std::vector<Control_point> region_control_points(const Mesh_view& mes
   const Eigen::Vector3d centre = x * shares;
   const Points arms = x.colwise() - centre;
   std::vector<Control_point> points = {{vertices, shares, motion * centre}};
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(arms * shares.asDiagonal() *
-                                                            arms.transpose());
-  const Eigen::Vector3d radii = axes.eigenvalues().cwiseMax(0).cwiseSqrt();
+  const auto axes =
+      hermitian_eigen_decomposition<double>(arms * shares.asDiagonal() * arms.transpose());
+  const Eigen::Vector3d radii = axes.values.cwiseMax(0).cwiseSqrt();
   for (Eigen::Index k = 2; k >= 0 && radii[k] > flat * radii[2]; --k) {
-    const Eigen::Vector3d axis = axes.eigenvectors().col(k);
+    const Eigen::Vector3d axis = axes.vectors.col(k);
     const Eigen::VectorXd heights = arms.transpose() * axis / radii[k];
     points.push_back({vertices, shares.cwiseProduct((heights.array() + 1).matrix()),
                       motion * Eigen::Vector3d(centre + radii[k] * axis)});

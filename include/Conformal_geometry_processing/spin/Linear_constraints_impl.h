@@ -4,10 +4,10 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_LINEAR_CONSTRAINTS_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/spin/Linear_constraints.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <utility>
 
@@ -23,10 +23,7 @@ CGP_INLINE Linear_constraints::Linear_constraints(Eigen::MatrixXd gradients,
   const double rounding = 1e-12;
   Eigen::MatrixXd gram = m_gradients.transpose() * m_directions;
   // Of constraints in another orthonormal basis it is the same.
-  const double largest =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram, Eigen::EigenvaluesOnly)
-          .eigenvalues()
-          .maxCoeff();
+  const double largest = hermitian_eigen_decomposition(gram).values.maxCoeff();
   gram.diagonal().array() += rounding * largest;
   m_gram.compute(gram);
   gram.diagonal() += largest * dampings.cwiseAbs2();

@@ -5,14 +5,9 @@
 
 // Template instantiations of the compiled library, for its own solvers.
 
-#include <Conformal_geometry_processing/spin/Conformal_deformation_templates.h>
 #include <Conformal_geometry_processing/spin/Dirac_line_templates.h>
-#include <Conformal_geometry_processing/spin/Nearest_spin_transformation_templates.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
-#include <Conformal_geometry_processing/spin/Position_derivative_templates.h>
-#include <Conformal_geometry_processing/spin/Spin_preview_templates.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
-#include <Conformal_geometry_processing/spin/nearest_curvature_difference_templates.h>
 
 #include <optional>
 
@@ -21,15 +16,10 @@ namespace Conformal_geometry_processing {
 template class Poisson_reconstruction<Default_solver_traits>;
 template class internal::Spin_derivative<Default_solver_traits>;
 template class internal::Dirac_line<Default_solver_traits>;
-template class internal::Position_derivative<Default_solver_traits>;
 template class internal::Exactness_residual<Default_solver_traits>;
 template class internal::Potential_metric<Default_solver_traits>;
-template class internal::Position_residual<Default_solver_traits>;
 template class internal::Potential_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template class internal::Scale_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
-template class internal::Control_point_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
-template class internal::Target_search<Default_solver_traits, Lobpcg_eigensolver_traits>;
-template class internal::Conformal_deformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
 template internal::Exactness_constraints exactness_constraints<Default_solver_traits>(
     internal::Dirac_system<Default_solver_traits>&,
     const internal::Grounded_solver<Default_solver_traits>&, Eigen::MatrixXd,
@@ -39,12 +29,6 @@ template internal::Closed_step internal::closed_step(
     const Curvature_potential&, const internal::Period_limit&, double, const Dirac_options&,
     const internal::Go_further&);
 template class Spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
-template class internal::Spin_preview<Default_solver_traits, Lobpcg_eigensolver_traits>;
-template class Nearest_spin_transformation<Default_solver_traits, Lobpcg_eigensolver_traits>;
-template Curvature_potential
-nearest_curvature_difference<Default_solver_traits, Lobpcg_eigensolver_traits>(
-    const Mesh_view&, const Points&, double, const Dirac_options&, const internal::Go_further&,
-    const std::string&);
 
 }  // namespace Conformal_geometry_processing
 

@@ -5,11 +5,11 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/weighted_orthonormalization.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -77,13 +77,13 @@ CGP_INLINE Eigen::MatrixXd weighted_orthonormalization(Eigen::MatrixXd functions
 {
   internal::require_weighted_functions(functions, weights);
   if (functions.cols() == 0) return functions;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(
-      internal::weighted_gram_matrix(functions, weights));
-  const Eigen::VectorXd squared = gram.eigenvalues().reverse();  // decreasing
+  const auto gram =
+      hermitian_eigen_decomposition(internal::weighted_gram_matrix(functions, weights));
+  const Eigen::VectorXd squared = gram.values.reverse();  // decreasing
   const Eigen::Index rank =
       squared[0] > 0 ? (squared.array() > threshold * threshold * squared[0]).count() : 0;
   internal::replace_by_combinations(functions,
-                                    gram.eigenvectors().rowwise().reverse().leftCols(rank) *
+                                    gram.vectors.rowwise().reverse().leftCols(rank) *
                                         squared.head(rank).cwiseSqrt().cwiseInverse().asDiagonal());
   // The basis is already orthonormal up to rounding / threshold^2, so that the Cholesky factor of
   // its Gram matrix, near the identity, makes it so and hardly mixes the directions.
@@ -97,9 +97,9 @@ CGP_INLINE Eigen::VectorXd weighted_singular_values(const Eigen::MatrixXd& funct
 {
   internal::require_weighted_functions(functions, weights);
   if (functions.cols() == 0) return {};
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(
-      internal::weighted_gram_matrix(functions, weights), Eigen::EigenvaluesOnly);
-  return gram.eigenvalues().reverse().cwiseMax(0).cwiseSqrt();
+  const auto gram =
+      hermitian_eigen_decomposition(internal::weighted_gram_matrix(functions, weights));
+  return gram.values.reverse().cwiseMax(0).cwiseSqrt();
 }
 
 CGP_INLINE Eigen::VectorXd project_out(const Eigen::MatrixXd& basis, const Eigen::VectorXd& weights,
