@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Every subcommand of `conformal` is in the table of doc/manual/program.txt and in the list of
-doc/overview.md; a test of test/program/ runs it, and says in its head that it tests its file."""
+"""Every subcommand of `conformal` is in the list of commands.cmake, in the table of
+doc/manual/program.txt and in the list of doc/overview.md; its help has an example; a test of
+test/program/ runs it, and says in its head that it tests its file."""
 
 import re
 
@@ -10,6 +11,7 @@ import check_mirrored_tests
 import sources
 
 COMMANDS = "examples/conformal/commands"
+LIST = re.compile(r"set\(CGP_ALL_COMMANDS ([\w\s]*?)\s+CACHE")
 MANUAL = "doc/manual/program.txt"
 OVERVIEW = "doc/overview.md"
 DEFINITION = re.compile(r"^Command (\w+)_command\(\)\s*\{", re.MULTILINE)
@@ -23,6 +25,11 @@ def names():
     """The subcommands, by the files that define them."""
     return sorted(name for path in (sources.ROOT / COMMANDS).glob("*.cpp")
                   for name in DEFINITION.findall(read(path)))
+
+
+def built():
+    """The subcommands that CMake builds."""
+    return LIST.search(read(f"{COMMANDS}/commands.cmake"))[1].split()
 
 
 def tests():
@@ -39,6 +46,10 @@ def complaints():
                      if "command `conformal`" in paragraph), "")
     for name in names():
         file = f"{COMMANDS}/{name}.cpp"
+        if name not in built():
+            yield f"{COMMANDS}/commands.cmake: CGP_ALL_COMMANDS is without {name}"
+        if not re.search(rf"Example[^:]*: conformal {name}\b", read(file)):
+            yield f"{file}: its help has no line \"Example: conformal {name} ...\""
         if not re.search(rf"^\| `+conformal {name}\b", read(MANUAL), re.MULTILINE):
             yield f"{MANUAL}: its table has no row of `conformal {name}`"
         if f"`{name}`" not in overview:
