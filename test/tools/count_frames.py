@@ -68,11 +68,12 @@ def rows(folder):
     folder = folder.resolve()
     programs = build(folder)
     check_example.write_off(folder / "sphere.off", *check_example.sphere(3))
+    spin = [programs / "conformal", "spin", "sphere.off", "--rho-expression", "1.5*sin(5*y)", "-o", "out.off"]
     calls = {
         "`spin_transform()` in `examples/first_program.cpp`":
             [programs / "first_program", "sphere.off", "out.off"],
-        "`conformal spin`": [programs / "conformal", "spin", "sphere.off", "--rho-expression",
-                             "1.5*sin(5*y)", "-o", "out.off"],
+        "`conformal spin`": spin,
+        "`conformal spin --max-scale none`": [*spin, "--max-scale", "none", "--force"],
     }
     for name, command in calls.items():
         of_all = [counts(stack) for stack in stacks(folder, *command)]
