@@ -1,20 +1,14 @@
-#!/usr/bin/env python3
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Counts the headers with executed lines in one spin transformation of a sphere.
+"""Counts the headers with executed lines in one spin transformation of a sphere: compiles it
+header-only with g++ --coverage, runs it, and asks gcov which lines of which headers ran."""
 
-usage: count_headers.py [FOLDER]
-
-Compiles a program of one transformation header-only with g++ --coverage in FOLDER (a temporary
-one by default), runs it, and asks gcov which lines of which headers ran.
-"""
-
+import collections
 import gzip
 import json
 import pathlib
+import re
 import subprocess
-import sys
-import tempfile
 
 import sources
 
@@ -52,19 +46,11 @@ def executed(folder):
     return headers
 
 
-def main():
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else temporary)
-        headers = executed(folder)
-    # X.h, X_impl.h and X_templates.h are one header in three parts.
-    headers = {h.replace("_impl.h", ".h").replace("_templates.h", ".h") for h in headers}
-    folders = {}
-    for header in sorted(headers):
-        folders.setdefault(header.rpartition("/")[0], []).append(header)
-    for name, of_folder in folders.items():
-        print(f"| `{name}/` | {len(of_folder)} |")
-    print(f"| all | {len(headers)} |")
-
-
-if __name__ == "__main__":
-    main()
+def rows(folder):
+    """(folder of the library, number of headers), and (all, number); X.h, X_impl.h and X_templates.h
+    are one header in three parts."""
+    headers = {re.sub(r"_(impl|templates)\.h$", ".h", header) for header in executed(folder)}
+    folders = collections.Counter(header.rpartition("/")[0] for header in headers)
+    for name, count in sorted(folders.items()):
+        yield [f"`{name}/`", count]
+    yield ["all", len(headers)]

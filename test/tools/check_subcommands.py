@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Every subcommand of `conformal` is in the list of commands.cmake, in the table of
+doc/manual/program.txt and in the list of doc/overview.md; its help has an example; a test of
+test/program/ runs it, and says in its head that it tests its file."""
+
+import re
+
+import check_mirrored_tests
+import sources
+
+COMMANDS = "examples/conformal/commands"
+LIST = re.compile(r"set\(CGP_ALL_COMMANDS ([\w\s]*?)\s+CACHE")
+MANUAL = "doc/manual/program.txt"
+OVERVIEW = "doc/overview.md"
+DEFINITION = re.compile(r"^Command (\w+)_command\(\)\s*\{", re.MULTILINE)
+
+
+def read(path):
+    return (sources.ROOT / path).read_text(encoding="utf-8")
+
+
+def names():
+    """The subcommands, by the files that define them."""
+    return sorted(name for path in (sources.ROOT / COMMANDS).glob("*.cpp")
+                  for name in DEFINITION.findall(read(path)))
+
+
+def built():
+    """The subcommands that CMake builds."""
+    return LIST.search(read(f"{COMMANDS}/commands.cmake"))[1].split()
+
+
+def tests():
+    return [path for path in check_mirrored_tests.tests() if path.parts[:2] == ("test", "program")]
+
+
+def runs(test, name):
+    """Whether a test begins a command line with the subcommand."""
+    return re.search(rf'"{name}[ "]', read(test)) is not None
+
+
+def complaints():
+    overview = next((paragraph for paragraph in read(OVERVIEW).split("\n\n")
+                     if "command `conformal`" in paragraph), "")
+    for name in names():
+        file = f"{COMMANDS}/{name}.cpp"
+        if name not in built():
+            yield f"{COMMANDS}/commands.cmake: CGP_ALL_COMMANDS is without {name}"
+        if not re.search(rf"Example[^:]*: conformal {name}\b", read(file)):
+            yield f"{file}: its help has no line \"Example: conformal {name} ...\""
+        if not re.search(rf"^\| `+conformal {name}\b", read(MANUAL), re.MULTILINE):
+            yield f"{MANUAL}: its table has no row of `conformal {name}`"
+        if f"`{name}`" not in overview:
+            yield f"{OVERVIEW}: its list of commands is without `{name}`"
+        own = [test for test in tests() if file in check_mirrored_tests.claims(test)]
+        if not any(runs(test, name) for test in own):
+            yield f"{file}: no test in test/program/ runs `{name}` and has the line \"// Tests {file}\""
+
+
+if __name__ == "__main__":
+    sources.finish(list(complaints()), f"{len(names())} subcommands")
