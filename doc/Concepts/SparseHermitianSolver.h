@@ -102,7 +102,7 @@ class SparseHermitianSolver {
   /// `Solver_status::numerical_issue` where a value is not finite
   Solver_status factorize(const Hermitian_sparse_matrix<Scalar>& A, const Vector<FT>& shift);
 
-  /// \brief solves for several right-hand sides, the columns of b.
+  /// \brief solves for several right-hand sides, the columns of b; without any it succeeds.
   ///
   /// \param x is resized; stays as it is unless the status is `Solver_status::success`
   Solver_status solve(const Block<Scalar>& b, Block<Scalar>& x) const;

@@ -58,6 +58,18 @@ TYPED_TEST_P(Hermitian_solver, solves_for_one_or_several_right_hand_sides)
   this->expect_solves(this->A, 5);
 }
 
+TYPED_TEST_P(Hermitian_solver, succeeds_where_there_is_no_right_hand_side)
+{
+  using Vectors = CGP::Block<typename TypeParam::Scalar>;
+  ASSERT_EQ(this->solver.analyze(*this->pattern), Solver_status::success);
+  ASSERT_EQ(this->solver.factorize(this->A, this->no_shift), Solver_status::success);
+  Vectors x(3, 2);
+  EXPECT_EQ(this->solver.solve(Vectors(this->n, 0), x), Solver_status::success);
+  EXPECT_EQ(x.rows(), this->n);
+  EXPECT_EQ(x.cols(), 0);
+  this->expect_solves(this->A, 2);
+}
+
 TYPED_TEST_P(Hermitian_solver, factorizes_again_with_other_values)
 {
   ASSERT_EQ(this->solver.analyze(*this->pattern), Solver_status::success);
@@ -170,6 +182,7 @@ TYPED_TEST_P(Hermitian_solver, tells_the_cost)
 }
 
 REGISTER_TYPED_TEST_SUITE_P(Hermitian_solver, solves_for_one_or_several_right_hand_sides,
+                            succeeds_where_there_is_no_right_hand_side,
                             factorizes_again_with_other_values, adds_a_diagonal_shift,
                             accepts_any_ordering, chooses_an_ordering_that_another_solver_can_share,
                             can_be_analyzed_again_for_another_pattern,

@@ -72,7 +72,7 @@ std::string message_of(const std::string& formula, const std::vector<std::string
   return "";
 }
 
-TEST(Expression, that_is_no_formula_tells_the_one_that_may_be_meant)
+TEST(Corrected_formula_of_an_expression, that_is_no_formula_tells_the_one_that_may_be_meant)
 {
   EXPECT_NE(message_of("x**2").find("; try: 'x^2'; there are"), std::string::npos);
   EXPECT_NE(message_of("2x").find("; try: '2*x'; there are"), std::string::npos);
@@ -84,7 +84,7 @@ TEST(Expression, that_is_no_formula_tells_the_one_that_may_be_meant)
 }
 
 // What would be no formula either is not said.
-TEST(Expression, that_is_no_formula_tells_what_there_is)
+TEST(Corrected_formula_of_an_expression, that_is_no_formula_tells_what_there_is)
 {
   for (const std::string wrong : {"foo(x)", "2x+", "x+foo", "sin(2x"}) {
     const std::string message = message_of(wrong, {"loop"});

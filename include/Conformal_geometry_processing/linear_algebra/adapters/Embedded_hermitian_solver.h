@@ -94,8 +94,10 @@ class Embedded_hermitian_solver {
   {
     return internal::guarded([&] {
       if (m_state != State::factorized || b.rows() != size()) return Solver_status::wrong_state;
-      Block<Entry> solution;
-      const Solver_status status = m_backend.solve(to_entries(b), solution);
+      Block<Entry> solution(width * b.rows(), 0);
+      // CHOLMOD 3.0.14 takes the null pointer of a matrix without columns for an invalid type.
+      const Solver_status status =
+          b.cols() == 0 ? Solver_status::success : m_backend.solve(to_entries(b), solution);
       if (status == Solver_status::success) x = from_entries(solution);
       return status;
     });

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_KRYLOV_LOBPCG_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/threads/Thread_team.h>
@@ -75,7 +75,7 @@ lobpcg(const Block_function& apply_k, const Block_function& apply_n,
   auto& [x, w, p] = space;
   x = convergence.initial(make_panel(apply_k, apply_n, std::move(x0), options.coefficients));
   w.coefficients = p.coefficients = options.coefficients;
-  const Vectors first = hermitian_eigen_decomposition(x.gram(x.v, x.kv)).vectors;
+  const Vectors first = hermitian_jacobi(x.gram(x.v, x.kv)).vectors;
   for (Vectors* part : x.parts()) *part = combination(*part, first);
   while (true) {
     Vectors& r = w.kv;  // overwritten by K w later
@@ -90,7 +90,7 @@ lobpcg(const Block_function& apply_k, const Block_function& apply_n,
       convergence.stop();
       break;
     }
-    const auto ritz = hermitian_eigen_decomposition(x.gram(basis, combination(forms.k, basis)));
+    const auto ritz = hermitian_jacobi(x.gram(basis, combination(forms.k, basis)));
     convergence.note_next_value(ritz.values[x.size()]);
     space.advance(combination(basis, Vectors(ritz.vectors.leftCols(x.size()))));
     convergence.count_iteration();
