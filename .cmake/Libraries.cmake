@@ -47,16 +47,18 @@ list(REMOVE_ITEM CGP_CORE_HEADERS ${CGP_LINEAR_ALGEBRA_HEADERS} ${CGP_KERNELS_HE
 # A program with some commands only needs a part of its own sources and of the compiled libraries:
 # all is compiled that cgp_keep_what_is_needed(<variable>) leaves in a list of sources.
 set(CGP_NEEDED "")
+include(${PROJECT_SOURCE_DIR}/examples/conformal/commands/commands.cmake)
 if(NOT CGP_COMMANDS STREQUAL "all")
   include(Reached_files)
   set(program ${PROJECT_SOURCE_DIR}/examples/conformal)
   set(commands ${CGP_COMMANDS})
+  list(REMOVE_ITEM commands ${CGP_ALL_COMMANDS})
+  if(commands OR CGP_COMMANDS STREQUAL "")
+    message(FATAL_ERROR "CGP_COMMANDS: there is no command '${commands}'; there are "
+                        "${CGP_ALL_COMMANDS}, or all")
+  endif()
+  set(commands ${CGP_COMMANDS})
   list(TRANSFORM commands REPLACE "(.+)" "${program}/commands/\\1.cpp")
-  foreach(command IN LISTS commands)
-    if(NOT EXISTS ${command})
-      message(FATAL_ERROR "CGP_COMMANDS is ${CGP_COMMANDS}, and there is no ${command}")
-    endif()
-  endforeach()
   file(GLOB_RECURSE sources ${program}/*.cpp ${CGP_INCLUDE}/*instances_impl.h)
   list(FILTER sources EXCLUDE REGEX "/(commands/[a-z]+|wasm/.*)\\.cpp$")
   cgp_reached(CGP_NEEDED "${program}/main.cpp;${commands}" "${sources}" "${CGP_INCLUDE}/templates.h")

@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Conformal Geometry Processing authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# Which files a program needs, for builds of a part of it: what its sources include, and what defines
-# what those declare.
+# Which files a program needs, for builds of a part of it: what its sources include, and the files
+# that define what these declare.
 
 # The files of our own that a file includes: cgp_included(<file> <result>)
 function(cgp_included file result)

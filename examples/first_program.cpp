@@ -14,13 +14,15 @@
 
 #include <cmath>
 #include <iostream>
+#include <stdexcept>
 
 namespace CGP = Conformal_geometry_processing;
 
 int main(int argc, char* argv[])
 try {
   CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
-  if (argc < 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh)) return 1;
+  if (argc < 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh))
+    throw std::runtime_error("wanted: MESH OUTPUT");
   const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
   const double unit = std::hypot(box.x_span(), box.y_span(), box.z_span()) / 2;
 

@@ -31,6 +31,9 @@ else()
              ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_${what}.py ${${what}_arguments})
   endforeach()
 
+  add_test(NAME sources.partial_builds COMMAND ${Python3_EXECUTABLE}
+           ${CMAKE_CURRENT_SOURCE_DIR}/tools/check_partial_builds.py ${CMAKE_GENERATOR})
+
   # Every example succeeds on a generated surface.
   file(GLOB examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.cpp)
   foreach(example IN LISTS examples)

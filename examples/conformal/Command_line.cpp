@@ -58,9 +58,6 @@ void require_finite_numbers(CLI::App& app)
     require_finite_numbers(*group);
 }
 
-const char* const how_to_build_all =
-    "cmake -DCGP_COMMANDS=all BUILD_FOLDER && cmake --build BUILD_FOLDER --target conformal";
-
 /// Names the commands that this program was built without; empty where it has all.
 std::string about_other_commands()
 {
@@ -117,6 +114,8 @@ class Parser {
     require_that_it_was_built(name);
     std::vector<std::string> all;
     for (const Command& command : m_commands) all.push_back(command.name);
+    const std::vector<std::string> others = commands_not_built();
+    all.insert(all.end(), others.begin(), others.end());
     const std::vector<std::string> near = near_names(name, all);
     throw Failure(Exit_code::usage, "unknown command '" + name + "'; try: " +
                                         listed(near.empty() ? all : near) + ", or --help");

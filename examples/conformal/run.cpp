@@ -17,6 +17,7 @@
 
 #include <Conformal_geometry_processing/exceptions.h>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -160,10 +161,18 @@ int tell_that_memory_is_out()
   ::_exit(static_cast<int>(code));
 }
 
+// An output file must not get the number of a standard stream that was closed.
+void open_standard_streams()
+{
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) == -1 && ::open("/dev/null", O_RDWR) == -1) return;
+}
+
 }  // namespace
 
 int run(int argc, const char* const* argv)
 {
+  open_standard_streams();
   listen_to_signals();
   std::set_terminate(on_terminate);
   try {

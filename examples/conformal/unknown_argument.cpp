@@ -25,7 +25,8 @@ std::vector<std::string> own_names(const CLI::App& command)
   std::vector<std::string> names;
   const auto add_all = [&names](const CLI::App& app) {
     for (const CLI::Option* option : app.get_options())
-      names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
+      for (const std::string& name : option->get_lnames())  // each group has --help
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   };
   add_all(command);
   for (const CLI::App* group : command.get_subcommands(all_apps))
@@ -60,7 +61,7 @@ std::string fault_of_option(const CLI::App& app, const std::string& option)
   const bool is_early = std::find(early.begin(), early.end(), option) != early.end();
   const CLI::App& command = is_early ? app : *app.get_subcommands().front();
   std::vector<std::string> near = near_names(name, own_names(command));
-  if (is_early && near.empty())
+  if (is_early && near.empty() && !app.get_subcommands().empty())
     return "the option " + shown + " is before the name of a command; try: " + help_command(app);
   for (std::string& other : near) other.insert(0, "--");
   return "unknown option " + shown + (all.empty() ? "" : ", which is one of " + all) +

@@ -16,7 +16,7 @@ namespace conformal {
 /// \param app has parsed the command line, and may have failed
 std::string fault_of_unknown_argument(const CLI::App& app);
 
-/// the command that tells the options: `conformal spin --help`
+/// the command that lists the options: `conformal spin --help`
 std::string help_command(const CLI::App& app);
 
 }  // namespace conformal

@@ -78,6 +78,8 @@ TEST_F(Command_line, unknown_options_are_named_with_those_that_are_near)
   EXPECT_TRUE(fails(run("spin a.off --rho-expression x -x b.ply"), 2, "option -x; try: conformal"));
   EXPECT_TRUE(
       fails(run("flow a.off -o b.ply --rho-file x"), 2, "--rho-file, which is one of spin"));
+  EXPECT_TRUE(fails(run("spin --hlep"), 2, "--hlep; try: --help, or conformal spin --help"));
+  EXPECT_TRUE(fails(run("--rho x"), 2, "unknown option --rho"));
   EXPECT_TRUE(fails(run("--versoin"), 2, "unknown option --versoin; try: --version, or conformal"));
   EXPECT_TRUE(fails(run("--rho x spin"), 2, "--rho is before the name of a command"));
 }

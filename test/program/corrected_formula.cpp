@@ -60,6 +60,8 @@ TEST(Corrected_formula, is_the_text_where_nothing_is_recognised)
   for (const std::string text :
        {"", "foo", "x+", "sin(5*y)", "sin x*y", "x == 2", "pow(x)", "pow", "x2", "sin(1,5)", "= x"})
     EXPECT_EQ(corrected(text), text);
+  const std::string many(20000, 'x');  // which would take minutes to be taken apart
+  EXPECT_EQ(corrected(many), many);
 }
 
 std::string message_of(const std::string& formula, const std::vector<std::string>& more = {})
@@ -86,6 +88,8 @@ TEST(Corrected_formula_of_an_expression, that_is_no_formula_tells_the_one_that_m
 // What would be no formula either is not said.
 TEST(Corrected_formula_of_an_expression, that_is_no_formula_tells_what_there_is)
 {
+  for (const char* other : {"cot(x)", "log1p(x)", "int(x)", "exp2(x)"})
+    EXPECT_EQ(message_of(other).find("; try: '"), std::string::npos) << other;
   for (const std::string wrong : {"foo(x)", "2x+", "x+foo", "sin(2x"}) {
     const std::string message = message_of(wrong, {"loop"});
     const bool is_said = wrong == "sin(2x";

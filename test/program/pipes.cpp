@@ -1,6 +1,8 @@
 // Tests examples/conformal/run.cpp examples/conformal/io/file/Temporary_file.cpp
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
 #include "program/support.h"
 #include "support/spheres.h"
 
@@ -54,6 +56,13 @@ TEST_F(Closed_pipe, is_an_error_where_it_is_the_output_that_was_named)
   const Program_run r = shell("mkfifo b.ply; { head -c 9 b.ply >c.txt & }; " + program() +
                               " spin -q a.off --rho-expression x -o b.ply");
   EXPECT_TRUE(fails(r, 5, "b.ply: cannot be written"));
+}
+
+TEST_F(Closed_pipe, closed_streams_are_no_place_for_files)
+{
+  const std::string spin = program() + " spin a.off --rho-expression x --progress json ";
+  EXPECT_EQ(shell(spin + "-o b.ply --json b.json >&- 2>&-").code, 0);
+  EXPECT_EQ(read_json("b.json")["command"], "spin");
 }
 
 }  // namespace cgp_test::pipes_tests

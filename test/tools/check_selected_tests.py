@@ -22,7 +22,8 @@ def output(*command):
 
 
 def filters(folder):
-    """{program: filters of GoogleTest}; a test on several processes runs the same ones again."""
+    """{program: filters of GoogleTest}; a test on several processes runs the same ones again. CTest
+    knows no command of a program that is not built."""
     found = collections.defaultdict(list)
     for test in json.loads(output("ctest", "--test-dir", folder, "--show-only=json-v1"))["tests"]:
         for argument in test.get("command", []):
@@ -43,7 +44,10 @@ def tests_of(program):
 
 
 def complaints(folder):
-    for program, selections in filters(folder).items():
+    programs = filters(folder)
+    if not programs:
+        yield "no program is built; try: cmake --build"
+    for program, selections in programs.items():
         for test in tests_of(program):
             count = sum(any(fnmatch.fnmatchcase(test, pattern) for pattern in selection)
                         for selection in selections)

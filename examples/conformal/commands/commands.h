@@ -17,6 +17,9 @@ std::vector<Command> commands();
 /// the names of the other ones
 std::vector<std::string> commands_not_built();
 
+/// the command that builds these, too
+extern const char* const how_to_build_all;
+
 }  // namespace conformal
 
 #endif

@@ -143,15 +143,16 @@ void spin(const Spin_options& options, Session& session)
   surface.rho = read_rho(input, options.rho);
   const CGP::internal::Scale_control scales = scale_control(input, options.scales);
   const double unit = User_frame(input.mesh).unit();
+  const bool has_effect = scales.factors.size() > 0 || options.exact_class;  // without rho
   each_component(input, session, [&](const Component& component, Session& own) {
     require_possible(component.input, options);
+    if (!has_effect && CGP::topology(component.input.mesh).is_closed())
+      note_constant_rho(on_component(surface.rho, component, 1), own);
     Spin_problem problem = problem_of(on_component(surface.rho, component, 1 / unit), options);
     if (scales.factors.size() > 0) problem.scales.factors = scales.factors(component.vertices);
     if (scales.weights.size() > 0) problem.scales.weights = scales.weights(component.vertices);
     surface.set(component, deform(component.input, problem, options, easier(options), own));
   });
-  const bool has_effect = scales.factors.size() > 0 || options.exact_class;
-  if (!has_effect && CGP::topology(input.mesh).is_closed()) note_constant_rho(surface.rho, session);
   write_result(input, surface, session, options.lambda);
 }
 

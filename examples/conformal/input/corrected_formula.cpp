@@ -104,7 +104,7 @@ Names parts_of(const std::string& name, const Formula_names& names)
   return {};
 }
 
-/// whether functions in it have what they are of: a function comes last, or a value after it does
+/// whether every function is followed by its argument
 bool is_product(const Names& parts, const Names& functions, bool is_called)
 {
   if (parts.empty()) return false;
@@ -125,6 +125,11 @@ Names meant_by(const std::string& name, const Formula_names& names, bool is_call
   for (const auto& [other, known] : others)
     if (own == other) own = known;
   if (own == "pow") return {own};
+  // Functions of other languages, which are others than those with near names
+  const Names unknown = {"cot",   "coth", "acot", "acoth", "sec",  "csc", "log1p",
+                         "expm1", "exp2", "int",  "sinc",  "cosc", "mod", "mid"};
+  constexpr std::size_t longest = 30;  // of what is taken apart, which takes cubic time
+  if (has(unknown, own) || own.size() > longest) return {name};
   const Names parts = parts_of(own, names);
   const bool is_alone = parts.size() == 1;  // a function without its argument, which may follow
   if (is_alone || is_product(parts, names.functions, is_called)) return parts;

@@ -35,7 +35,7 @@ class Progress {
 
   void show(const Progress_state& state);
 
-  /// Erases what stands on the terminal, before another line is written.
+  /// Clears the progress line, before another line is written.
   void clear();
 
  private:

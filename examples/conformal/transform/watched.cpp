@@ -17,9 +17,9 @@ Spin_solution watched(const std::function<Spin_solution(const Go_further&)>& sol
   progress.show({"factorization", 0, words + "factorization"});
   const auto go_further = [&](const CGP::Eigensolver_progress& p) {
     progress.show({"iteration", std::log(p.estimate) / std::log(session.options().tolerance),
-                   words + "iteration " + std::to_string(p.iteration) + ", residual " +
+                   words + "iteration " + std::to_string(p.iteration + 1) + ", residual " +
                        text_of(p.estimate, 2),
-                   p.iteration});
+                   p.iteration + 1});
     return signal_received() == 0;
   };
   Spin_solution solution = solve(go_further);

@@ -31,18 +31,6 @@ function(hash_of text result)
   set(${result} "'sha256-${base64}='" PARENT_SCOPE)
 endfunction()
 
-# The commands that build the program with an option, in the folder where it was built if that is one of
-# the sources: cgp_build_advice(<option> <time> <variable> <Debian package>...)
-function(cgp_build_advice option time result)
-  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
-  if(folder STREQUAL "" OR folder MATCHES "^[.][.]")
-    set(folder build)
-  endif()
-  string(JOIN " " packages ${ARGN})
-  set(${result} "sudo apt-get install ${packages} && cmake -S . -B ${folder} ${option} && \
-cmake --build ${folder} --target conformal (in the folder of the sources, ${time})" PARENT_SCOPE)
-endfunction()
-
 # Writes C++ that holds the page as two strings, what comes before @DATA@ and what comes after, or why
 # there is none and what to do: write_page(<file> <header> <prefix of the names> <fault> <advice>)
 function(write_page file header prefix fault advice)

@@ -138,7 +138,7 @@ internal::Hermitian_eigen_decomposition<Scalar> hermitian_eigen_decomposition(Bl
                                  A.size() * Eigen::Index(sizeof(Scalar) / sizeof(FT)));
   if (!numbers.allFinite())
     throw Solver_error("hermitian_eigen_decomposition", "a value of the matrix is not finite");
-  // A power of two, by which to divide is exact: no square overflows, or is lost.
+  // Dividing by a power of two is exact, and prevents overflow and underflow of squares.
   const FT largest = numbers.template lpNorm<Eigen::Infinity>(),
            unit = largest > 0 ? std::scalbn(FT(1), std::ilogb(largest)) : FT(1);
   numbers /= unit;

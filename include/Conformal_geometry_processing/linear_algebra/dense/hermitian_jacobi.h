@@ -95,10 +95,11 @@ Hermitian_eigen_decomposition<Scalar> sorted_decomposition(const Block<Scalar>& 
 /// \brief Computes the eigenvalues and eigenvectors of a Hermitian matrix of a few rows, real,
 /// complex or quaternionic, by cyclic Jacobi rotations.
 ///
-/// Of a graded matrix, small eigenvalues keep as many digits as large ones. The Rayleigh-Ritz method
-/// of `lobpcg()` needs that: its search directions have energies that are many powers of ten larger
-/// than that of the vector that it looks for. With `hermitian_eigen_decomposition()`, whose errors
-/// are relative to the norm, it ends at errors of 1e-7. For more than some ten rows, that is faster.
+/// Of a graded matrix, small eigenvalues keep as many digits as large ones. The Rayleigh-Ritz
+/// method of `lobpcg()` needs that: its search directions have energies that are many powers of ten
+/// larger than that of the vector that it looks for. With `hermitian_eigen_decomposition()`, whose
+/// errors are relative to the norm, it ends at errors of 1e-7. For more than some ten rows, that is
+/// faster.
 ///
 /// The eigenvalues act from the right, A v = v theta. O(d^3) per sweep, about 6 sweeps.
 ///

@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Conformal Geometry Processing authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Builds of some commands are configured with every other option as it is, and cannot be installed;
+names that are no commands are refused.
+
+usage: check_partial_builds.py GENERATOR
+"""
+
+import subprocess
+import sys
+import tempfile
+
+import sources
+
+
+def configured(folder, commands):
+    return subprocess.run(["cmake", "-S", sources.ROOT, "-B", folder, "-G", sys.argv[1],
+                           f"-DCGP_COMMANDS={commands}"], check=False, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, text=True)
+
+
+def complaints(folder):
+    result = configured(folder, "spin;info")
+    if result.returncode != 0:
+        yield f"spin;info is not configured: {result.stderr}"
+    elif subprocess.run(["cmake", "--install", folder, "--prefix", folder], check=False,
+                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0:
+        yield "spin;info is installed"
+    for wrong in ("", "option_groups", "spin;nonsense"):
+        result = configured(folder, wrong)
+        if result.returncode == 0 or "there is no command" not in result.stderr:
+            yield f"'{wrong}' is not refused: {result.stderr}"
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as place:
+        sources.finish(list(complaints(place)), "builds of some commands")
