@@ -144,6 +144,10 @@ function(cgp_add_compiled name below)
   # are told that malloc() is not aligned.
   target_compile_definitions(cgp_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16
                                                 EIGEN_MALLOC_ALREADY_ALIGNED=0)
+  if(CGP_NEEDED AND below AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    # Such a build is for a first look. The solvers, below, take most of the time of a run.
+    target_compile_options(cgp_${name} PRIVATE "$<$<CONFIG:Release>:-O1>")
+  endif()
   target_link_libraries(cgp_${name} PUBLIC ${below} Eigen3::Eigen Threads::Threads)
   if(CGP_HAS_VERSION_SCRIPTS)
     # A program may have been compiled for other vector units. Its copies of inline functions and

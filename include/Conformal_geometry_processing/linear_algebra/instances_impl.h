@@ -18,7 +18,6 @@ template class internal::Grounded_solver<Default_solver_traits>;
 template class internal::Dirichlet_solver<double, Default_solver_traits>;
 template class internal::Dirichlet_solver<Quaternion<double>, Default_solver_traits>;
 template class internal::Real_reduced_solver<Supernodal_cholesky<double>>;
-template internal::Hermitian_eigen_decomposition<float> hermitian_eigen_decomposition(Block<float>);
 template internal::Hermitian_eigen_decomposition<double> hermitian_eigen_decomposition(
     Block<double>);
 template internal::Hermitian_eigen_decomposition<std::complex<double>>

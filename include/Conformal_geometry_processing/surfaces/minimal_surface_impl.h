@@ -3,6 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_MINIMAL_SURFACE_IMPL_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_MINIMAL_SURFACE_IMPL_H
 
+#include <Conformal_geometry_processing/algebra/rotor.h>
 #include <Conformal_geometry_processing/algebra/stable_norm.h>
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
@@ -41,7 +42,8 @@ CGP_INLINE Boundary_condition internal::part_of_turn(const Mesh_view& mesh,
   for (std::size_t k = 0; k < b.frames.size(); ++k) {
     auto target = condition.targets.col(static_cast<Eigen::Index>(k));
     const Eigen::Vector3d present = b.frames[k] * stable_normalized(condition.direction);
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(present, stable_normalized(target));
+    const Quaternion<double> q = rotor<double>(present, stable_normalized(target));
+    const Eigen::Quaterniond turn(q.w, -q.x, -q.y, -q.z);  // v -> turn v conjugate(turn)
     target = Eigen::Quaterniond::Identity().slerp(share, turn) * present;
   }
   return condition;

@@ -32,8 +32,8 @@ struct Hermitian_eigen_decomposition {
 /// in the complex form, from which one vector of each pair would have to be selected again; a real
 /// A has real eigenvectors. O(d^3); errors of eigenvalues are rounding errors of the norm of A.
 ///
-/// The library contains the instances for float, double, std::complex<double> and
-/// Quaternion<double>, because Eigen's decomposition compiles slowly; `templates.h` is for others.
+/// The library contains the instances for double, std::complex<double> and Quaternion<double>,
+/// because Eigen's decomposition compiles slowly; `templates.h` is for others.
 /// \pre A is Hermitian
 /// \throw Solver_error if the iteration for the tridiagonal matrix does not converge, for example
 /// because of values that are not finite
