@@ -152,8 +152,6 @@ internal::Hermitian_eigen_decomposition<Scalar> hermitian_eigen_decomposition(Bl
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template internal::Hermitian_eigen_decomposition<float> hermitian_eigen_decomposition(
-    Block<float>);
 extern template internal::Hermitian_eigen_decomposition<double> hermitian_eigen_decomposition(
     Block<double>);
 extern template internal::Hermitian_eigen_decomposition<std::complex<double>>

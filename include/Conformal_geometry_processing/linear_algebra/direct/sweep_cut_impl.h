@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_LINEAR_ALGEBRA_DIRECT_SWEEP_CUT_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
-#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
+#include <Conformal_geometry_processing/linear_algebra/dense/hermitian_jacobi.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_cut.h>
 
 #include <Eigen/Core>
@@ -28,7 +28,7 @@ CGP_INLINE Eigen::Matrix3f principal_axes(const Eigen::Matrix<float, Eigen::Dyna
     for (int b = 0; b <= a; ++b)
       covariance(a, b) = covariance(b, a) =
           ((points.col(a).array() - mean[a]) * (points.col(b).array() - mean[b])).mean();
-  return hermitian_eigen_decomposition(covariance).vectors.rowwise().reverse();
+  return hermitian_jacobi(covariance).vectors.rowwise().reverse();
 }
 
 }  // namespace internal
