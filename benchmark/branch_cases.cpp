@@ -9,7 +9,6 @@
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Dirac_spectral_problem.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +40,7 @@ double distance(const CGP::Mesh_view& mesh, const Points& f, const Points& g)
   return std::sqrt(areas.dot(squares) / areas.sum()) / diagonal;
 }
 
-CGP::Spin_result transformed(CGP::Spin_transformation<>& transformation, Rho rho, double constant)
+CGP::Spin_result transformed(CGP::Spin_transformation& transformation, Rho rho, double constant)
 {
   CGP::Dirac_options options;
   options.tolerance = 1e-10;
@@ -54,7 +53,7 @@ void sweep(const std::string& path)
   const CGP::Mesh_view mesh = normalized(read_off(path));
   CGP::require_surface(mesh, "benchmark_branch_cases");
   CGP::require_closed(mesh, "benchmark_branch_cases");
-  CGP::Spin_transformation<> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh);
   const int n = 40;
   Points last = mesh.positions();
   for (int k = 1; k <= n; ++k) {
@@ -92,7 +91,7 @@ void spectrum(const std::string& name, const CGP::Mesh_view& mesh, const std::ve
 {
   CGP::internal::Dirac_spectrum_options options;
   options.shift = shift;
-  CGP::internal::Dirac_spectral_problem<> problem(mesh);
+  CGP::internal::Dirac_spectral_problem problem(mesh);
   const auto s = problem.find(CGP::no_potential(mesh), 12, options);
   const double margin = 0.1;  // more than the error of the mesh
   const auto is_inside = [&](double g) { return std::abs(g - shift) < s.complete_radius - margin; };

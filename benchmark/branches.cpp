@@ -8,7 +8,6 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <cmath>
 #include <cstdio>
@@ -25,7 +24,7 @@ namespace {
 using namespace cgp_benchmark;
 using CGP::Quaternion;
 using CGP::Quaternion_vector;
-using System = CGP::internal::Dirac_system<>;
+using System = CGP::internal::Dirac_system;
 using Rho = CGP::Curvature_potential;
 
 Rho scaled(const Rho& rho, double t, double sigma)

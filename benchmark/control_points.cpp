@@ -45,7 +45,7 @@ namespace {
 
 using namespace cgp_benchmark;
 using CGP::internal::Control_point;
-using Deformation = CGP::internal::Conformal_deformation<>;
+using Deformation = CGP::internal::Conformal_deformation;
 
 const int count = 10;                  // of control points
 const int drags = 10;                  // after the move

@@ -13,7 +13,7 @@ static void eigenpair(benchmark::State& state)
 {
   using namespace cgp_benchmark;
   const Mesh_view mesh = mesh_of(state);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   CGP::internal::Dirac_evidence::Seconds seconds;
   system.set_potential(potential_of(mesh), seconds);
   const auto one =

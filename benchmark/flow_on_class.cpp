@@ -13,7 +13,6 @@
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -78,7 +77,7 @@ void run_flow(const CGP::Mesh_view& mesh, Record& record)
   CGP::Flow_options options;
   options.max_steps = flow_steps;
   const double begin = cpu_seconds();
-  CGP::Conformal_willmore_flow<> flow(mesh, options);
+  CGP::Conformal_willmore_flow flow(mesh, options);
   const double constructed = cpu_seconds();
   Recorder recorder;
   (void)flow.run(recorder);

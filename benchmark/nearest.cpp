@@ -8,7 +8,6 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Scale_control.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <algorithm>
 #include <array>
@@ -63,7 +62,7 @@ CGP::Points moved(const CGP::Mesh_view& mesh, bool is_bend)
 CGP::Nearest_spin_result nearest(const CGP::Mesh_view& mesh, const CGP::Points& target,
                                  const CGP::Nearest_spin_options& options = {})
 {
-  CGP::Nearest_spin_transformation<> transformation(mesh, target, "benchmark_nearest", options);
+  CGP::Nearest_spin_transformation transformation(mesh, target, "benchmark_nearest", options);
   return transformation.transform();
 }
 

@@ -12,8 +12,8 @@ static void poisson_factor(benchmark::State& state)
 {
   using namespace cgp_benchmark;
   const Mesh_view mesh = mesh_of(state);
-  const CGP::internal::Dirac_system<> system(mesh);
-  std::optional<CGP::Poisson_reconstruction<>> reconstruction;
+  const CGP::internal::Dirac_system system(mesh);
+  std::optional<CGP::Poisson_reconstruction> reconstruction;
   run_stage(state, mesh, [&] {
     reconstruction.emplace(mesh, system.matrix().shared_pattern(), system.solver());
   });

@@ -10,7 +10,7 @@ static void reconstruction(benchmark::State& state)
 {
   using namespace cgp_benchmark;
   const Mesh_view mesh = mesh_of(state);
-  const CGP::Poisson_reconstruction<> poisson(mesh, CGP::vertex_graph(mesh));
+  const CGP::Poisson_reconstruction poisson(mesh, CGP::vertex_graph(mesh));
   const auto lambda =
       CGP::Quaternion_vector<double>::Constant(mesh.size_of_vertices(), {1, 0.5, 0, 0}).eval();
   run_stage(state, mesh, [&] {

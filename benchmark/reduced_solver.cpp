@@ -3,7 +3,6 @@
 #include <Conformal_geometry_processing/linear_algebra/direct/sweep_nested_dissection.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Schur_reduced_solver.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
 #include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
@@ -98,13 +97,16 @@ void sizes(benchmark::internal::Benchmark* benchmark)
   benchmark->ArgNames({"n", "mesh"})->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 }
 
-BENCHMARK_TEMPLATE(factorization, CGP::internal::Real_reduced_solver<>)->Apply(sizes);
+BENCHMARK_TEMPLATE(factorization, CGP::internal::Real_reduced_solver)->Apply(sizes);
 BENCHMARK_TEMPLATE(factorization, CGP::internal::Schur_reduced_solver)->Apply(sizes);
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_USE_CHOLMOD
-BENCHMARK_TEMPLATE(
-    factorization,
-    CGP::internal::Real_reduced_solver<CGP::Cholmod_hermitian_solver_traits::Solver<double>>)
-    ->Apply(sizes);
+struct Real_by_cholmod : CGP::internal::Real_reduced_solver {
+  Real_by_cholmod()
+      : Real_reduced_solver(
+            CGP::Spin_solvers(CGP::Cholmod_hermitian_solver_traits()).solver<double>())
+  {}
+};
+BENCHMARK_TEMPLATE(factorization, Real_by_cholmod)->Apply(sizes);
 #endif
 
 }  // namespace

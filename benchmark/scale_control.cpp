@@ -8,7 +8,6 @@
 #include <Conformal_geometry_processing/mesh/requirements.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <cstdio>
 #include <exception>
@@ -31,7 +30,7 @@ CGP::Spin_report transformed(const CGP::Mesh_view& mesh, const Rho& rho,
   CGP::Spin_transformation_options options;
   options.scales.bound = bound;
   options.mollification = mollification;
-  CGP::Spin_transformation<> transformation(mesh, options);
+  CGP::Spin_transformation transformation(mesh, options);
   CGP::Spin_result result = transformation.transform(rho);
   if (!bound)
     result.report.scales =

@@ -9,7 +9,6 @@
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/conjugate_gradients.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <cmath>
 #include <cstdio>
@@ -21,7 +20,7 @@ namespace {
 
 using namespace cgp_benchmark;
 using Potential = CGP::Curvature_potential;
-using System = CGP::internal::Dirac_system<>;
+using System = CGP::internal::Dirac_system;
 using Vectors = CGP::Block<CGP::Quaternion<double>>;
 
 /// X for rho = 0 knows nothing of constants

@@ -12,7 +12,6 @@
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/measure/Conformality.h>
 #include <Conformal_geometry_processing/measure/energies.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Polygon_mesh_processing/smooth_shape.h>
@@ -65,7 +64,7 @@ Way flow(const CGP::Mesh_view& mesh, double time_step)
   options.max_steps = flow_steps;
   options.exact_conformal_class = false;
   Recorder recorder;
-  CGP::Conformal_willmore_flow<> flow(mesh, options);
+  CGP::Conformal_willmore_flow flow(mesh, options);
   (void)flow.run(recorder);
   return std::move(recorder.way);
 }

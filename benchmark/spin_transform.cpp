@@ -11,7 +11,7 @@ static void spin_transform(benchmark::State& state)
   const Mesh_view mesh = mesh_of(state);
   const Curvature_potential rho = potential_of(mesh);
   CGP::Spin_report report;
-  run_stage(state, mesh, [&] { report = CGP::Spin_transformation<>(mesh).transform(rho).report; });
+  run_stage(state, mesh, [&] { report = CGP::Spin_transformation(mesh).transform(rho).report; });
   if (!report) state.SkipWithError("no convergence");
   state.counters["eigen_iterations"] = report.iterations;
 }

@@ -25,13 +25,13 @@ void measure(benchmark::State& state, const CGP::Mesh_view& mesh)
   options.time_step = 0.3;  // at 1, little would be left to do after two steps
   double first = never, later = never;
   int trials = 0;
-  const auto step = [&](CGP::Conformal_willmore_flow<>& flow) {
+  const auto step = [&](CGP::Conformal_willmore_flow& flow) {
     const CGP::Flow_step_report report = flow.step();
     if (!report.accepted) state.SkipWithError(to_string(report.stop));
     trials += report.trials;
   };
   for (auto _ : state) {
-    std::optional<CGP::Conformal_willmore_flow<>> flow;
+    std::optional<CGP::Conformal_willmore_flow> flow;
     trials = 0;
     keep_least(first, [&] {
       flow.emplace(mesh, options);

@@ -8,7 +8,6 @@
 // The mesh consists of two arrays; the linear solver is the library's own with a counter, a minimal
 // model of SparseHermitianSolver.
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -62,7 +61,9 @@ int main(int argc, char* argv[])
       positions.col(v) << p.x(), p.y(), p.z();
     }
     const CGP::Mesh_view mesh(positions, faces);
-    CGP::Spin_transformation<Counting_solver_traits> transformation(mesh);
+    CGP::Spin_transformation_options options;
+    options.solvers = Counting_solver_traits();
+    CGP::Spin_transformation transformation(mesh, options);
     for (double strength = strongest / 4; strength <= strongest; strength += strongest / 4) {
       const Eigen::VectorXd bands = strength * (6 * positions.row(1).array()).sin();
       const CGP::Spin_result result =

@@ -6,7 +6,6 @@
 //   own_solver [INPUT [OUTPUT.ply]]
 #include <Conformal_geometry_processing/spin/Spin_report_io.h>
 #include <Conformal_geometry_processing/spin_transform.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -53,7 +53,7 @@ int main(int argc, char* argv[])
     options.exact_conformal_class = false;
     options.time_step = .15;  // the class changes in proportion to it
     options.balance = CGP::Flow_options::Balance::canonical;
-    CGP::Conformal_willmore_flow<> flow(torus, options);
+    CGP::Conformal_willmore_flow flow(torus, options);
     const CGP::Flow_report report = flow.run();
 
     std::cout << "modulus " << CGP::conformal_modulus(torus) << " before, "

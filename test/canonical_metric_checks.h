@@ -36,8 +36,8 @@ template <class Mesh>
 void expect_canonical_metric(Mesh& mesh, double tolerance)
 {
   const Mesh_view view = torus_to_measure();
-  const Eigen::VectorXd u = CGP::canonical_area_density(
-      view, CGP::Hodge_decomposition<>(view).harmonic_basis().one_forms);
+  const Eigen::VectorXd u =
+      CGP::canonical_area_density(view, CGP::Hodge_decomposition(view).harmonic_basis().one_forms);
 
   auto on_faces = get(CGAL::dynamic_face_property_t<double>(), mesh);
   const CGP::Canonical_metric_report report = CGP::canonical_metric(mesh, on_faces);

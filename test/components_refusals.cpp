@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests spin_transform_components.h, conformal_willmore_flow_components.h
 // Tests conformal_parameterization_components.h
-#include <Conformal_geometry_processing/templates.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -21,7 +21,7 @@ namespace CGP = Conformal_geometry_processing;
 template <class Mesh>
 void expect_flow(Mesh mesh, double tolerance)
 {
-  CGP::Conformal_willmore_flow<> expected(view_of(mesh));
+  CGP::Conformal_willmore_flow expected(view_of(mesh));
   const CGP::Flow_report expected_report = expected.run();
   const CGP::Flow_report report = CGP::conformal_willmore_flow(mesh);
   EXPECT_TRUE(report.converged());

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/conformal_willmore_flow.h
-#include <Conformal_geometry_processing/templates.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -39,7 +38,7 @@ class Conformal_willmore_flow_of_a_Surface_mesh : public testing::Test {
   /// the positions of the class with these options
   Points expected(const CGP::Flow_options& options) const
   {
-    CGP::Conformal_willmore_flow<> flow(before, options);
+    CGP::Conformal_willmore_flow flow(before, options);
     (void)flow.run();
     return flow.mesh().positions();
   }
@@ -128,7 +127,7 @@ TEST_F(Conformal_willmore_flow_of_a_Surface_mesh, keeps_handles_closed_in_the_wa
     options.max_period_defect = 1e-4;
     options.max_steps = 1;
     Surface surface = to_cgal_mesh<Surface>(btorus(16));
-    CGP::Conformal_willmore_flow<> flow(view_of(surface), options);
+    CGP::Conformal_willmore_flow flow(view_of(surface), options);
     (void)flow.run();
     EXPECT_TRUE(CGP::conformal_willmore_flow(
         surface, params::exactness(exactness).maximum_period_defect(1e-4).number_of_iterations(1)));

@@ -32,7 +32,7 @@ void expect_spectrum_of_the_view(const Mesh& mesh)
   ASSERT_TRUE(s.converged);
   ASSERT_EQ(s.size(), 5);
   const CGP::internal::Dirac_spectrum expected =
-      CGP::internal::Dirac_spectral_problem<>(view).find(CGP::no_potential(view), 5);
+      CGP::internal::Dirac_spectral_problem(view).find(CGP::no_potential(view), 5);
   EXPECT_LT((s.eigenvalues - expected.eigenvalues).cwiseAbs().maxCoeff(), 1e-9);
 }
 

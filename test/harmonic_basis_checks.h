@@ -79,7 +79,7 @@ void expect_basis_of_the_view(const Mesh& mesh)
 {
   const CGP::Graph_view<Mesh> graph(mesh, CGP::parameters::default_values(), "test");
   const Mesh_view& view = graph.view();
-  const CGP::Harmonic_basis expected = CGP::Hodge_decomposition<>(view).harmonic_basis();
+  const CGP::Harmonic_basis expected = CGP::Hodge_decomposition(view).harmonic_basis();
   const auto forms = CGP::harmonic_basis(mesh);
   ASSERT_EQ(forms.size(), expected.size());
   for (int i = 0; i < forms.size(); ++i)

@@ -62,7 +62,7 @@ template <class Mesh>
 void expect_nearest_transformation(Mesh mesh, double tolerance)
 {
   const Mesh_view before = view_of(mesh);
-  CGP::Nearest_spin_transformation<> near(before, stretched(before));
+  CGP::Nearest_spin_transformation near(before, stretched(before));
   const CGP::Nearest_spin_result expected = near.transform();
   const auto target = point_map(mesh, stretched(before));
   const CGP::Nearest_spin_report report = CGP::nearest_spin_transform(mesh, target);

@@ -40,7 +40,7 @@ TEST(Nearest_spin_transform_of_a_Surface_mesh, blends_and_scales_as_told)
   const Mesh_view before = view_of(mesh);
   const auto target = point_map(mesh, stretched(before));
   const auto output = mesh.add_property_map<Surface::Vertex_index, Point>("v:out").first;
-  CGP::Nearest_spin_transformation<> near(before, stretched(before));
+  CGP::Nearest_spin_transformation near(before, stretched(before));
   const CGP::Nearest_spin_result half = near.blend(near.transform(), 0.5);
   const auto report = CGP::nearest_spin_transform(
       mesh, target, CGP::parameters::blend(0.5).output_vertex_point_map(output));
@@ -61,7 +61,7 @@ TEST(Nearest_spin_transform_of_a_Surface_mesh, gives_a_boundary_the_binormals_if
   const auto target = point_map(mesh, stretched(before));
   CGP::Nearest_spin_options options;
   options.direction = {0, 0, 1};
-  CGP::Nearest_spin_transformation<> near(before, stretched(before), "test", options);
+  CGP::Nearest_spin_transformation near(before, stretched(before), "test", options);
   const auto expected = near.transform();
   ASSERT_TRUE(CGP::nearest_spin_transform(
       mesh, target, CGP::parameters::boundary_direction(CGP::Boundary_direction{0, 0, 1})));

@@ -3,7 +3,6 @@
 // Tests include/Conformal_geometry_processing/spin_transform.h
 // Tests core/dirac_parameters.h, core/read_curvature_potential.h, core/write_spin_result.h
 #include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

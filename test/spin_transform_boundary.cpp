@@ -62,7 +62,7 @@ TEST_F(Spin_transform_with_boundary, keeps_the_directions_that_are_only_named)
       CGP::spin_transform(mesh, rho, params::boundary_direction(tangent));
   EXPECT_TRUE(report);
   const auto expected =
-      CGP::Spin_transformation<>(before, {Boundary_condition::tangents()})
+      CGP::Spin_transformation(before, {Boundary_condition::tangents()})
           .transform(Curvature_potential::on_vertices(Eigen::VectorXd::Ones(127)));
   EXPECT_EQ(view_of(mesh).positions(), expected.positions);
   EXPECT_EQ(report.direction_error.max, expected.report.direction_error.max);

@@ -63,7 +63,7 @@ void expect_transformation(Mesh& mesh, const NamedParameters& np,
   const CGP::Spin_report report = CGP::spin_transform(mesh, rho, np);
   EXPECT_TRUE(report);
   const CGP::Spin_result expected =
-      CGP::Spin_transformation<>(before, {condition}).transform(potential);
+      CGP::Spin_transformation(before, {condition}).transform(potential);
   EXPECT_LT(greatest_distance(view_of(mesh).positions(), expected.positions), tolerance);
   EXPECT_GT(greatest_distance(before.positions(), expected.positions), .01);
   EXPECT_EQ(report.eigenvalue, expected.report.eigenvalue);

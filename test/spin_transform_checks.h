@@ -30,7 +30,7 @@ inline Mesh_view sphere_to_transform()
 
 inline CGP::Spin_result expected_result(const Mesh_view& mesh, const Curvature_potential& rho)
 {
-  return CGP::Spin_transformation<>(mesh).transform(rho);
+  return CGP::Spin_transformation(mesh).transform(rho);
 }
 
 inline Curvature_potential rho_on_vertices(const Mesh_view& mesh)

@@ -181,7 +181,7 @@ TEST(Spin_transform_with_mollification, takes_the_faces_of_area_zero_that_are_re
   CGP::Spin_transformation_options options;
   options.mollification = 1e-6;
   const CGP::Spin_result expected =
-      CGP::Spin_transformation<>(view, options).transform(Curvature_potential::on_vertices(values));
+      CGP::Spin_transformation(view, options).transform(Curvature_potential::on_vertices(values));
   EXPECT_NEAR(report.eigenvalue, expected.report.eigenvalue, 1e-9);
   EXPECT_LT(greatest_distance(view_of(mesh).positions(), expected.positions), 1e-9);
 }
@@ -197,7 +197,7 @@ TEST(Spin_transform_with_mollification, takes_handles_and_boundaries)
     EXPECT_GT(report.mollification.thin_faces, 0);
     CGP::Spin_transformation_options options;
     options.mollification = 1e-6;
-    const CGP::Spin_result expected = CGP::Spin_transformation<>(view, options)
+    const CGP::Spin_result expected = CGP::Spin_transformation(view, options)
                                           .transform(Curvature_potential::on_vertices(values / 4));
     EXPECT_NEAR(report.missing_share, expected.report.missing_share, 1e-9);
     EXPECT_LT(greatest_distance(view_of(mesh).positions(), expected.positions), 1e-9);

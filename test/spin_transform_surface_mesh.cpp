@@ -85,7 +85,7 @@ TEST(Spin_transform_of_a_Surface_mesh, keeps_handles_closed_unless_told_otherwis
       CGP::spin_transform(open, rho, CGP::parameters::exactness(std::nullopt).limits(limits));
   EXPECT_TRUE(plain);
   EXPECT_EQ(plain.missing_share, 0);
-  const Points expected = CGP::Spin_transformation<>(before).step(values).positions;
+  const Points expected = CGP::Spin_transformation(before).step(values).positions;
   EXPECT_LT(greatest_distance(view_of(open).positions(), expected), 1e-12);
   const Points of_class = expected_result(before, values).positions;
   EXPECT_LT(greatest_distance(view_of(closed).positions(), of_class), 1e-12);

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// A solver of one's own, for which everything is compiled in the program.
+// A solver of one's own.
 #include <Conformal_geometry_processing/spin_transform.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -42,7 +42,7 @@ void measure_edit(const std::string& surface, int n, const Mesh_view& mesh,
   }
   CGP::Spin_transformation_options options;
   options.max_period_defect = limit;
-  const CGP::Spin_report report = CGP::Spin_transformation<>(mesh, options)
+  const CGP::Spin_report report = CGP::Spin_transformation(mesh, options)
                                       .transform(CGP::Curvature_potential::on_vertices(rho))
                                       .report;
   Record record = record_of("edit", surface, n, mesh, limit);
@@ -59,7 +59,7 @@ void measure_drift(int n, double time_step, std::optional<double> limit)
   const int steps = static_cast<int>(std::lround(2 / time_step));
   CGP::Flow_options options = cgp_test::plain_steps(time_step, steps);
   options.max_period_defect = limit;
-  CGP::Conformal_willmore_flow<> flow(mesh, options);
+  CGP::Conformal_willmore_flow flow(mesh, options);
   double gap = 0, closure = 0;
   const CGP::Flow_report report = flow.run();
   for (const CGP::Flow_step_report& step : report.steps) {

@@ -81,7 +81,7 @@ void measure(const Space_case& c, int size)
 {
   const Mesh_view mesh = c.make(size);
   const Eigen::VectorXd rho = values_of(c.rho, mesh);
-  const CGP::Spin_result result = CGP::Spin_transformation<>(mesh, {c.condition, std::nullopt})
+  const CGP::Spin_result result = CGP::Spin_transformation(mesh, {c.condition, std::nullopt})
                                       .transform(CGP::Curvature_potential::on_vertices(rho));
   if (!result.report) throw std::runtime_error(c.surface + ", " + c.mesh + ": not found");
 

@@ -32,13 +32,13 @@ struct Time_case {
   std::optional<Exactness> exactness;
 };
 
-CGP::Conformal_willmore_flow<> flow_of(const Time_case& c, int steps, double time_step)
+CGP::Conformal_willmore_flow flow_of(const Time_case& c, int steps, double time_step)
 {
   CGP::Flow_options options = cgp_test::plain_steps(time_step, steps, c.condition);
   options.exactness = c.exactness;
   options.max_period_defect = 1;  // the constraints alone
   options.dirac.tolerance = 1e-10;
-  return CGP::Conformal_willmore_flow<>(c.mesh, options);
+  return CGP::Conformal_willmore_flow(c.mesh, options);
 }
 
 Record record_of(const Time_case& c, const std::string& table, double time_step)

@@ -44,7 +44,7 @@ class Conformal_willmore : public Fairing_flow {
     return options;
   }
 
-  CGP::Conformal_willmore_flow<> m_flow;
+  CGP::Conformal_willmore_flow m_flow;
   CGP::Flow_step_report::Stop m_stop = CGP::Flow_step_report::Stop::none;
 };
 

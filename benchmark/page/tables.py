@@ -140,11 +140,11 @@ def original_table(m):
 
 def flow_table(m):
     rows = [[row["mesh"], row["model"], number(row, "tau", "{:g}"), seconds(row["seconds"]),
-             f"{poisson_ratio(row):.2f}", number(row, "analyses", "{}"), number(row, "factorizations"),
+             f"{poisson_ratio(row):.2f}", number(row, "factorizations"),
              number(row, "iterations", "{:.1f}")]
             for row in m.measured("flow")]
-    return table(["mesh", "model", "tau", "seconds", "/ P", "analyses", "factorizations",
-                  "iterations"], rows) if rows else "Not measured."
+    return table(["mesh", "model", "tau", "seconds", "/ P", "factorizations", "iterations"],
+                 rows) if rows else "Not measured."
 
 
 def spectrum_table(m):

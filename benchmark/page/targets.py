@@ -192,8 +192,6 @@ TARGETS = [
            later_step(DOUBLE, poisson_ratio), at_most=1.6),
     Target("later step of a flow, float factor: time / P",
            later_step(FLOAT, poisson_ratio), at_most=1.1),
-    Target("later step of a flow: symbolic analyses",
-           later_step(None, lambda row: row["analyses"]), at_most=0, form="{:.0f}"),
     Target("first ten eigenvalues of D, and of D - rho: time / P",
            lambda m: [(f"{row['mesh']}, {row['model']}", poisson_ratio(row))
                       for row in m.measured("spectrum")], at_most=30),

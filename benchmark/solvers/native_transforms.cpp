@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include "support/Double_solver_traits.h"
 #include "transforms.h"
@@ -13,9 +12,10 @@ static void make_reference(const Job& job, const CGP::Mesh_view& mesh, Record& r
 {
   CGP::Dirac_options options;
   options.tolerance = 1e-12;
+  CGP::Spin_transformation_options own;
+  own.solvers = cgp_test::Double_solver_traits();
   const CGP::Spin_result result =
-      CGP::Spin_transformation<cgp_test::Double_solver_traits>(mesh).transform(
-          smooth_potential(mesh, job.amplitude), options);
+      CGP::Spin_transformation(mesh, own).transform(smooth_potential(mesh, job.amplitude), options);
   write_positions(job.reference, result.positions);
   record.add("residual", result.report.residual).add("gap", result.report.gap);
   record.add("iterations", result.report.iterations);

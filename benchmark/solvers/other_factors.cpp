@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include "factors.h"
 

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include "support/thesis_recipe.h"
 #include "transforms.h"

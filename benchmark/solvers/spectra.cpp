@@ -22,7 +22,7 @@ static void measure_spectrum(const Job& job, const CGP::Mesh_view& mesh, Record&
   repeat(job, [&] {
     floor.measure(mesh);
     keep_least(seconds,
-               [&] { found = CGP::internal::Dirac_spectral_problem<>(mesh).find(rho, count); });
+               [&] { found = CGP::internal::Dirac_spectral_problem(mesh).find(rho, count); });
   });
   record.add("seconds", seconds).add("poisson", floor.total).add("restarts", found.restarts);
   record.add("converged", found.converged).add("complete", found.is_complete());

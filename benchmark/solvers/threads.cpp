@@ -43,7 +43,7 @@ static void measure_whole_transformation(const Job& job, const CGP::Mesh_view& m
   CGP::Dirac_options options;
   options.tolerance = job.tolerance;
   compare_threads(job, record, [&] {
-    if (!CGP::Spin_transformation<>(mesh).transform(rho, options).report)
+    if (!CGP::Spin_transformation(mesh).transform(rho, options).report)
       throw std::runtime_error("no convergence");
   });
 }

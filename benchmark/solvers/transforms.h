@@ -64,11 +64,11 @@ void measure_transform(const Job& job, const CGP::Mesh_view& mesh, Record& recor
   control.scales.bound = job.bound;
   CGP::Dirac_options options;
   options.tolerance = job.tolerance;
+  options.eigensolver = EigensolverTraits();
+  control.solvers = SolverTraits();
   CGP::Spin_report report;
   measure_whole(job, mesh, record, [&] {
-    CGP::Spin_result result =
-        CGP::Spin_transformation<SolverTraits, EigensolverTraits>(mesh, control)
-            .transform(rho, options);
+    CGP::Spin_result result = CGP::Spin_transformation(mesh, control).transform(rho, options);
     report = result.report;
     return std::move(result.positions);
   });

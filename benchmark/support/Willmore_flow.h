@@ -13,10 +13,11 @@ namespace cgp_benchmark {
 namespace CGP = Conformal_geometry_processing;
 
 /// Willmore flow, rho = -tau H on the vertices: the loop that flows consist of
-template <class SolverTraits>
 class Willmore_flow {
  public:
-  explicit Willmore_flow(const CGP::Mesh_view& mesh) : m_mesh(mesh), m_transformation(mesh) {}
+  explicit Willmore_flow(const CGP::Mesh_view& mesh, const CGP::Spin_solvers& solvers = {})
+      : m_mesh(mesh), m_transformation(mesh, with(solvers))
+  {}
 
   /// curvature, matrices, factors, eigenvector, positions and certificate
   CGP::Spin_report step(double tau, const CGP::Dirac_options& options = {})
@@ -28,11 +29,16 @@ class Willmore_flow {
     return result.report;
   }
 
-  const auto& eigensolver() const { return m_transformation.system().solver(); }
-
  private:
+  static CGP::Spin_transformation_options with(const CGP::Spin_solvers& solvers)
+  {
+    CGP::Spin_transformation_options options;
+    options.solvers = solvers;
+    return options;
+  }
+
   CGP::Mesh_view m_mesh;
-  CGP::Spin_transformation<SolverTraits> m_transformation;
+  CGP::Spin_transformation m_transformation;
 };
 
 }  // namespace cgp_benchmark

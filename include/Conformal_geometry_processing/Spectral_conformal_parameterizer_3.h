@@ -52,7 +52,9 @@ class Spectral_conformal_parameterizer_3 {
 
   explicit Spectral_conformal_parameterizer_3(const Parameterization_options& options = {})
       : m_options(options)
-  {}
+  {
+    m_options.solvers = SolverTraits();
+  }
 
   /// \param border on the border of the component that is flattened
   /// \param uv receives the points; unchanged unless the result is `OK`
@@ -74,7 +76,7 @@ class Spectral_conformal_parameterizer_3 {
     try {
       const Mesh_view view(component.positions(mesh), std::move(component.corners));
       require_surface(view, "Spectral_conformal_parameterizer_3");
-      const internal::Parameterization_result result = spectral_parameterization_of<SolverTraits>(
+      const internal::Parameterization_result result = spectral_parameterization_of(
           view, {loop(mesh, border, number)}, m_options, "Spectral_conformal_parameterizer_3");
       if (!result.report) return SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
       for (std::size_t i = 0; i < component.vertices.size(); ++i) {

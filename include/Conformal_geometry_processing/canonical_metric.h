@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_CANONICAL_METRIC_H
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/flow/canonical_area_density.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
@@ -74,8 +75,6 @@ Canonical_metric_report canonical_metric(const TriangleMesh& mesh, DensityMap de
   using Graph = Graph_view<TriangleMesh>;
   using Key = typename boost::property_traits<DensityMap>::key_type;
   using Value = typename boost::property_traits<DensityMap>::value_type;
-  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
-                                                 Default_solver_traits>;
   constexpr bool on_vertices = std::is_same_v<Key, typename Graph::vertex_descriptor>;
   static_assert(on_vertices || std::is_same_v<Key, typename Graph::face_descriptor>,
                 "the key type of the map must be the vertex or the face descriptor of the mesh");
@@ -88,7 +87,7 @@ Canonical_metric_report canonical_metric(const TriangleMesh& mesh, DensityMap de
   view.set_positions(frame.to_frame(view.positions()));
   require_closed(view, "canonical_metric");
   const double unit_area = frame.unit() * frame.unit();
-  const Hodge_decomposition<Solver_traits> forms(view, "canonical_metric");
+  const Hodge_decomposition forms(view, "canonical_metric", internal::spin_solvers(np));
   const Eigen::VectorXd u =
       canonical_area_density(view, forms.harmonic_basis().one_forms, "canonical_metric");
 

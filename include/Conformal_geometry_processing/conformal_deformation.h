@@ -18,12 +18,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// the class of the solvers that the named parameters specify
-template <class NamedParameters>
-using Conformal_deformation_for = Conformal_deformation<
-    Parameter_type<NamedParameters, internal_np::sparse_solver_t, Default_solver_traits>,
-    Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t, Lobpcg_eigensolver_traits>>;
-
 template <class TriangleMesh, class NamedParameters>
 Conformal_deformation_options conformal_deformation_options(const Graph_view<TriangleMesh>& graph,
                                                             const NamedParameters& np)
@@ -210,7 +204,7 @@ Spin_report conformal_deformation(TriangleMesh& mesh, const TargetRange& targets
   const Graph_view<TriangleMesh> graph(mesh, np, function);
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
-  internal::Conformal_deformation_for<NamedParameters> deformation(
+  internal::Conformal_deformation deformation(
       graph.view(), internal::conformal_deformation_options(graph, np), function);
   Spin_result result =
       deformation.deform(internal::read_control_points(

@@ -37,6 +37,7 @@ Parameterization_options parameterization_options(const NamedParameters& np)
   options.tolerance = parameter_or(np, internal_np::tolerance, options.tolerance);
   options.maximum_number_of_iterations = static_cast<int>(parameter_or(
       np, CGAL::internal_np::number_of_iterations, options.maximum_number_of_iterations));
+  options.solvers = parameter_or(np, internal_np::sparse_solver, Map_solvers());
   return options;
 }
 
@@ -53,10 +54,7 @@ Parameterization_result parameterization_result(const Graph_view<TriangleMesh>& 
                             internal_np::conformal_normals_t, internal_np::normalized_boundary_t,
                             internal_np::sparse_solver_t>,
       "conformal_parameterization(): unknown named parameter, see the manual for those it accepts");
-  using Solver_traits =
-      Parameter_type<NamedParameters, internal_np::sparse_solver_t, Default_solver_traits>;
-  return spectral_parameterization<Solver_traits>(graph.view(), parameterization_options(np),
-                                                  function);
+  return spectral_parameterization(graph.view(), parameterization_options(np), function);
 }
 
 /// Writes one point of the plane for each vertex.

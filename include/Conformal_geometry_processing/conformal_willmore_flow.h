@@ -84,19 +84,13 @@ Flow_result flow_result(const Graph_view<TriangleMesh>& graph, const NamedParame
           internal_np::mollification_t, internal_np::curvature_direction_t,
           internal_np::boundary_direction_t, internal_np::boundary_direction_map_t>,
       "conformal_willmore_flow(): unknown named parameter, see the manual for those it accepts");
-  using Solver_traits =
-      Parameter_type<NamedParameters, internal_np::sparse_solver_t, Default_solver_traits>;
-  using Eigensolver_traits =
-      Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t, Lobpcg_eigensolver_traits>;
-  using Direction =
-      Parameter_type<NamedParameters, internal_np::curvature_direction_t, Willmore_direction>;
-
   Flow_options options = flow_options(np);
   read_target_areas(graph, np, options);
   options.boundary = boundary_condition(graph, np, function);
+  options.dirac.eigensolver = parameter_or(np, internal_np::eigenvalue_solver, Eigensolver_ref());
   Flow_visitor silent;
   auto&& visitor = parameter_or(np, CGAL::internal_np::visitor, silent);
-  Conformal_willmore_flow<Solver_traits, Eigensolver_traits, Direction> flow(
+  Conformal_willmore_flow flow(
       graph.view(), options,
       parameter_or(np, internal_np::curvature_direction, Willmore_direction()), function);
   Flow_report report = flow.run(visitor);

@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/boundary_parameters.h>
+#include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/read_curvature_potential.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
@@ -125,8 +126,6 @@ internal::Dirac_spectrum dirac_spectrum(const TriangleMesh& mesh, int count,
           internal_np::curvature_potential_map_t, internal_np::spectral_shift_t,
           internal_np::boundary_direction_t, internal_np::boundary_direction_map_t>,
       "dirac_spectrum(): unknown named parameter, see the manual for those it accepts");
-  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
-                                                 Default_solver_traits>;
   const std::string function = "dirac_spectrum";
   const Graph_view<TriangleMesh> graph(mesh, np, function);
   require_surface(graph.view(), function);
@@ -137,7 +136,8 @@ internal::Dirac_spectrum dirac_spectrum(const TriangleMesh& mesh, int count,
   if constexpr (internal::has_parameter<NamedParameters, internal_np::curvature_potential_map_t>)
     rho = internal::read_curvature_potential(
         graph, CGAL::parameters::get_parameter(np, internal_np::curvature_potential_map));
-  internal::Dirac_spectral_problem<Solver_traits> problem(graph.view(), condition, function);
+  internal::Dirac_spectral_problem problem(graph.view(), condition, function,
+                                           internal::spin_solvers(np));
   return problem.find(rho, count, internal::dirac_spectrum_options(np));
 }
 

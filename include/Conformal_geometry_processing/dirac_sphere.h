@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_DIRAC_SPHERE_H
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/core/write_spin_result.h>
 #include <Conformal_geometry_processing/surfaces/dirac_sphere.h>
@@ -71,11 +72,9 @@ Spin_report dirac_sphere(TriangleMesh& mesh, int kappa, int s,
                                       internal_np::output_vertex_point_map_t,
                                       internal_np::vertex_spin_map_t, internal_np::sparse_solver_t>,
       "dirac_sphere(): unknown named parameter, see the manual for those it accepts");
-  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
-                                                 Default_solver_traits>;
   const Graph_view<TriangleMesh> graph(mesh, np, "dirac_sphere");
   const Spin_result result =
-      spin_to_dirac_sphere<Solver_traits>(graph.view(), kappa, s, "dirac_sphere");
+      spin_to_dirac_sphere(graph.view(), kappa, s, "dirac_sphere", internal::spin_solvers(np));
   if (result.report.converged) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

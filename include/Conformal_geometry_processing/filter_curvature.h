@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FILTER_CURVATURE_H
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
+#include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/flow/filtered_on_surface.h>
@@ -82,8 +83,6 @@ void filter_curvature(const TriangleMesh& mesh, VertexMap values, Curvature_band
       "filter_curvature(): unknown named parameter, see the manual for those it accepts");
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
-                                                 Default_solver_traits>;
   using Value = typename boost::property_traits<VertexMap>::value_type;
   const std::string function = "filter_curvature";
   const Graph_view<TriangleMesh> graph(mesh, np, function);
@@ -98,7 +97,7 @@ void filter_curvature(const TriangleMesh& mesh, VertexMap values, Curvature_band
   options.weight = choose_parameter(get_parameter(np, internal_np::filter_weight), options.weight);
   options.order = choose_parameter(get_parameter(np, internal_np::filter_order), options.order);
   options.amount = choose_parameter(get_parameter(np, internal_np::filter_amount), options.amount);
-  v = filtered_on_surface<Solver_traits>(graph.view(), v, band, options);
+  v = filtered_on_surface(graph.view(), v, band, options, internal::spin_solvers(np));
   for (int i = 0; i < v.size(); ++i) put(values, graph.vertex(i), Value(v[i]));
 }
 

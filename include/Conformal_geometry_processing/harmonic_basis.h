@@ -5,6 +5,7 @@
 
 #include <Conformal_geometry_processing/core/Graph_view.h>
 #include <Conformal_geometry_processing/core/Harmonic_forms.h>
+#include <Conformal_geometry_processing/core/dirac_parameters.h>
 #include <Conformal_geometry_processing/core/geometry_traits.h>
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/forms/Hodge_decomposition.h>
@@ -29,18 +30,17 @@ enum class One_form_generators {
 namespace internal {
 
 /// Computes the harmonic basis of a mesh in normalized coordinates; requirements are checked before
-template <class SolverTraits>
-Harmonic_basis harmonic_basis_from(const Mesh_view& mesh, One_form_generators generators,
-                                   unsigned seed, const std::string& function)
+inline Harmonic_basis harmonic_basis_from(const Mesh_view& mesh, One_form_generators generators,
+                                          unsigned seed, const std::string& function,
+                                          const Spin_solvers& solvers)
 {
   if (generators == One_form_generators::tree_cotree)
-    return Hodge_decomposition<SolverTraits>(mesh, function).harmonic_basis();
+    return Hodge_decomposition(mesh, function, solvers).harmonic_basis();
   require_surface(mesh, function);
   const auto pattern = vertex_graph(mesh);
-  Grounded_solver<SolverTraits> laplacian(pattern);
+  Grounded_solver laplacian(pattern, solvers);
   laplacian.factorize(cotan_laplacian(mesh, pattern));
-  return Hodge_decomposition<SolverTraits>(mesh, random_closed_forms(mesh, seed, function),
-                                           laplacian)
+  return Hodge_decomposition(mesh, random_closed_forms(mesh, seed, function), laplacian)
       .harmonic_basis();
 }
 
@@ -104,8 +104,6 @@ auto harmonic_basis(const TriangleMesh& mesh,
                     CGAL::internal_np::geom_traits_t, CGAL::internal_np::random_seed_t,
                     internal_np::sparse_solver_t, internal_np::one_form_generators_t>,
                 "harmonic_basis(): unknown named parameter, see the manual for those it accepts");
-  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
-                                                 Default_solver_traits>;
   using Vector = internal::Vector_of<internal::Point_of<TriangleMesh, NamedParameters>>;
   const std::string function = "harmonic_basis";
 
@@ -115,12 +113,12 @@ auto harmonic_basis(const TriangleMesh& mesh,
   const internal::Normalized_frame frame(graph.view().positions());
   Mesh_view view = graph.view();
   view.set_positions(frame.to_frame(view.positions()));
-  Harmonic_basis basis = internal::harmonic_basis_from<Solver_traits>(
+  Harmonic_basis basis = internal::harmonic_basis_from(
       view,
       internal::parameter_or(np, internal_np::one_form_generators,
                              One_form_generators::tree_cotree),
       static_cast<unsigned>(internal::parameter_or(np, CGAL::internal_np::random_seed, 0u)),
-      function);
+      function, internal::spin_solvers(np));
   return internal::Harmonic_forms<TriangleMesh, Vector>(mesh, graph, std::move(basis),
                                                         1 / frame.unit());
 }

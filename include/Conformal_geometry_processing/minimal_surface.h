@@ -72,13 +72,14 @@ Spin_report minimal_surface(TriangleMesh& mesh,
           internal_np::branch_t, internal_np::boundary_direction_t,
           internal_np::boundary_direction_map_t>,
       "minimal_surface(): unknown named parameter, see the manual for those it accepts");
-  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
-                                                 Default_solver_traits>;
   const Graph_view<TriangleMesh> graph(mesh, np, "minimal_surface");
   Boundary_condition condition = internal::boundary_condition(graph, np, "minimal_surface");
   if (condition.kind == Boundary_condition::Kind::free) condition = Boundary_condition::tangents();
-  const Spin_result result = spin_to_minimal_surface<Solver_traits>(
-      graph.view(), {condition}, internal::dirac_options(np), "minimal_surface");
+  Spin_transformation_options own;
+  own.boundary = condition;
+  own.solvers = internal::spin_solvers(np);
+  const Spin_result result =
+      spin_to_minimal_surface(graph.view(), own, internal::dirac_options(np), "minimal_surface");
   if (result.report) internal::write_spin_result(mesh, graph, result, np);
   return result.report;
 }

@@ -169,11 +169,6 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
           internal_np::maximum_period_defect_t, internal_np::limits_t,
           internal_np::mollification_t>,
       "nearest_spin_transform(): unknown named parameter, see the manual for those it accepts");
-  using Solver_traits = internal::Parameter_type<NamedParameters, internal_np::sparse_solver_t,
-                                                 Default_solver_traits>;
-  using Eigensolver_traits =
-      internal::Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t,
-                               Lobpcg_eigensolver_traits>;
   const char* const function = "nearest_spin_transform";
   const Graph_view<TriangleMesh> graph(mesh, np, function);
   const Boundary_direction direction = CGAL::parameters::choose_parameter(
@@ -191,7 +186,7 @@ Nearest_spin_report nearest_spin_transform(TriangleMesh& mesh, PointMap target_p
       options.distance_tolerance);
   if constexpr (internal::has_parameter<NamedParameters, internal_np::scale_bound_t>)
     options.scales.bound = CGAL::parameters::get_parameter(np, internal_np::scale_bound);
-  Nearest_spin_transformation<Solver_traits, Eigensolver_traits> nearest(
+  Nearest_spin_transformation nearest(
       graph.view(), internal::read_points(mesh, target_points, np, function), function, options);
   if constexpr (internal::has_parameter<NamedParameters, internal_np::vertex_scale_map_t>) {
     const auto scales = CGAL::parameters::get_parameter(np, internal_np::vertex_scale_map);

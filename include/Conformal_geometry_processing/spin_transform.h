@@ -19,12 +19,6 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// the class of the solvers that the named parameters specify
-template <class NamedParameters>
-using Spin_transformation_for = Spin_transformation<
-    Parameter_type<NamedParameters, internal_np::sparse_solver_t, Default_solver_traits>,
-    Parameter_type<NamedParameters, internal_np::eigenvalue_solver_t, Lobpcg_eigensolver_traits>>;
-
 /// The options that the named parameters of `spin_transform()` specify.
 template <class TriangleMesh, class NamedParameters>
 Spin_transformation_options spin_transformation_options(const Graph_view<TriangleMesh>& graph,
@@ -278,7 +272,7 @@ Spin_report spin_transform(TriangleMesh& mesh, CurvaturePotentialMap rho,
   const Curvature_potential potential = internal::read_curvature_potential(graph, rho);
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
-  internal::Spin_transformation_for<NamedParameters> transformation(
+  Spin_transformation transformation(
       graph.view(), internal::spin_transformation_options(graph, np, function), function);
   internal::read_limits(np, transformation.limits());
   const Spin_result result =

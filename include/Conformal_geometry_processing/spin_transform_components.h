@@ -62,7 +62,7 @@ internal::Component_reports<Spin_report> spin_transform_components(
   Spin_visitor silent;
   auto&& visitor = internal::parameter_or(np, CGAL::internal_np::visitor, silent);
   const auto transformed = [&](const Graph_view<TriangleMesh>& component) {
-    internal::Spin_transformation_for<NamedParameters> transformation(
+    Spin_transformation transformation(
         component.view(), internal::spin_transformation_options(component, np, function), function);
     internal::read_limits(np, transformation.limits());
     return std::move(transformation)

@@ -4,7 +4,6 @@
 #include "concepts/archetype_maps.h"
 
 #include <Conformal_geometry_processing/canonical_metric.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -36,8 +35,8 @@ TEST(Canonical_metric_of_archetypes, needs_no_more_than_the_concepts_offer)
   EXPECT_NEAR(CGP::canonical_metric(mesh, Density_map<archetype::Face>(on_faces), np).area, 1,
               1e-10);
   (void)CGP::canonical_metric(mesh, Density_map<archetype::Vertex>(on_vertices), np);
-  const Eigen::VectorXd u = CGP::canonical_area_density(
-      view, CGP::Hodge_decomposition<>(view).harmonic_basis().one_forms);
+  const Eigen::VectorXd u =
+      CGP::canonical_area_density(view, CGP::Hodge_decomposition(view).harmonic_basis().one_forms);
   EXPECT_LT((on_faces - u).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_LT(
       (on_vertices.cwiseProduct(CGP::vertex_areas(view)) - CGP::canonical_vertex_areas(view, u))

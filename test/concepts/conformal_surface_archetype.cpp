@@ -65,12 +65,12 @@ TEST(Operators_of_an_archetype, solve_its_dirac_equation)
   const archetype::Surface surface(mesh);
   const auto rho =
       CGP::Curvature_potential::on_vertices(random_numbers(mesh.size_of_vertices(), 1));
-  CGP::internal::Dirac_system<> system(surface), expected(mesh);
+  CGP::internal::Dirac_system system(surface), expected(mesh);
   const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
   EXPECT_TRUE(s.converged);
   EXPECT_TRUE(s.lambda == CGP::solve_dirac_equation(expected, rho).lambda);
   const Eigen::MatrixX3d edges = CGP::transformed_edges(surface, s.lambda);
-  const CGP::Poisson_reconstruction<> poisson(surface, system.matrix().shared_pattern());
+  const CGP::Poisson_reconstruction poisson(surface, system.matrix().shared_pattern());
   EXPECT_TRUE(poisson.positions(edges).allFinite());
 }
 

@@ -5,7 +5,6 @@
 #include "concepts/archetype_maps.h"
 
 #include <Conformal_geometry_processing/conformal_willmore_flow.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -84,7 +83,7 @@ TEST(Conformal_willmore_flow_of_archetypes, needs_no_more_than_the_concepts_offe
   EXPECT_EQ(visitor.steps, 2);
   EXPECT_GE(visitor.iterations, 2);
   // half of the direction is half of the step
-  CGP::Conformal_willmore_flow<> expected(view, options);
+  CGP::Conformal_willmore_flow expected(view, options);
   EXPECT_TRUE(expected.run());
   EXPECT_LT((points - expected.mesh().positions()).norm(), 1e-6);
   EXPECT_GT((points - view.positions()).norm(), .1);

@@ -4,7 +4,6 @@
 #include "concepts/archetype_maps.h"
 
 #include <Conformal_geometry_processing/harmonic_basis.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -26,7 +25,7 @@ TEST(Harmonic_basis_of_archetypes, needs_no_more_than_the_concepts_offer)
                 .geom_traits(cgp_test::Geometry_traits_archetype(cgp_test::archetype_unit))
                 .sparse_solver(cgp_test::Sparse_hermitian_solver_traits_archetype()));
   EXPECT_TRUE((std::is_same_v<decltype(forms)::Vector, Eigen::Vector3d>));
-  const CGP::Harmonic_basis expected = CGP::Hodge_decomposition<>(view).harmonic_basis();
+  const CGP::Harmonic_basis expected = CGP::Hodge_decomposition(view).harmonic_basis();
   for (const auto f : faces(mesh)) {
     const auto number = static_cast<int>(f.number);
     const Eigen::Vector3d v = get(forms.tangent_field(1), f);

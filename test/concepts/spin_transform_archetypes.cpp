@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/dirac_spectrum.h>
 #include <Conformal_geometry_processing/dirac_sphere.h>
 #include <Conformal_geometry_processing/spin_transform.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -65,7 +64,7 @@ class Spin_transform_with_archetypes : public testing::Test {
   cgp_test::Points points{3, view.size_of_vertices()};
   Spins spins{view.size_of_vertices()};
   const Conformal_geometry_processing::Spin_result expected =
-      Conformal_geometry_processing::Spin_transformation<>(view).transform(
+      Conformal_geometry_processing::Spin_transformation(view).transform(
           Conformal_geometry_processing::Curvature_potential::on_vertices(
               cgp_test::rho_of_section_3_on_vertices(view)));
 };
@@ -100,9 +99,8 @@ TEST_F(Spin_transform_with_archetypes, as_the_spectrum_of_the_surface)
                               .curvature_potential_map(Rho_map(view))
                               .geom_traits(Geometry_traits_archetype(cgp_test::archetype_unit))
                               .sparse_solver(cgp_test::Sparse_hermitian_solver_traits_archetype()));
-  const CGP::internal::Dirac_spectrum by_default =
-      CGP::internal::Dirac_spectral_problem<>(view).find(
-          CGP::Curvature_potential::on_vertices(cgp_test::rho_of_section_3_on_vertices(view)), 3);
+  const CGP::internal::Dirac_spectrum by_default = CGP::internal::Dirac_spectral_problem(view).find(
+      CGP::Curvature_potential::on_vertices(cgp_test::rho_of_section_3_on_vertices(view)), 3);
   ASSERT_TRUE(s.converged);
   EXPECT_LT((s.eigenvalues - by_default.eigenvalues).norm(), 1e-7);
 }

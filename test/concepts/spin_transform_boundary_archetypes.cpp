@@ -5,7 +5,6 @@
 #include "concepts/archetype_maps.h"
 
 #include <Conformal_geometry_processing/spin_transform.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -80,7 +79,7 @@ class Spin_transform_of_boundary_archetypes : public testing::Test {
   {
     const boost::static_property_map<double, archetype::Vertex> rho(.5);
     EXPECT_TRUE(CGP::spin_transform(mesh, rho, np));
-    const auto expected = CGP::Spin_transformation<>(view, {condition})
+    const auto expected = CGP::Spin_transformation(view, {condition})
                               .transform(CGP::Curvature_potential::on_vertices(
                                   Eigen::VectorXd::Constant(view.size_of_vertices(), .5)));
     EXPECT_LT((points - expected.positions).norm(), 1e-6);

@@ -3,7 +3,6 @@
 // Tests include/Conformal_geometry_processing/core/named_parameters.h
 #include <Conformal_geometry_processing/core/named_parameters.h>
 #include <Conformal_geometry_processing/harmonic_basis.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
@@ -105,17 +104,6 @@ TEST(Named_parameters, refer_to_an_lvalue_fallback_and_return_an_rvalue_one)
             &fallback);
   using Returned = decltype(CGP::internal::parameter_or(P::time_step(.5), Tags::tolerance, 1e-3));
   static_assert(std::is_same_v<Returned, double>);
-}
-
-TEST(Named_parameters, tell_the_type_of_a_value_through_a_reference_too)
-{
-  Stateful solver;
-  const auto np = P::time_step(.5F).sparse_solver(std::ref(solver));
-  using Pack = std::decay_t<decltype(np)>;
-  using CGP::internal::Parameter_type;
-  static_assert(std::is_same_v<Parameter_type<Pack, Tags::time_step_t, int>, float>);
-  static_assert(std::is_same_v<Parameter_type<Pack, Tags::sparse_solver_t, int>, Stateful>);
-  static_assert(std::is_same_v<Parameter_type<Pack, Tags::tolerance_t, int>, int>);
 }
 
 TEST(Named_parameters, are_known_or_not)

@@ -34,7 +34,7 @@ TEST(Scale_parameters, reach_the_transformation)
   EXPECT_GT(report.scales.weight, 0);
   CGP::Spin_transformation_options options;
   options.scales.bound = 1.5;  // equal weights and factors are none
-  CGP::Spin_transformation<> transformation(view, options);
+  CGP::Spin_transformation transformation(view, options);
   const auto same = transformation.transform(CGP::Curvature_potential::on_vertices(values));
   EXPECT_NEAR(same.report.scales.kept_norm, report.scales.kept_norm, 1e-6);
 }

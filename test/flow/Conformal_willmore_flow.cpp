@@ -44,8 +44,8 @@ double damping(int k)
 /// of the surface of the reference runs
 CGP::Flow_report report_of_steps(double time_step, std::size_t steps)
 {
-  CGP::Conformal_willmore_flow<> flow(scaled_to_area(bumpy_sphere(4), 4 * pi),
-                                      plain_steps(time_step, static_cast<int>(steps)));
+  CGP::Conformal_willmore_flow flow(scaled_to_area(bumpy_sphere(4), 4 * pi),
+                                    plain_steps(time_step, static_cast<int>(steps)));
   return flow.run();
 }
 
@@ -63,14 +63,14 @@ void expect_energies(double time_step, const std::vector<double>& expected)
 
 TEST(Conformal_willmore_flow, keeps_the_round_sphere)
 {
-  CGP::Conformal_willmore_flow<> flow(icosphere(4), plain_steps(1, 5));
+  CGP::Conformal_willmore_flow flow(icosphere(4), plain_steps(1, 5));
   EXPECT_EQ(flow.run().steps.size(), 5U);
   EXPECT_LT(radius_deviation(flow.mesh()), 1e-6);
 }
 
 TEST(Conformal_willmore_flow, knows_that_nothing_is_left_to_do_on_the_round_sphere)
 {
-  CGP::Conformal_willmore_flow<> flow(icosphere(4));
+  CGP::Conformal_willmore_flow flow(icosphere(4));
   const CGP::Flow_report report = flow.run();
   EXPECT_EQ(report.stop, CGP::Flow_step_report::Stop::direction_vanished);
   EXPECT_TRUE(report.converged());
@@ -87,7 +87,7 @@ TEST(Conformal_willmore_flow, damps_each_frequency_as_linear_theory_says)
     });
     const double before = amplitudes(sphere, bumped, {0, k})[1];
     for (const double tau : {0.5, 1., 1.5}) {
-      CGP::Conformal_willmore_flow<> flow(bumped, plain_steps(tau, 1));
+      CGP::Conformal_willmore_flow flow(bumped, plain_steps(tau, 1));
       ASSERT_TRUE(flow.step().accepted);
       const double factor = amplitudes(sphere, flow.mesh(), {0, k})[1] / before;
       EXPECT_NEAR((1 - factor) / (tau * damping(k)), 1, 0.05) << k << ' ' << tau;
@@ -119,7 +119,7 @@ TEST(Conformal_willmore_flow, reaches_the_sphere_in_three_steps)
   const double limit = CGP::willmore_energy(icosphere(4));
   CGP::Flow_options options;
   options.exact_conformal_class = false;
-  CGP::Conformal_willmore_flow<> flow(bumpy_sphere(4), options);
+  CGP::Conformal_willmore_flow flow(bumpy_sphere(4), options);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(flow.step().accepted);
   EXPECT_LT(flow.energy(), 1.0005 * limit);
   const CGP::Flow_report rest = flow.run();
@@ -142,7 +142,7 @@ TEST(Conformal_willmore_flow, keeps_what_its_filter_keeps)
     CGP::Flow_options options = plain_steps(1, 4);
     options.filter_weight = std::pow(30., -k);
     options.filter_order = k;
-    CGP::Conformal_willmore_flow<> flow(bumped, options);
+    CGP::Conformal_willmore_flow flow(bumped, options);
     EXPECT_TRUE(flow.run());
     const Eigen::VectorXd left = amplitudes(sphere, flow.mesh(), {0, 2, 10});
     EXPECT_NEAR(left[1] / .02, large[k], .01) << k;
@@ -155,7 +155,7 @@ TEST(Conformal_willmore_flow, keeps_area_and_centroid)
   const Eigen::Vector3d offset(3, -2, 5);
   const Mesh_view mesh = mapped(
       bumpy_sphere(3), [&](const Eigen::Vector3d& p) { return Eigen::Vector3d(2 * p + offset); });
-  CGP::Conformal_willmore_flow<> flow(mesh);
+  CGP::Conformal_willmore_flow flow(mesh);
   EXPECT_TRUE(flow.run());
   EXPECT_NEAR(area(flow.mesh()), area(mesh), 1e-9 * area(mesh));
   EXPECT_LT((centroid(flow.mesh()) - centroid(mesh)).norm(), 1e-9);
@@ -166,7 +166,7 @@ TEST(Conformal_willmore_flow, reports_what_it_did)
   const Mesh_view mesh = bumpy_sphere(3);
   CGP::Flow_options options;
   options.exact_conformal_class = false;
-  CGP::Conformal_willmore_flow<> flow(mesh, options);
+  CGP::Conformal_willmore_flow flow(mesh, options);
   EXPECT_EQ(flow.energy(), CGP::willmore_energy(mesh));
   const CGP::Flow_report report = flow.run();
   EXPECT_EQ(flow.size_of_steps(), static_cast<int>(report.steps.size()));
@@ -195,7 +195,7 @@ TEST(Conformal_willmore_flow, gives_the_same_bits_again_and_with_two_threads)
 {
   const auto positions = [](int threads) {
     const Threads setting(threads);
-    CGP::Conformal_willmore_flow<> flow(bumpy_sphere(4), plain_steps(1, 2));
+    CGP::Conformal_willmore_flow flow(bumpy_sphere(4), plain_steps(1, 2));
     EXPECT_GT(flow.run().steps.size(), 0u);
     return Points(flow.mesh().positions());
   };

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/flow/Conformal_willmore_flow.h
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -18,9 +17,8 @@ namespace cgp_test::conformal_willmore_flow_boundary_tests {
 /// of the reference runs, after each step without backtracking
 std::vector<double> energies(double time_step, int steps, const Boundary_condition& condition)
 {
-  CGP::Conformal_willmore_flow<CGP::Default_solver_traits, CGP::Lobpcg_eigensolver_traits,
-                               Barycentric_direction>
-      flow(bumpy_cap(24), plain_steps(time_step, steps, condition));
+  CGP::Conformal_willmore_flow flow(bumpy_cap(24), plain_steps(time_step, steps, condition),
+                                    Barycentric_direction());
   EXPECT_NEAR(flow.energy(), 3.7809, 1e-4);
   std::vector<double> list;
   for (const auto& step : flow.run().steps) list.push_back(step.energy);
@@ -42,7 +40,7 @@ CGP::Flow_report flown(const Mesh_view& mesh, const Boundary_condition& conditio
   CGP::Flow_options options;
   options.boundary = condition;
   options.exact_conformal_class = is_exact;
-  CGP::Conformal_willmore_flow<> flow(mesh, options);
+  CGP::Conformal_willmore_flow flow(mesh, options);
   return flow.run();
 }
 
@@ -133,7 +131,7 @@ TEST(Conformal_willmore_flow_with_boundary, keeps_a_cap_and_loses_its_bumps_by_a
     CGP::Flow_options options = plain_steps(1, 5, condition);
     options.filter_weight = .05;
     options.filter_order = 2;
-    CGP::Conformal_willmore_flow<> flow(bumpy_cap(12), options);
+    CGP::Conformal_willmore_flow flow(bumpy_cap(12), options);
     EXPECT_GT(flow.energy(), 3.7);
     EXPECT_TRUE(flow.run());
     EXPECT_NEAR(flow.energy(), pi, .1 * pi);  // energy of the round cap
@@ -162,7 +160,7 @@ TEST(Conformal_willmore_flow_with_boundary, tells_how_well_directions_are_kept)
   const auto order = [](const Boundary_condition& condition) {
     std::vector<double> sizes, errors;
     for (const int n : {16, 32}) {
-      CGP::Conformal_willmore_flow<> flow(bumpy_cap(n), plain_steps(.5, 1, condition));
+      CGP::Conformal_willmore_flow flow(bumpy_cap(n), plain_steps(.5, 1, condition));
       const CGP::Flow_step_report step = flow.step();
       EXPECT_TRUE(step.accepted);
       EXPECT_TRUE(step.spin);

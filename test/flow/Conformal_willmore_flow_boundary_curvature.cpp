@@ -62,10 +62,10 @@ Shares shares_at_the_end(double height)
   options.max_steps = 40;
   options.max_period_defect = 1e-3;
   options.energy_tolerance = 1e-6;
-  CGP::Conformal_willmore_flow<> flow(bumpy_zone(height), options);
+  CGP::Conformal_willmore_flow flow(bumpy_zone(height), options);
   EXPECT_FALSE(flow.run().steps.empty());
 
-  CGP::Spin_transformation<> transformation(flow.mesh(), {options.boundary});
+  CGP::Spin_transformation transformation(flow.mesh(), {options.boundary});
   const auto& exactness = transformation.exactness(CGP::Curvature_potential::On::vertices);
   const CGP::internal::Constraint_basis basis = exactness.basis();
   EXPECT_EQ(basis.rank(), 4);

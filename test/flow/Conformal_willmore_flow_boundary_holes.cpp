@@ -31,7 +31,7 @@ std::vector<double> gaps(const Boundary_condition& condition, bool is_constraine
     options.dirac.tolerance = 1e-10;
     options.max_period_defect = 1;  // the constraints alone
     if (!is_constrained) options.exactness.reset();
-    CGP::Conformal_willmore_flow<> flow(bumpy_annulus(10), options);
+    CGP::Conformal_willmore_flow flow(bumpy_annulus(10), options);
     list.push_back(flow.step().period_defect);
   }
   return list;
@@ -41,7 +41,7 @@ CGP::Flow_report three_steps(const Boundary_condition& condition, bool is_constr
 {
   CGP::Flow_options options = plain_steps(.25, 3, condition);
   if (!is_constrained) options.exactness.reset();
-  CGP::Conformal_willmore_flow<> flow(bumpy_annulus(10), options);
+  CGP::Conformal_willmore_flow flow(bumpy_annulus(10), options);
   return flow.run();
 }
 
@@ -99,7 +99,7 @@ TEST(Conformal_willmore_flow_with_holes, arrives_where_little_changes)
       options.boundary = condition;
       options.energy_tolerance = .01;  // afterwards, constraint violations dominate
       options.max_period_defect = limit;
-      CGP::Conformal_willmore_flow<> flow(bumpy_annulus(8), options);
+      CGP::Conformal_willmore_flow flow(bumpy_annulus(8), options);
       const CGP::Flow_report report = flow.run();
       EXPECT_TRUE(report.converged()) << to_string(report.stop) << " " << report.message;
       EXPECT_LT(report.conformality.quasi_conformal.mean, 1.02);

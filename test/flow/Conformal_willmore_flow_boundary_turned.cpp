@@ -3,7 +3,6 @@
 // Tests include/Conformal_geometry_processing/flow/Conformal_willmore_flow.h
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
 #include <Conformal_geometry_processing/mesh/Boundary_frames.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -67,9 +66,11 @@ Mean_curvature mean_curvature_of(const Mesh_view& mesh, const Eigen::VectorXd& H
   return {mean * std::sqrt(area(mesh)), std::sqrt(squares / total - mean * mean) / mean};
 }
 
-using Reference_flow =
-    CGP::Conformal_willmore_flow<CGP::Default_solver_traits, CGP::Lobpcg_eigensolver_traits,
-                                 Barycentric_direction>;
+struct Reference_flow : CGP::Conformal_willmore_flow {
+  Reference_flow(const Mesh_view& mesh, const CGP::Flow_options& options)
+      : Conformal_willmore_flow(mesh, options, Barycentric_direction())
+  {}
+};
 
 Mesh_view hemisphere(int n)
 {
@@ -111,7 +112,7 @@ TEST(Conformal_willmore_flow_with_turned_boundary, deviates_from_constant_curvat
   // Mixed Voronoi areas, the default, do ten times better than the barycentric ones of the
   // reference.
   const Mesh_view mesh = hemisphere(32);
-  CGP::Conformal_willmore_flow<> flow(mesh, plain_steps(1, 6, tilted(mesh, pi / 3)));
+  CGP::Conformal_willmore_flow flow(mesh, plain_steps(1, 6, tilted(mesh, pi / 3)));
   EXPECT_TRUE(flow.run());
   const Mean_curvature H = mean_curvature_of(flow.mesh(), CGP::mean_curvature(flow.mesh()));
   EXPECT_LT(H.deviation, 1.1e-3 / 5);
@@ -150,7 +151,7 @@ TEST(Conformal_willmore_flow_with_turned_boundary, starts_though_there_is_nothin
   CGP::Flow_options options;
   for (const double tilt : {pi / 3, 2 * pi / 3}) {  // the energy of the second rises
     options.boundary = tilted(mesh, tilt);
-    CGP::Conformal_willmore_flow<> flow(mesh, options);
+    CGP::Conformal_willmore_flow flow(mesh, options);
     const CGP::Flow_report report = flow.run();
     EXPECT_TRUE(report.converged()) << to_string(report.stop) << " " << report.message;
     EXPECT_LT(report.steps.size(), 15U);
@@ -168,7 +169,7 @@ TEST(Conformal_willmore_flow_with_turned_boundary, refuses_a_boundary_that_no_su
     options.boundary = Boundary_condition::tangents(directions(
         mesh,
         [](double, const CGP::internal::Boundary_frame&) { return Eigen::Vector3d(1, 0, 0); }));
-    CGP::Conformal_willmore_flow<> flow(mesh, options);
+    CGP::Conformal_willmore_flow flow(mesh, options);
     const CGP::Flow_report report = flow.run();
     EXPECT_FALSE(report);
     EXPECT_EQ(report.message, to_string(CGP::Spin_report::Boundary_fault::not_realizable));

@@ -3,7 +3,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -34,10 +33,6 @@ struct Sideways {
 struct Uphill : CGP::Willmore_direction {
   Eigen::VectorXd operator()(const Mesh_view& mesh) const { return CGP::mean_curvature(mesh); }
 };
-
-template <class Direction>
-using Flow = CGP::Conformal_willmore_flow<CGP::Default_solver_traits,
-                                          CGP::Lobpcg_eigensolver_traits, Direction>;
 
 /// counts, stops or throws
 struct Visitor : CGP::Flow_visitor {
@@ -71,7 +66,7 @@ TEST(Conformal_willmore_flow_control, halves_the_step_until_it_is_conformal_enou
   CGP::Flow_options options;
   options.exact_conformal_class = false;
   options.max_step_distortion = 1.01;
-  CGP::Conformal_willmore_flow<> flow(bumpy_sphere(3), options);
+  CGP::Conformal_willmore_flow flow(bumpy_sphere(3), options);
   const CGP::Flow_step_report step = flow.step();
   EXPECT_TRUE(step.accepted);
   EXPECT_GT(step.trials, 1);
@@ -92,7 +87,7 @@ TEST(Conformal_willmore_flow_control, balances_at_once_however_small_the_time_st
   for (const auto way :
        {CGP::Flow_options::Balancing::potential, CGP::Flow_options::Balancing::inversion}) {
     options.balancing = way;
-    CGP::Conformal_willmore_flow<> flow(moved, options);
+    CGP::Conformal_willmore_flow flow(moved, options);
     EXPECT_TRUE(flow.step().accepted);
     EXPECT_LT(balancing.imbalance(flow.mesh()), .3 * balancing.imbalance(moved));
   }
@@ -103,7 +98,7 @@ TEST(Conformal_willmore_flow_control, gives_up_where_the_energy_rises_and_leaves
   const Mesh_view mesh = bumpy_sphere(2);
   CGP::Flow_options options;
   options.fairing = false;
-  Flow<Uphill> flow(mesh, options);
+  CGP::Conformal_willmore_flow flow(mesh, options, Uphill());
   const CGP::Flow_report report = flow.run();
   EXPECT_EQ(report.stop, Flow_stop::time_step_too_small);
   EXPECT_FALSE(report);
@@ -117,7 +112,7 @@ TEST(Conformal_willmore_flow_control, takes_a_slight_rise_for_the_minimum)
   CGP::Flow_options options;
   options.exact_conformal_class = false;
   options.energy_tolerance = 10;
-  Flow<Uphill> flow(bumpy_sphere(2), options);
+  CGP::Conformal_willmore_flow flow(bumpy_sphere(2), options, Uphill());
   const CGP::Flow_step_report step = flow.step();
   EXPECT_EQ(step.stop, Flow_stop::energy_settled);
   EXPECT_FALSE(step.accepted);
@@ -129,7 +124,7 @@ TEST(Conformal_willmore_flow_control, does_not_take_small_steps_for_the_end)
   CGP::Flow_options options;
   options.time_step = options.min_time_step = 1e-3;
   options.max_steps = 3;
-  CGP::Conformal_willmore_flow<> flow(bumpy_sphere(2), options);
+  CGP::Conformal_willmore_flow flow(bumpy_sphere(2), options);
   EXPECT_EQ(flow.run().stop, Flow_stop::steps_done);
   EXPECT_EQ(flow.run().stop, Flow_stop::steps_done);
   EXPECT_EQ(flow.size_of_steps(), 6);
@@ -142,7 +137,7 @@ TEST(Conformal_willmore_flow_control, follows_directions_without_an_energy)
   options.time_step = 0.2;
   options.max_steps = 2;
   const double before = CGP::willmore_energy(mesh);
-  Flow<Sideways> down(mesh, options, {-1}), up(mesh, options, {1});
+  CGP::Conformal_willmore_flow down(mesh, options, Sideways{-1}), up(mesh, options, Sideways{1});
   EXPECT_EQ(down.run().stop, Flow_stop::steps_done);
   EXPECT_EQ(up.run().stop, Flow_stop::steps_done);
   EXPECT_LT(down.energy(), before);
@@ -155,7 +150,7 @@ TEST(Conformal_willmore_flow_control, says_so_where_the_equation_is_not_solved)
   CGP::Flow_options options = plain_steps(1, 3);
   options.dirac.max_iterations = 1;
   options.dirac.max_substeps = 1;
-  CGP::Conformal_willmore_flow<> flow(bumpy_sphere(2), options);
+  CGP::Conformal_willmore_flow flow(bumpy_sphere(2), options);
   const CGP::Flow_report report = flow.run();
   EXPECT_EQ(report.stop, Flow_stop::step_failed);
   EXPECT_EQ(report.message, "the Dirac equation is not solved");
@@ -165,7 +160,7 @@ TEST(Conformal_willmore_flow_control, stops_when_the_visitor_says_so)
 {
   Visitor after_two;
   after_two.stop_at_end = 2;
-  CGP::Conformal_willmore_flow<> flow(bumpy_sphere(2));
+  CGP::Conformal_willmore_flow flow(bumpy_sphere(2));
   const CGP::Flow_report report = flow.run(after_two);
   EXPECT_EQ(report.stop, Flow_stop::cancelled);
   EXPECT_FALSE(report);
@@ -176,7 +171,7 @@ TEST(Conformal_willmore_flow_control, stops_when_the_visitor_says_so)
 
   Visitor in_the_midst;
   in_the_midst.stop_at_iteration = after_two.iterations / 2;
-  CGP::Conformal_willmore_flow<> other(bumpy_sphere(2));
+  CGP::Conformal_willmore_flow other(bumpy_sphere(2));
   EXPECT_EQ(other.run(in_the_midst).stop, Flow_stop::cancelled);
   EXPECT_EQ(other.mesh().positions(), in_the_midst.last);
 }
@@ -184,12 +179,12 @@ TEST(Conformal_willmore_flow_control, stops_when_the_visitor_says_so)
 TEST(Conformal_willmore_flow_control, is_at_the_last_complete_step_when_the_visitor_throws)
 {
   const Mesh_view mesh = stretched(perturbed(irregular_torus(2, 1, 24, 12), .02), 2);
-  CGP::Conformal_willmore_flow<> undisturbed(mesh);
+  CGP::Conformal_willmore_flow undisturbed(mesh);
   const CGP::Flow_report whole = undisturbed.run();
   for (const int iteration : {7, 8, 9, 12, 30}) {
     Visitor throwing, cancelling;
     throwing.throw_at_iteration = cancelling.stop_at_iteration = iteration;
-    CGP::Conformal_willmore_flow<> flow(mesh), cancelled(mesh);
+    CGP::Conformal_willmore_flow flow(mesh), cancelled(mesh);
     EXPECT_THROW((void)flow.run(throwing), std::runtime_error);
     EXPECT_EQ(flow.mesh().positions(), throwing.last);
     EXPECT_NEAR(flow.energy() / CGP::willmore_energy(flow.mesh()), 1, 1e-14);  // in another frame
@@ -205,7 +200,7 @@ TEST(Conformal_willmore_flow_control, is_at_the_last_complete_step_when_the_visi
 TEST(Conformal_willmore_flow_control, gives_the_same_bits_twice_and_at_other_scales)
 {
   const Mesh_view mesh = bumpy_sphere(2);
-  CGP::Conformal_willmore_flow<> first(mesh), second(mesh), large(scaled(mesh, 1024));
+  CGP::Conformal_willmore_flow first(mesh), second(mesh), large(scaled(mesh, 1024));
   (void)first.run();
   (void)second.run();
   (void)large.run();

@@ -32,7 +32,7 @@ Errors errors_of_one_step(const Mesh_view& mesh, std::optional<Exactness> versio
     CGP::Flow_options options = plain_steps(tau, 1);
     options.exactness = version;
     options.max_period_defect = 1;  // the constraints alone
-    CGP::Conformal_willmore_flow<> flow(mesh, options);
+    CGP::Conformal_willmore_flow flow(mesh, options);
     const CGP::Flow_step_report step = flow.step();
     EXPECT_TRUE(step.accepted);
     e.time_step.push_back(tau);
@@ -92,7 +92,7 @@ TEST(Conformal_willmore_flow_with_handles, closes_every_step_up_to_the_limit)
     for (const double limit : {1e-3, 1e-5}) {
       CGP::Flow_options options = plain_steps(.25, 2);
       options.max_period_defect = limit;
-      CGP::Conformal_willmore_flow<> flow(mesh, options);
+      CGP::Conformal_willmore_flow flow(mesh, options);
       for (const CGP::Flow_step_report& step : flow.run().steps) {
         EXPECT_LE(step.period_defect, limit);
         EXPECT_EQ(step.period_defect, step.spin.period_defect);
@@ -104,7 +104,7 @@ TEST(Conformal_willmore_flow_with_handles, takes_a_torus_of_rectangular_class_to
 {
   CGP::Flow_options options = plain_steps(1, 5);
   options.max_period_defect = 1;  // as in the reference run
-  CGP::Conformal_willmore_flow<> flow(storus(48), options);
+  CGP::Conformal_willmore_flow flow(storus(48), options);
   const CGP::Flow_report report = flow.run();
   const double expected[] = {0.99946, 0.99816, 0.99810, 0.99808, 0.99807};
   ASSERT_EQ(report.steps.size(), 5U);
@@ -116,7 +116,7 @@ TEST(Conformal_willmore_flow_with_handles, takes_a_torus_of_rectangular_class_to
 
 TEST(Conformal_willmore_flow_with_handles, keeps_round_tori)
 {
-  CGP::Conformal_willmore_flow<> flow(torus(2.5, 1, 80, 40), plain_steps(1, 3));
+  CGP::Conformal_willmore_flow flow(torus(2.5, 1, 80, 40), plain_steps(1, 3));
   const double before = flow.energy();
   const CGP::Flow_report report = flow.run();
   EXPECT_EQ(report.steps.size(), 3U);
@@ -128,7 +128,7 @@ TEST(Conformal_willmore_flow_with_handles, smoothes_a_double_torus)
 {
   CGP::Flow_options options;
   options.max_steps = 4;
-  CGP::Conformal_willmore_flow<> flow(smooth_handlebody(2, 3), options);
+  CGP::Conformal_willmore_flow flow(smooth_handlebody(2, 3), options);
   const CGP::Flow_report report = flow.run();
   EXPECT_TRUE(report);
   EXPECT_EQ(report.steps.size(), 4U);
@@ -147,11 +147,11 @@ TEST(Conformal_willmore_flow_with_handles, comes_to_the_same_torus_after_an_inve
     CGP::Flow_options options = plain_steps(1, 4);
     options.balance = CGP::Flow_options::Balance::canonical;
     options.balancing = balancing;
-    CGP::Conformal_willmore_flow<> one(mesh, options), other(moved, options);
+    CGP::Conformal_willmore_flow one(mesh, options), other(moved, options);
     (void)one.run();
     const CGP::Flow_report report = other.run();
     options.balance = CGP::Flow_options::Balance::none;
-    CGP::Conformal_willmore_flow<> adrift(moved, options);
+    CGP::Conformal_willmore_flow adrift(moved, options);
     (void)adrift.run();
     const double difference = area_difference(one.mesh(), other.mesh());
     EXPECT_LT(difference, 0.15);
@@ -167,7 +167,7 @@ TEST(Conformal_willmore_flow_with_handles, goes_back_on_itself_rather_than_tear_
   options.exactness.reset();
   options.max_steps = 1;
   options.max_step_distortion = 1.05;
-  CGP::Conformal_willmore_flow<> flow(btorus(24), options);
+  CGP::Conformal_willmore_flow flow(btorus(24), options);
   const CGP::Flow_step_report step = flow.step();
   EXPECT_TRUE(step.accepted);
   EXPECT_GE(step.trials, 3);

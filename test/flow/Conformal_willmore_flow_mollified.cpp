@@ -35,7 +35,7 @@ TEST(Conformal_willmore_flow_mollified, of_a_Delaunay_mesh_begins_as_that_of_the
   const Mesh_view mesh = bumpy_sphere(2);
   CGP::Flow_options plain = mollified(1, false);
   plain.mollification.reset();
-  CGP::Conformal_willmore_flow<> expected(mesh, plain), flow(mesh, mollified(1, false));
+  CGP::Conformal_willmore_flow expected(mesh, plain), flow(mesh, mollified(1, false));
   EXPECT_NEAR(flow.energy(), expected.energy(), 1e-12 * expected.energy());
   const CGP::Flow_report a = expected.run(), b = flow.run();
   ASSERT_TRUE(a && b);
@@ -48,11 +48,11 @@ TEST(Conformal_willmore_flow_mollified, rounds_a_sphere_with_flat_faces_as_the_c
 {
   const Mesh_view clean = bumpy_sphere(3);
   for (const bool on_class : {true, false}) {
-    CGP::Conformal_willmore_flow<> expected(clean, mollified(6, on_class));
+    CGP::Conformal_willmore_flow expected(clean, mollified(6, on_class));
     (void)expected.run();
     for (const double height : {1e-6, 0.}) {
       const Mesh_view mesh = with_thin_faces(clean, height);
-      CGP::Conformal_willmore_flow<> flow(mesh, mollified(6, on_class));
+      CGP::Conformal_willmore_flow flow(mesh, mollified(6, on_class));
       const CGP::Flow_report report = flow.run();
       ASSERT_TRUE(report);
       const int flips = report.steps.back().spin.mollification.flipped_edges;
@@ -63,7 +63,7 @@ TEST(Conformal_willmore_flow_mollified, rounds_a_sphere_with_flat_faces_as_the_c
       EXPECT_LT(distance(flow.mesh(), expected.mesh()), .03);
     }
   }
-  EXPECT_THROW(CGP::Conformal_willmore_flow<>{with_thin_faces(clean, 0)}, CGP::Precondition_error);
+  EXPECT_THROW(CGP::Conformal_willmore_flow{with_thin_faces(clean, 0)}, CGP::Precondition_error);
 }
 
 // Faces whose longest edge is flipped, points that coincide, and both among good faces.
@@ -72,7 +72,7 @@ TEST(Conformal_willmore_flow_mollified, makes_spheres_of_flat_faces_on_their_cla
   const Mesh_view clean = stretched(icosphere(3), 1.5);
   for (const Mesh_view& mesh : {with_thin_faces(clean, 0), with_thin_faces(clean, 0, 0),
                                 with_thin_faces(perturbed(clean, .02), 0, .9)}) {
-    CGP::Conformal_willmore_flow<> flow(mesh, mollified(20));
+    CGP::Conformal_willmore_flow flow(mesh, mollified(20));
     const CGP::Flow_report report = flow.run();
     EXPECT_TRUE(report) << to_string(report.stop) << ' ' << report.message;
     for (const CGP::Flow_step_report& step : report.steps) {
@@ -90,7 +90,7 @@ TEST(Conformal_willmore_flow_mollified, makes_spheres_of_flat_faces_on_their_cla
 TEST(Conformal_willmore_flow_mollified, goes_on_where_faces_are_folded)
 {
   const Mesh_view mesh = spoilt(bumpy_sphere(2));
-  CGP::Conformal_willmore_flow<> flow(mesh, mollified(3));
+  CGP::Conformal_willmore_flow flow(mesh, mollified(3));
   const CGP::Flow_report report = flow.run();
   EXPECT_GE(report.steps.size(), 1U);
   EXPECT_LT(report.energy, .8 * report.initial_energy);
@@ -101,7 +101,7 @@ TEST(Conformal_willmore_flow_mollified, keeps_the_handle_of_a_torus_with_flat_fa
 {
   const Mesh_view mesh = with_thin_faces(torus(2, 1, 32, 16), 0);
   for (const bool on_class : {true, false}) {
-    CGP::Conformal_willmore_flow<> flow(mesh, mollified(4, on_class));
+    CGP::Conformal_willmore_flow flow(mesh, mollified(4, on_class));
     const CGP::Flow_report report = flow.run();
     ASSERT_TRUE(report);
     EXPECT_LT(report.energy, report.initial_energy);
@@ -121,7 +121,7 @@ TEST(Conformal_willmore_flow_mollified, can_be_filtered_and_balanced)
     CGP::Flow_options options = mollified(2, on_class);
     options.filter_weight = .02;
     options.balance = CGP::Flow_options::Balance::initial;
-    CGP::Conformal_willmore_flow<> flow(mesh, options);
+    CGP::Conformal_willmore_flow flow(mesh, options);
     const CGP::Flow_report report = flow.run();
     EXPECT_TRUE(report);
     EXPECT_LT(report.energy, report.initial_energy);
@@ -145,7 +145,7 @@ TEST(Conformal_willmore_flow_mollified, flattens_a_sheet_with_a_cap_at_its_bound
   corners.push_back({v[1], v[2], apex});
   corners.push_back({v[2], v[0], apex});
   for (const bool on_class : {true, false}) {
-    CGP::Conformal_willmore_flow<> flow(Mesh_view(p, corners), mollified(3, on_class));
+    CGP::Conformal_willmore_flow flow(Mesh_view(p, corners), mollified(3, on_class));
     const CGP::Flow_report report = flow.run();
     EXPECT_TRUE(report);
     EXPECT_LT(report.energy, .05 * report.initial_energy);
@@ -157,7 +157,7 @@ TEST(Conformal_willmore_flow_mollified, does_not_depend_on_scale)
   const Mesh_view mesh = with_thin_faces(bumpy_sphere(1), 0);
   for (const bool on_class : {true, false})
     for (const double scale : {1e-100, 1e90}) {
-      CGP::Conformal_willmore_flow<> flow(scaled(mesh, scale), mollified(2, on_class)),
+      CGP::Conformal_willmore_flow flow(scaled(mesh, scale), mollified(2, on_class)),
           expected(mesh, mollified(2, on_class));
       EXPECT_FALSE(flow.run().steps.empty());  // areas are not measured at such scales
       EXPECT_TRUE(expected.run());

@@ -3,7 +3,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -25,13 +24,10 @@ struct Constant {
   }
 };
 
-using Flow_along_constant = CGP::Conformal_willmore_flow<CGP::Default_solver_traits,
-                                                         CGP::Lobpcg_eigensolver_traits, Constant>;
-
 std::string refusal(const Mesh_view& mesh, const CGP::Flow_options& options = {})
 {
   try {
-    const CGP::Conformal_willmore_flow<> flow(mesh, options);
+    const CGP::Conformal_willmore_flow flow(mesh, options);
   } catch (const CGP::Precondition_error& error) {
     return error.what();
   }
@@ -40,7 +36,7 @@ std::string refusal(const Mesh_view& mesh, const CGP::Flow_options& options = {}
 
 std::string refusal(const Constant& direction)
 {
-  Flow_along_constant flow(icosphere(1), {}, direction);
+  CGP::Conformal_willmore_flow flow(icosphere(1), {}, direction);
   try {
     (void)flow.step();
   } catch (const CGP::Precondition_error& error) {

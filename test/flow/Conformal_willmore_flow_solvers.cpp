@@ -2,7 +2,6 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +10,7 @@
 
 #include "bounded_flows.h"
 #include "support/Counted_solver_traits.h"
+#include "support/with_solvers.h"
 
 namespace cgp_test::conformal_willmore_flow_solvers_tests {
 
@@ -46,7 +46,11 @@ struct Watched_solver_traits : Counted_solver_traits {
 
 class Conformal_willmore_flow_solvers : public testing::Test {
  protected:
-  using Flow = CGP::Conformal_willmore_flow<Watched_solver_traits>;
+  struct Flow : CGP::Conformal_willmore_flow {
+    explicit Flow(const Mesh_view& mesh, const CGP::Flow_options& options = {})
+        : Conformal_willmore_flow(mesh, with_solvers<Watched_solver_traits>(options))
+    {}
+  };
   using Refused = Watched_solver_traits::Refused;
 
   ~Conformal_willmore_flow_solvers() override

@@ -17,7 +17,7 @@ namespace cgp_test::conformal_willmore_flow_stability_tests {
 /// the energies of the surface and of five more
 std::vector<double> energies(const Mesh_view& mesh, double time_step)
 {
-  CGP::Conformal_willmore_flow<> flow(mesh, plain_steps(time_step, 5));
+  CGP::Conformal_willmore_flow flow(mesh, plain_steps(time_step, 5));
   std::vector<double> list = {flow.energy()};
   for (const auto& step : flow.run().steps) list.push_back(step.energy);
   EXPECT_EQ(list.size(), 6U);
@@ -81,7 +81,7 @@ TEST(Conformal_willmore_flow_stability, comes_from_backtracking_where_the_step_i
 {
   CGP::Flow_options options;
   options.time_step = 2.6;
-  CGP::Conformal_willmore_flow<> flow(bumpy_sphere(3), options);
+  CGP::Conformal_willmore_flow flow(bumpy_sphere(3), options);
   const CGP::Flow_report report = flow.run();
   EXPECT_TRUE(report.converged()) << to_string(report.stop);
   EXPECT_LT(report.energy, 1.0005 * CGP::willmore_energy(icosphere(3)));
@@ -96,7 +96,7 @@ TEST(Conformal_willmore_flow_stability, lets_noise_decay_slower_than_shapes)
 {
   // A curvature potential is averaged twice, which suppresses frequencies of the mesh size.
   const Mesh_view sphere = icosphere(3), noisy = radially_perturbed(sphere, 0.002);
-  CGP::Conformal_willmore_flow<> flow(noisy, plain_steps(1, 1));
+  CGP::Conformal_willmore_flow flow(noisy, plain_steps(1, 1));
   const double before = flow.energy() - CGP::willmore_energy(sphere);
   ASSERT_TRUE(flow.step().accepted);
   const double after = flow.energy() - CGP::willmore_energy(sphere);

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
+#include <Conformal_geometry_processing/flow/canonical_area_density.h>
 #include <Conformal_geometry_processing/spin/spin_structure.h>
 #include <Conformal_geometry_processing/surfaces/torus_of_class.h>
 
@@ -46,7 +47,7 @@ TEST(Conformal_willmore_flow_of_tori, changes_the_conformal_class_in_proportion_
     for (const int steps : {5, 10, 20}) {
       CGP::Flow_options options = plain_steps(2.5 / steps, steps);
       options.max_period_defect = limit;
-      CGP::Conformal_willmore_flow<> flow(mesh, options);
+      CGP::Conformal_willmore_flow flow(mesh, options);
       EXPECT_TRUE(flow.run());
       moduli.push_back(CGP::conformal_modulus(flow.mesh()));
       EXPECT_LT(std::abs(moduli.back() - CGP::conformal_modulus(mesh)), .0164) << steps;
@@ -67,7 +68,7 @@ TEST(Conformal_willmore_flow_of_tori, keeps_the_conformal_class_on_fine_meshes)
     const Mesh_view mesh = twisted_torus(n);
     CGP::Flow_options options = plain_steps(.25, 8);
     options.max_period_defect = 1e-5;
-    CGP::Conformal_willmore_flow<> flow(mesh, options);
+    CGP::Conformal_willmore_flow flow(mesh, options);
     EXPECT_TRUE(flow.run());
     h.push_back(1. / n);
     drift.push_back(std::abs(CGP::conformal_modulus(flow.mesh()) - CGP::conformal_modulus(mesh)));
@@ -80,7 +81,7 @@ TEST(Conformal_willmore_flow_of_tori, comes_to_the_Clifford_torus_on_a_fine_mesh
 {
   CGP::Flow_options options = plain_steps(1, 3);
   options.max_period_defect = 1;  // as in the reference run
-  CGP::Conformal_willmore_flow<> flow(storus(96), options);
+  CGP::Conformal_willmore_flow flow(storus(96), options);
   EXPECT_NEAR(flow.energy() / (2 * pi * pi), 1.11449, 1e-5);
   const CGP::Flow_report report = flow.run();
   const double expected[] = {1.00136, 1.00035, 1.00026};
@@ -97,7 +98,7 @@ TEST(Conformal_willmore_flow_of_tori, keeps_the_spin_structure_embedded_or_not)
     const Mesh_view mesh = turned_torus(64, 32, arf == 1, arf);
     CGP::Flow_options options;
     options.max_steps = 2;
-    CGP::Conformal_willmore_flow<> flow(mesh, options);
+    CGP::Conformal_willmore_flow flow(mesh, options);
     EXPECT_TRUE(flow.run()) << arf;
     EXPECT_EQ(flow.size_of_steps(), 2) << arf;
     EXPECT_LT(flow.energy(), .95 * CGP::willmore_energy(mesh)) << arf;
@@ -119,10 +120,10 @@ TEST(Conformal_willmore_flow_of_tori, comes_to_the_smoothest_of_the_class_of_a_r
     };
     const double smoothest = pi * pi * (b + 1 / b);
     const Mesh_view mesh = CGP::torus_of_class(bumpy, b, 1.4, 3);
-    CGP::Conformal_willmore_flow<> slow(mesh, plain_steps(.1, 10));
+    CGP::Conformal_willmore_flow slow(mesh, plain_steps(.1, 10));
     EXPECT_GT(slow.energy(), 1.15 * smoothest) << b;
     EXPECT_TRUE(slow.run());
-    CGP::Conformal_willmore_flow<> flow(slow.mesh(), plain_steps(.4, 6));
+    CGP::Conformal_willmore_flow flow(slow.mesh(), plain_steps(.4, 6));
     EXPECT_TRUE(flow.run());
     EXPECT_NEAR(flow.energy(), smoothest, .01 * smoothest) << b;
     EXPECT_LT(std::abs(CGP::conformal_modulus(flow.mesh()) - CGP::conformal_modulus(mesh)), 1e-3);
@@ -137,11 +138,11 @@ TEST(Conformal_willmore_flow_of_tori, converges_on_a_Hopf_torus_if_balanced_and_
   const Mesh_view mesh = scaled_to_area(inverted(hopf_torus(24), {.3, .5, 4}), 4 * pi);
   const CGP::internal::Moebius_balancing canonical(CGP::canonical_vertex_areas(
       mesh, CGP::canonical_area_density(
-                mesh, CGP::Hodge_decomposition<>(mesh).harmonic_basis().one_forms)));
+                mesh, CGP::Hodge_decomposition(mesh).harmonic_basis().one_forms)));
   CGP::Flow_options options = plain_steps(1, 20);
-  CGP::Conformal_willmore_flow<> adrift(mesh, options);
+  CGP::Conformal_willmore_flow adrift(mesh, options);
   options.balance = CGP::Flow_options::Balance::canonical;
-  CGP::Conformal_willmore_flow<> balanced(mesh, options);
+  CGP::Conformal_willmore_flow balanced(mesh, options);
   EXPECT_TRUE(adrift.run());
   const CGP::Flow_report report = balanced.run();
   ASSERT_EQ(report.steps.size(), 20U);
@@ -163,7 +164,7 @@ TEST(Conformal_willmore_flow_of_tori, keeps_area_and_centroid_however_balanced)
       CGP::Flow_options options = plain_steps(1, 2);
       options.balance = balance;
       options.balancing = way;
-      CGP::Conformal_willmore_flow<> flow(mesh, options);
+      CGP::Conformal_willmore_flow flow(mesh, options);
       EXPECT_TRUE(flow.run());
       EXPECT_NEAR(area(flow.mesh()), area(mesh), 1e-11 * area(mesh));
       EXPECT_LT((centroid(flow.mesh()) - centroid(mesh)).norm(), 1e-11);

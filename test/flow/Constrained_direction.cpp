@@ -5,7 +5,6 @@
 #include <Conformal_geometry_processing/flow/Willmore_direction.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -35,10 +34,8 @@ struct Directed {
   auto operator()() { return constrained(mesh); }
 
   Mesh_view mesh;
-  CGP::Spin_transformation<> transformation;
-  CGP::internal::Constrained_direction<CGP::Default_solver_traits, CGP::Lobpcg_eigensolver_traits,
-                                       Direction>
-      constrained;
+  CGP::Spin_transformation transformation;
+  CGP::internal::Constrained_direction constrained;
   Eigen::VectorXd areas;
 };
 

@@ -7,7 +7,6 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -70,7 +69,7 @@ TEST(Curvature_filter, multiplies_spherical_harmonics_by_sigma_l_to_the_k_over_o
   const Mesh_view sphere = projected_to_sphere(mesh);
   for (int k = 0; k <= 3; ++k) {
     const double sigma = std::pow(30., -k);
-    const Curvature_filter<> filter(mesh, sigma, k);
+    const Curvature_filter filter(mesh, sigma, k);
     for (int degree : {2, 10}) {
       const Eigen::VectorXd v = zonal_harmonic(sphere, degree);
       const double power = sigma * std::pow(degree * (degree + 1.), k);
@@ -86,7 +85,7 @@ TEST(Curvature_filter, is_what_its_matrix_says)
     const double unit = std::sqrt(area(mesh) / (4 * pi));
     for (int k = 0; k <= 5; ++k)
       for (double sigma : {1e-4, 1., 1e4}) {
-        const Eigen::VectorXd w = Curvature_filter<>(mesh, sigma, k)(v);
+        const Eigen::VectorXd w = Curvature_filter(mesh, sigma, k)(v);
         EXPECT_LT((w - expected(mesh, sigma * std::pow(unit, 2 * k), k, v)).norm(), 1e-9);
       }
   }
@@ -97,7 +96,7 @@ TEST(Curvature_filter, takes_constants_away)
   const Mesh_view mesh = bumpy_sphere(3);
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(mesh.size_of_vertices());
   for (int k : {1, 2, 3})
-    EXPECT_LT(Curvature_filter<>(mesh, .01, k)(ones).cwiseAbs().maxCoeff(), 2e-10);
+    EXPECT_LT(Curvature_filter(mesh, .01, k)(ones).cwiseAbs().maxCoeff(), 2e-10);
 }
 
 TEST(Curvature_filter, does_not_depend_on_the_units_of_length)
@@ -105,7 +104,7 @@ TEST(Curvature_filter, does_not_depend_on_the_units_of_length)
   const Mesh_view mesh = bumpy_sphere(2), large = scaled(mesh, 1024);
   const Eigen::VectorXd v = random_numbers(mesh.size_of_vertices(), 1);
   for (int k : {1, 2, 3})
-    EXPECT_LT((Curvature_filter<>(mesh, .01, k)(v) - Curvature_filter<>(large, .01, k)(v)).norm(),
+    EXPECT_LT((Curvature_filter(mesh, .01, k)(v) - Curvature_filter(large, .01, k)(v)).norm(),
               1e-12);
 }
 
@@ -122,7 +121,7 @@ TEST(Curvature_filter, is_symmetric_and_shrinks_also_on_a_mesh_with_tiny_faces)
   const Eigen::VectorXd v = random_numbers(mesh.size_of_vertices(), 1);
   const Eigen::VectorXd w = random_numbers(mesh.size_of_vertices(), 2);
   for (int k : {1, 2, 3}) {
-    const Curvature_filter<> filter(mesh, .01, k);
+    const Curvature_filter filter(mesh, .01, k);
     const Eigen::VectorXd Fv = filter(v), Fw = filter(w);
     EXPECT_NEAR(areas.cwiseProduct(v).dot(Fw), areas.cwiseProduct(w).dot(Fv), 1e-9);
     EXPECT_GT(gain(mesh, v, Fv), 0);
@@ -134,12 +133,12 @@ TEST(Curvature_filter, gives_the_same_with_another_solver_and_with_the_analysis_
 {
   const Mesh_view mesh = bumpy_sphere(2);
   const Eigen::VectorXd v = random_numbers(mesh.size_of_vertices(), 1);
-  const Eigen::VectorXd filtered = Curvature_filter<>(mesh, .01, 2)(v);
-  const Curvature_filter<CGP::Eigen_hermitian_solver_traits> other(mesh, .01, 2);
+  const Eigen::VectorXd filtered = Curvature_filter(mesh, .01, 2)(v);
+  const Curvature_filter other(mesh, .01, 2, CGP::Eigen_hermitian_solver_traits());
   EXPECT_LT((other(v) - filtered).norm(), 1e-12);
   const auto pattern = CGP::vertex_graph(mesh);
-  const CGP::Poisson_reconstruction<> poisson(mesh, pattern);
-  const Curvature_filter<> sharing(mesh, .01, 2, pattern, poisson.solver().solver());
+  const CGP::Poisson_reconstruction poisson(mesh, pattern);
+  const Curvature_filter sharing(mesh, .01, 2, pattern, poisson.solver().solver());
   EXPECT_LT((sharing(v) - filtered).norm(), 1e-12);
 }
 
@@ -147,11 +146,11 @@ TEST(Curvature_filter, follows_the_mesh)
 {
   Mesh_view mesh = icosphere(2);
   const Eigen::VectorXd v = random_numbers(mesh.size_of_vertices(), 1);
-  Curvature_filter<> filter(mesh, .01, 3);
+  Curvature_filter filter(mesh, .01, 3);
   const Eigen::VectorXd before = filter(v);
   mesh.set_positions(bumpy_sphere(2).positions());
   filter.update_geometry();
-  EXPECT_LT((filter(v) - Curvature_filter<>(bumpy_sphere(2), .01, 3)(v)).norm(), 1e-13);
+  EXPECT_LT((filter(v) - Curvature_filter(bumpy_sphere(2), .01, 3)(v)).norm(), 1e-13);
   EXPECT_GT((filter(v) - before).norm(), 1e-2);
 }
 
@@ -160,8 +159,8 @@ TEST(Curvature_filter, refuses_weights_and_orders_out_of_range)
   const Mesh_view mesh = icosphere(0);
   for (double weight :
        {0., -1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THROW(Curvature_filter<>(mesh, weight, 1), CGP::Precondition_error);
-  EXPECT_EQ(message([&] { Curvature_filter<>(mesh, 1, -1); }),
+    EXPECT_THROW(Curvature_filter(mesh, weight, 1), CGP::Precondition_error);
+  EXPECT_EQ(message([&] { Curvature_filter(mesh, 1, -1); }),
             "Curvature_filter: an order of -1; 0, 1, 2, ... are possible");
 }
 
@@ -172,7 +171,7 @@ TEST(Curvature_filter, says_so_when_the_matrix_cannot_be_factored)
   p(0, 0) = std::numeric_limits<double>::quiet_NaN();
   mesh.set_positions(p);
   EXPECT_EQ(
-      message([&] { Curvature_filter<>(mesh, 1, 2); }),
+      message([&] { Curvature_filter(mesh, 1, 2); }),
       "Curvature_filter: factorization of the smoothing matrix failed: a value is not finite");
 }
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Flow_balance.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
@@ -38,7 +39,7 @@ double greatest_log_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& 
 
 CGP::internal::Flow_balance balance_of(const Mesh_view& mesh, const CGP::Flow_options& options)
 {
-  CGP::Spin_transformation<> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh);
   return {mesh, options, transformation, "f"};
 }
 

@@ -1,4 +1,4 @@
-// Tests include/Conformal_geometry_processing/flow/Flow_on_class_templates.h
+// Tests include/Conformal_geometry_processing/flow/Conformal_willmore_flow.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include <Conformal_geometry_processing/flow/Conformal_willmore_flow.h>
@@ -22,7 +22,7 @@ namespace cgp_test::flow_on_class_tests {
 
 /// Laws of the flow on the exact discrete conformal class, its default on closed surfaces.
 
-using Flow = CGP::Conformal_willmore_flow<>;
+using Flow = CGP::Conformal_willmore_flow;
 using Stop = CGP::Flow_step_report::Stop;
 
 CGP::Flow_options steps(int count)

@@ -1,4 +1,4 @@
-// Tests include/Conformal_geometry_processing/flow/Flow_on_class_templates.h
+// Tests include/Conformal_geometry_processing/flow/Conformal_willmore_flow.h
 // Tests include/Conformal_geometry_processing/flow/Class_keeper.h
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
@@ -17,7 +17,7 @@ namespace cgp_test::flow_on_class_boundary_tests {
 
 /// Laws of the flow on the exact discrete conformal class with a boundary.
 
-using Flow = CGP::Conformal_willmore_flow<>;
+using Flow = CGP::Conformal_willmore_flow;
 
 struct Flown {
   Flown(const Mesh_view& mesh, const Boundary_condition& condition, bool is_exact, int steps = 20)

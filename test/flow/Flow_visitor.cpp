@@ -14,7 +14,7 @@ namespace CGP = Conformal_geometry_processing;
 
 TEST(Flow_visitor, must_not_call_back_the_flow)
 {
-  using Flow = CGP::Conformal_willmore_flow<>;
+  using Flow = CGP::Conformal_willmore_flow;
   struct Intruder : CGP::Flow_visitor {
     Flow* flow = nullptr;
     int refused = 0;

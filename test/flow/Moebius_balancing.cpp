@@ -76,7 +76,7 @@ TEST(Moebius_balancing, comes_close_by_curvature_alone)
 {
   const Moebius_balancing balancing = towards(icosphere(4));
   Mesh_view mesh = unbalanced_sphere();
-  CGP::Spin_transformation<> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh);
   for (const double below : {.14, .042, .039}) {
     transformation.set_positions(mesh.positions());
     const Eigen::VectorXd rho =

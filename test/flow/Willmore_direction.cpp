@@ -15,10 +15,6 @@ namespace cgp_test::willmore_direction_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
-struct Only_a_direction {
-  Eigen::VectorXd operator()(const Mesh_view&) const { return {}; }
-};
-
 TEST(Willmore_direction, is_minus_one_over_the_radius_on_spheres)
 {
   const CGP::Willmore_direction direction;
@@ -56,16 +52,6 @@ TEST(Willmore_direction, has_no_part_along_the_normals_but_for_the_size_of_faces
   }
   EXPECT_LT(share.back(), 1e-3);
   EXPECT_GT(slope(h, share), 1.5);
-}
-
-TEST(Willmore_direction, has_an_energy_and_others_need_not)
-{
-  EXPECT_TRUE(CGP::internal::Has_energy<CGP::Willmore_direction>::value);
-  EXPECT_FALSE(CGP::internal::Has_energy<Only_a_direction>::value);
-  const Mesh_view mesh = bumpy_sphere(2);
-  EXPECT_EQ(CGP::internal::energy_of(Only_a_direction(), mesh, mesh), CGP::willmore_energy(mesh));
-  EXPECT_EQ(CGP::internal::energy_of(CGP::Willmore_direction(), mesh, mesh),
-            CGP::willmore_energy(mesh));
 }
 
 }  // namespace cgp_test::willmore_direction_tests

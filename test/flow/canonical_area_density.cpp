@@ -22,7 +22,7 @@ namespace CGP = Conformal_geometry_processing;
 Eigen::VectorXd canonical_density(const Mesh_view& mesh)
 {
   return CGP::canonical_area_density(mesh,
-                                     CGP::Hodge_decomposition<>(mesh).harmonic_basis().one_forms);
+                                     CGP::Hodge_decomposition(mesh).harmonic_basis().one_forms);
 }
 
 Eigen::VectorXd canonical_areas(const Mesh_view& mesh)
@@ -84,7 +84,7 @@ TEST(Canonical_metric, does_not_change_under_inversions_but_for_the_size_of_face
 TEST(Canonical_metric, does_not_depend_on_the_basis)
 {
   const Mesh_view mesh = smooth_handlebody(2, 1);
-  const CGP::Harmonic_basis basis = CGP::Hodge_decomposition<>(mesh).harmonic_basis();
+  const CGP::Harmonic_basis basis = CGP::Hodge_decomposition(mesh).harmonic_basis();
   Eigen::Matrix4d A;
   A << random_numbers(16, 1).reshaped(4, 4);
   const Eigen::Matrix4d Q = orthogonal_factor(A);

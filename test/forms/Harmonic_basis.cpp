@@ -26,7 +26,7 @@ namespace CGP = Conformal_geometry_processing;
 
 CGP::Harmonic_basis harmonic_basis_of(const Mesh_view& mesh)
 {
-  return CGP::Hodge_decomposition<>(mesh).harmonic_basis();
+  return CGP::Hodge_decomposition(mesh).harmonic_basis();
 }
 
 double greatest(const Eigen::MatrixXd& A)
@@ -162,10 +162,10 @@ TEST(Harmonic_basis, refuses_generators_that_are_not_independent)
   const Mesh_view mesh = btorus(12);
   Eigen::MatrixXd generators = CGP::closed_generators(mesh);
   generators.col(1) = -2 * generators.col(0);
-  CGP::internal::Grounded_solver<> laplacian(CGP::vertex_graph(mesh));
+  CGP::internal::Grounded_solver laplacian(CGP::vertex_graph(mesh));
   laplacian.factorize(CGP::cotan_laplacian(mesh));
   try {
-    const CGP::Hodge_decomposition<> hodge(mesh, generators, laplacian);
+    const CGP::Hodge_decomposition hodge(mesh, generators, laplacian);
     ADD_FAILURE() << "not refused";
   } catch (const CGP::Precondition_error& error) {
     EXPECT_NE(std::string(error.what()).find("not linearly independent"), std::string::npos);

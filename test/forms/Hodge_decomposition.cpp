@@ -35,7 +35,7 @@ Eigen::MatrixXd random_forms(const Mesh_view& mesh, int count)
 std::string message_of_refusal(const Mesh_view& mesh)
 {
   try {
-    const CGP::Hodge_decomposition<> hodge(mesh, "my_function");
+    const CGP::Hodge_decomposition hodge(mesh, "my_function");
   } catch (const CGP::Precondition_error& error) {
     return error.what();
   }
@@ -47,7 +47,7 @@ TEST(Hodge_decomposition, splits_any_form_into_orthogonal_parts)
   for (const Mesh_view& mesh :
        {icosphere(2), perturbed(btorus(16), 0.05), smooth_handlebody(2, 1), holed_block(3)}) {
     const Eigen::MatrixXd forms = random_forms(mesh, 3);
-    const CGP::Hodge_decomposition<> hodge(mesh);
+    const CGP::Hodge_decomposition hodge(mesh);
     const CGP::internal::Hodge_parts parts = hodge.decompose(forms);
     EXPECT_LT(greatest(parts.exact + parts.coexact + parts.harmonic - forms), 1e-14);
     const auto product = [&](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
@@ -65,7 +65,7 @@ TEST(Hodge_decomposition, gives_parts_of_their_kinds)
   const Mesh_view mesh = smooth_handlebody(2, 1);
   const Eigen::VectorXd w = CGP::cotan_weights(mesh);
   const CGP::internal::Hodge_parts parts =
-      CGP::Hodge_decomposition<>(mesh).decompose(random_forms(mesh, 2));
+      CGP::Hodge_decomposition(mesh).decompose(random_forms(mesh, 2));
   const auto d0 = CGP::exterior_derivative_0(mesh);
   const auto d1 = CGP::exterior_derivative_1(mesh);
   EXPECT_LT(greatest(parts.exact - d0 * parts.potential), 1e-14);
@@ -81,7 +81,7 @@ TEST(Hodge_decomposition, finds_the_function_of_its_differential)
   for (const Mesh_view& mesh : {icosphere(2), btorus(16), holed_block(2)}) {
     Eigen::VectorXd u = random_numbers(mesh.size_of_vertices(), 1);
     u.array() -= u.mean();
-    const CGP::Hodge_decomposition<> hodge(mesh);
+    const CGP::Hodge_decomposition hodge(mesh);
     const CGP::internal::Hodge_parts parts = hodge.decompose(CGP::exterior_derivative_0(mesh) * u);
     EXPECT_LT(greatest(parts.potential - u), 1e-12);
     EXPECT_LT(greatest(parts.coexact), 1e-12);
@@ -92,7 +92,7 @@ TEST(Hodge_decomposition, finds_the_function_of_its_differential)
 TEST(Hodge_decomposition, leaves_harmonic_and_coexact_forms_alone)
 {
   const Mesh_view mesh = btorus(16);
-  const CGP::Hodge_decomposition<> hodge(mesh);
+  const CGP::Hodge_decomposition hodge(mesh);
   const Eigen::MatrixXd& harmonic = hodge.harmonic_basis().one_forms;
   EXPECT_LT(greatest(hodge.decompose(harmonic).harmonic - harmonic), 1e-13);
   // star^-1 d1^T b is co-exact
@@ -106,7 +106,7 @@ TEST(Hodge_decomposition, leaves_harmonic_and_coexact_forms_alone)
 TEST(Hodge_decomposition, of_closed_forms_is_that_of_their_classes)
 {
   const Mesh_view mesh = smooth_handlebody(2, 1);
-  const CGP::Hodge_decomposition<> hodge(mesh);
+  const CGP::Hodge_decomposition hodge(mesh);
   const Eigen::MatrixXd closed = CGP::closed_generators(mesh);
   EXPECT_LT(greatest(hodge.decompose(closed).coexact), 1e-12);
 }
@@ -114,12 +114,11 @@ TEST(Hodge_decomposition, of_closed_forms_is_that_of_their_classes)
 TEST(Hodge_decomposition, can_use_the_factor_of_a_reconstruction)
 {
   Mesh_view mesh = btorus(16);
-  CGP::Poisson_reconstruction<> reconstruction(mesh, CGP::vertex_graph(mesh));
+  CGP::Poisson_reconstruction reconstruction(mesh, CGP::vertex_graph(mesh));
   mesh.set_positions(perturbed(mesh, 0.02).positions());
   reconstruction.update_geometry();
-  const CGP::Hodge_decomposition<> hodge(mesh, CGP::closed_generators(mesh),
-                                         reconstruction.solver());
-  const CGP::Hodge_decomposition<> own(mesh);
+  const CGP::Hodge_decomposition hodge(mesh, CGP::closed_generators(mesh), reconstruction.solver());
+  const CGP::Hodge_decomposition own(mesh);
   EXPECT_EQ(hodge.weights(), CGP::cotan_weights(mesh));
   EXPECT_LT(greatest(hodge.harmonic_basis().one_forms - own.harmonic_basis().one_forms), 1e-13);
 }

@@ -23,7 +23,7 @@ namespace CGP = Conformal_geometry_processing;
 
 CGP::Harmonic_basis harmonic_basis_of(const Mesh_view& mesh)
 {
-  return CGP::Hodge_decomposition<>(mesh).harmonic_basis();
+  return CGP::Hodge_decomposition(mesh).harmonic_basis();
 }
 
 double greatest(const Eigen::MatrixXd& A)
@@ -110,7 +110,7 @@ TEST(Hodge_decomposition_with_boundary, splits_any_form_into_orthogonal_parts)
     const Eigen::VectorXd w = CGP::cotan_weights(mesh);
     const Eigen::MatrixXd forms =
         random_numbers(2 * mesh.size_of_edges(), 5).reshaped(mesh.size_of_edges(), 2);
-    const CGP::internal::Hodge_parts parts = CGP::Hodge_decomposition<>(mesh).decompose(forms);
+    const CGP::internal::Hodge_parts parts = CGP::Hodge_decomposition(mesh).decompose(forms);
     EXPECT_LT(greatest(parts.exact + parts.coexact + parts.harmonic - forms), 1e-14);
     EXPECT_LT(greatest(CGP::exterior_derivative_1(mesh) * parts.harmonic), 1e-13);
     EXPECT_LT(greatest(CGP::codifferential(mesh, w, parts.harmonic)), 1e-13);
@@ -130,9 +130,9 @@ TEST(Hodge_decomposition_with_boundary, finds_the_same_space_from_random_forms)
   const Eigen::MatrixXd random = CGP::random_closed_forms(mesh, 3);
   ASSERT_EQ(random.cols(), 3);
   EXPECT_LT(greatest(CGP::exterior_derivative_1(mesh) * random), 1e-12);
-  CGP::internal::Grounded_solver<> laplacian(CGP::vertex_graph(mesh));
+  CGP::internal::Grounded_solver laplacian(CGP::vertex_graph(mesh));
   laplacian.factorize(CGP::cotan_laplacian(mesh));
-  const CGP::Hodge_decomposition<> hodge(mesh, random, laplacian);
+  const CGP::Hodge_decomposition hodge(mesh, random, laplacian);
   const Eigen::MatrixXd found = hodge.harmonic_basis().one_forms;
   const CGP::Harmonic_basis expected = harmonic_basis_of(mesh);
   const Eigen::MatrixXd inside =

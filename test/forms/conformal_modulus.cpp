@@ -25,7 +25,7 @@ using Complex = std::complex<double>;
 
 Complex modulus_of(const Mesh_view& mesh)
 {
-  return CGP::conformal_modulus(mesh, CGP::Hodge_decomposition<>(mesh).harmonic_basis());
+  return CGP::conformal_modulus(mesh, CGP::Hodge_decomposition(mesh).harmonic_basis());
 }
 
 TEST(Reduced_modulus, is_in_the_fundamental_domain_and_of_the_same_class)

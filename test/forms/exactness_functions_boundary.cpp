@@ -22,8 +22,8 @@ using On = CGP::Curvature_potential::On;
 struct Holed {
   Mesh_view mesh;
   Boundary_condition condition;
-  CGP::Hodge_decomposition<> hodge{mesh};
-  CGP::internal::Dirac_system<> system{mesh, condition, "test"};
+  CGP::Hodge_decomposition hodge{mesh};
+  CGP::internal::Dirac_system system{mesh, condition, "test"};
 
   Holed(Mesh_view mesh_, Boundary_condition condition_)
       : mesh(std::move(mesh_)), condition(std::move(condition_))

@@ -26,8 +26,8 @@ using On = CGP::Curvature_potential::On;
 /// a mesh with all that its constraints need
 struct Exactness_case {
   Mesh_view mesh;
-  CGP::Hodge_decomposition<> hodge{mesh};
-  CGP::internal::Dirac_system<> system{mesh};
+  CGP::Hodge_decomposition hodge{mesh};
+  CGP::internal::Dirac_system system{mesh};
 
   explicit Exactness_case(Mesh_view mesh_) : mesh(std::move(mesh_)) { system.prepare_response(); }
   Exactness_case(const Exactness_case&) = delete;
@@ -70,7 +70,7 @@ struct Exactness_case {
   {
     CGP::Dirac_options options;
     options.tolerance = 1e-11;
-    CGP::internal::Dirac_system<> own(mesh);
+    CGP::internal::Dirac_system own(mesh);
     const auto solution = CGP::solve_dirac_equation(own, {on, rho}, options);
     return CGP::transformed_edges(mesh, solution.lambda);
   }

@@ -27,9 +27,9 @@ double greatest(const Eigen::MatrixXd& A)
 
 Eigen::MatrixXd harmonic_forms(const Mesh_view& mesh, const Eigen::MatrixXd& generators)
 {
-  CGP::internal::Grounded_solver<> laplacian(CGP::vertex_graph(mesh));
+  CGP::internal::Grounded_solver laplacian(CGP::vertex_graph(mesh));
   laplacian.factorize(CGP::cotan_laplacian(mesh));
-  return CGP::Hodge_decomposition<>(mesh, generators, laplacian).harmonic_basis().one_forms;
+  return CGP::Hodge_decomposition(mesh, generators, laplacian).harmonic_basis().one_forms;
 }
 
 TEST(Random_closed_forms, are_closed)

@@ -6,7 +6,6 @@
 #include <Conformal_geometry_processing/measure/alignment.h>
 #include <Conformal_geometry_processing/mesh/topology.h>
 #include <Conformal_geometry_processing/parameterization/spectral_parameterization.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -186,8 +185,8 @@ TEST(Spectral_parameterization, works_with_other_solvers)
     CGP::Parameterization_options options;
     options.normals = normals;
     options.tolerance = 1e-8;
-    const auto other =
-        CGP::spectral_parameterization<CGP::Eigen_hermitian_solver_traits>(mesh, options);
+    options.solvers = CGP::Eigen_hermitian_solver_traits();
+    const auto other = CGP::spectral_parameterization(mesh, options);
     EXPECT_LT((other.z - flattened(mesh, normals).z).cwiseAbs().maxCoeff(), 1e-8);
   }
 }
@@ -263,7 +262,9 @@ std::string message_of_failure(CGP::Solver_status status)
   failure = status;
   tries = 0;
   try {
-    (void)CGP::spectral_parameterization<Failing_solver_traits>(disk(2));
+    CGP::Parameterization_options options;
+    options.solvers = Failing_solver_traits();
+    (void)CGP::spectral_parameterization(disk(2), options);
   } catch (const CGP::Solver_error& error) {
     return error.what();
   }

@@ -31,7 +31,7 @@ TEST_F(Boundary_of_a_ring, is_that_of_the_library)
           std::cos(angle) * b.binormal(k) + std::sin(angle) * b.normal(k);
     }
   const CGP::Spin_result wanted =
-      CGP::Spin_transformation<>(ring, {CGP::Boundary_condition::binormals(targets)})
+      CGP::Spin_transformation(ring, {CGP::Boundary_condition::binormals(targets)})
           .transform(CGP::no_potential(ring));
   ASSERT_TRUE(wanted.report);
   EXPECT_LT((points("b.ply") - wanted.positions).cwiseAbs().maxCoeff(), 1e-5);

@@ -100,11 +100,11 @@ TEST(Studio_surface, finds_what_the_library_finds)
       CGP::Curvature_potential::on_vertices(rho * (1 / conformal::User_frame(mesh).unit()));
   Studio_surface surface(mesh);
   surface.transform(rho, 0);
-  EXPECT_EQ(surface.positions(), CGP::Spin_transformation<>(mesh).transform(potential).positions);
+  EXPECT_EQ(surface.positions(), CGP::Spin_transformation(mesh).transform(potential).positions);
   CGP::Spin_transformation_options options;
   options.scales.bound = 1.2;
   surface.transform(rho, 1.2);
-  const CGP::Spin_result bounded = CGP::Spin_transformation<>(mesh, options).transform(potential);
+  const CGP::Spin_result bounded = CGP::Spin_transformation(mesh, options).transform(potential);
   EXPECT_EQ(surface.positions(), bounded.positions);
   EXPECT_TRUE(surface.outcome().verdict->is_verified());
 }
@@ -164,7 +164,7 @@ TEST(Studio_surface, flows_step_by_step)
   const CGP::Points first = surface.positions();
   CGP::Flow_options options;
   options.max_steps = 1;
-  CGP::Conformal_willmore_flow<> flow(mesh, options);
+  CGP::Conformal_willmore_flow flow(mesh, options);
   EXPECT_TRUE(flow.run());
   EXPECT_EQ(first, flow.mesh().positions());
   surface.flow();

@@ -21,7 +21,7 @@ namespace cgp_test::conformal_deformation_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using CGP::internal::control_point;
-using Deformation = CGP::internal::Conformal_deformation<>;
+using Deformation = CGP::internal::Conformal_deformation;
 using Options = CGP::internal::Conformal_deformation_options;
 
 Mesh_view sphere()

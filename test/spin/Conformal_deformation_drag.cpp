@@ -21,15 +21,15 @@ namespace cgp_test::conformal_deformation_drag_tests {
 /// Control points that are dragged: one surface after the other.
 
 namespace CGP = Conformal_geometry_processing;
-using Deformation = CGP::internal::Conformal_deformation<>;
+using Deformation = CGP::internal::Conformal_deformation;
 
 /// <rho, K rho>, which a deformation minimises up to 1 %. It is quadratic about its minimum, so
 /// that rho itself, and with it the surface, is found up to 10 %.
 double cost(const Mesh_view& mesh, const Eigen::VectorXd& rho)
 {
-  const CGP::internal::Dirac_system<> system(mesh);
-  const CGP::internal::Potential_metric<> metric(system, CGP::Curvature_potential::On::vertices,
-                                                 .1 / system.unit());
+  const CGP::internal::Dirac_system system(mesh);
+  const CGP::internal::Potential_metric metric(system, CGP::Curvature_potential::On::vertices,
+                                               .1 / system.unit());
   return metric.squared_norm(rho);
 }
 

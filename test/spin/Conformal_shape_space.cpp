@@ -38,7 +38,7 @@ double quotient(const Mesh_view& mesh, const Eigen::VectorXd& phi, const Eigen::
 TEST(Conformal_shape_space, has_the_principal_curvatures_of_the_round_sphere)
 {
   const Mesh_view sphere = icosphere(5);
-  const CGP::internal::Conformal_shape_space<> space(sphere);
+  const CGP::internal::Conformal_shape_space space(sphere);
   for (int k : {1, 2, 3, 4, 6}) {
     const Eigen::VectorXd phi = harmonic(sphere, k), image = space.shape_operator(phi);
     const double expected = 1 / (std::sqrt(pi) * k * (k + 1)), found = quotient(sphere, phi, image);
@@ -55,9 +55,9 @@ TEST(Conformal_shape_space, tells_the_first_and_second_order_of_the_eigenvalue)
   std::vector<double> h, errors;
   for (int level : {2, 3, 4}) {
     const Mesh_view mesh = bumpy_sphere(level);
-    const CGP::internal::Conformal_shape_space<> space(mesh);
+    const CGP::internal::Conformal_shape_space space(mesh);
     const Eigen::VectorXd rho = rho_of_section_3_on_vertices(mesh);
-    CGP::internal::Dirac_system<> system(mesh);
+    CGP::internal::Dirac_system system(mesh);
     const auto gamma = [&](double s) {
       return CGP::solve_dirac_equation(system, CGP::Curvature_potential::on_vertices(s * rho),
                                        options)
@@ -76,7 +76,7 @@ TEST(Conformal_shape_space, tells_the_first_and_second_order_of_the_eigenvalue)
 TEST(Conformal_shape_space, is_not_curved_by_constants_and_scales_as_lengths_do)
 {
   const Mesh_view mesh = bumpy_sphere(2);
-  const CGP::internal::Conformal_shape_space<> space(mesh);
+  const CGP::internal::Conformal_shape_space space(mesh);
   const Eigen::VectorXd one = Eigen::VectorXd::Ones(mesh.size_of_vertices());
   const Eigen::VectorXd phi = rho_of_section_3_on_vertices(mesh);
   EXPECT_LT(space.shape_operator(one).norm(), 1e-12);
@@ -85,15 +85,14 @@ TEST(Conformal_shape_space, is_not_curved_by_constants_and_scales_as_lengths_do)
   EXPECT_LT((space.shape_operator(phi + one) - image).norm(), 1e-9 * image.norm());
   EXPECT_NEAR(CGP::vertex_areas(mesh).dot(image), 0, 1e-9);
   const Mesh_view large = scaled(mesh, 3);
-  const Eigen::VectorXd same =
-      CGP::internal::Conformal_shape_space<>(large).shape_operator(phi / 3);
+  const Eigen::VectorXd same = CGP::internal::Conformal_shape_space(large).shape_operator(phi / 3);
   EXPECT_LT((same - image / 3).norm(), 1e-8 * image.norm());
 }
 
 TEST(Conformal_shape_space, needs_a_closed_surface)
 {
   const Mesh_view mesh = disk(2);
-  EXPECT_THROW((CGP::internal::Conformal_shape_space<>(mesh)), CGP::Precondition_error);
+  EXPECT_THROW((CGP::internal::Conformal_shape_space(mesh)), CGP::Precondition_error);
 }
 
 }  // namespace cgp_test::conformal_shape_space_tests

@@ -28,17 +28,17 @@ class Line {
     m_at = solved(m_system, 0);
     const Curvature_potential potential =
         Curvature_potential::on_vertices(m_rho.array() + m_at.eigenvalue);
-    const CGP::internal::Spin_derivative<> S(m_system, potential, m_at.lambda);
+    const CGP::internal::Spin_derivative S(m_system, potential, m_at.lambda);
     m_dlambda = S.apply(m_change).col(0);
     m_line.emplace(m_system, Curvature_potential::on_vertices(m_rho), m_at, m_change, m_dlambda);
   }
 
-  const CGP::internal::Dirac_line<>& predicted() const { return *m_line; }
+  const CGP::internal::Dirac_line& predicted() const { return *m_line; }
   const Dirac_solution& at() const { return m_at; }
 
   Dirac_solution solved(double t) const
   {
-    CGP::internal::Dirac_system<> another(m_system.surface());
+    CGP::internal::Dirac_system another(m_system.surface());
     return solved(another, t);
   }
 
@@ -62,7 +62,7 @@ class Line {
   }
 
  private:
-  Dirac_solution solved(CGP::internal::Dirac_system<>& system, double t) const
+  Dirac_solution solved(CGP::internal::Dirac_system& system, double t) const
   {
     CGP::Dirac_options options;
     options.tolerance = 1e-11;
@@ -72,11 +72,11 @@ class Line {
     return s;
   }
 
-  CGP::internal::Dirac_system<> m_system;
+  CGP::internal::Dirac_system m_system;
   Eigen::VectorXd m_rho, m_change;
   Dirac_solution m_at;
   Quaternion_vector<double> m_dlambda;
-  std::optional<CGP::internal::Dirac_line<>> m_line;
+  std::optional<CGP::internal::Dirac_line> m_line;
 };
 
 // Near another eigenvalue, the derivative is soon as far from the spins as those of t = 0 are.

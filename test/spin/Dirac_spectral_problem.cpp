@@ -24,7 +24,7 @@ CGP::internal::Dirac_spectrum spectrum(const Mesh_view& mesh, int count, double 
 {
   CGP::internal::Dirac_spectrum_options options;
   options.shift = shift;
-  return CGP::internal::Dirac_spectral_problem<>(mesh, condition)
+  return CGP::internal::Dirac_spectral_problem(mesh, condition)
       .find(CGP::no_potential(mesh), count, options);
 }
 
@@ -101,7 +101,7 @@ TEST(Standard_problem, mixes_the_signs_that_the_spectrum_tells_apart)
 {
   // X has the eigenvalue n^2 with the multiplicities of n and -n together: 2 n.
   const Mesh_view sphere = geodesic_sphere(20);
-  CGP::internal::Dirac_system<> system(sphere);
+  CGP::internal::Dirac_system system(sphere);
   CGP::internal::Dirac_evidence::Seconds seconds;
   system.set_potential(CGP::no_potential(sphere), seconds);
   const CGP::Eigensolver_result r =
@@ -122,7 +122,7 @@ TEST(Dirac_spectral_problem, has_orthogonal_vectors_that_nearly_diagonalise_the_
   CGP::internal::Dirac_spectrum_options options;
   options.shift = shift;
   const CGP::internal::Dirac_spectrum s =
-      CGP::internal::Dirac_spectral_problem<>(mesh).find(rho, 6, options);
+      CGP::internal::Dirac_spectral_problem(mesh).find(rho, 6, options);
   ASSERT_TRUE(s.is_complete());
   EXPECT_LT(s.residuals.maxCoeff(), options.tolerance);
   const auto shifted = CGP::Curvature_potential::on_faces((rho.values.array() + shift).matrix());
@@ -173,7 +173,7 @@ TEST(Dirac_spectral_problem, moves_with_constant_rho_and_scales_as_one_over_leng
   const auto rho = CGP::Curvature_potential::on_vertices(
       Eigen::VectorXd::Constant(mesh.size_of_vertices(), 0.75));
   const Eigen::VectorXd moved =
-      CGP::internal::Dirac_spectral_problem<>(mesh).find(rho, 6, options).eigenvalues;
+      CGP::internal::Dirac_spectral_problem(mesh).find(rho, 6, options).eigenvalues;
   EXPECT_LT((moved.array() + 0.75 - values.array()).abs().maxCoeff(), 1e-9);
   const Mesh_view large =
       mapped(mesh, [](const Eigen::Vector3d& p) { return Eigen::Vector3d(1e3 * p.array() + 5e4); });
@@ -222,7 +222,7 @@ TEST(Dirac_spectrum_of_the_disk, next_to_a_shift_is_that_of_the_specification)
 TEST(Dirac_spectral_problem, stops_when_told)
 {
   const Mesh_view mesh = icosphere(1);
-  const CGP::internal::Dirac_spectrum s = CGP::internal::Dirac_spectral_problem<>(mesh).find(
+  const CGP::internal::Dirac_spectrum s = CGP::internal::Dirac_spectral_problem(mesh).find(
       CGP::no_potential(mesh), 4, {}, [](const CGP::internal::Krylov_progress&) { return false; });
   EXPECT_TRUE(s.cancelled);
   EXPECT_FALSE(s.converged);
@@ -232,7 +232,7 @@ TEST(Dirac_spectral_problem, refuses_to_be_asked_for_by_its_own_visitor)
 {
   const Mesh_view mesh = icosphere(1);
   const auto none = CGP::no_potential(mesh);
-  CGP::internal::Dirac_spectral_problem<> problem(mesh);
+  CGP::internal::Dirac_spectral_problem problem(mesh);
   int refused = 0;
   const CGP::internal::Dirac_spectrum s =
       problem.find(none, 4, {}, [&](const CGP::internal::Krylov_progress&) {
@@ -247,14 +247,14 @@ TEST(Dirac_spectral_problem, refuses_what_has_none)
 {
   const Mesh_view mesh = icosphere(1), plane = disk(3);
   const auto none = CGP::no_potential(mesh);
-  CGP::internal::Dirac_spectral_problem<> problem(mesh);
+  CGP::internal::Dirac_spectral_problem problem(mesh);
   EXPECT_THROW((void)problem.find(none, 0), CGP::Precondition_error);
   EXPECT_THROW((void)problem.find(none, mesh.size_of_vertices() + 1), CGP::Precondition_error);
   EXPECT_THROW((void)problem.find(CGP::no_potential(plane), 1), CGP::Precondition_error);
   auto infinite = none;
   infinite.values[3] = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)problem.find(infinite, 1), CGP::Precondition_error);
-  using Problem = CGP::internal::Dirac_spectral_problem<>;
+  using Problem = CGP::internal::Dirac_spectral_problem;
   EXPECT_THROW(Problem{plane}, CGP::Precondition_error);
   EXPECT_THROW((Problem{plane, CGP::Boundary_condition::tangents()}), CGP::Precondition_error);
   EXPECT_THROW((Problem{mesh, CGP::Boundary_condition::binormals()}), CGP::Precondition_error);

@@ -37,8 +37,7 @@ Dirac_spectrum spectrum(const Mesh_view& mesh, int count, double shift)
 {
   CGP::internal::Dirac_spectrum_options options;
   options.shift = shift;
-  return CGP::internal::Dirac_spectral_problem<>(mesh).find(CGP::no_potential(mesh), count,
-                                                            options);
+  return CGP::internal::Dirac_spectral_problem(mesh).find(CGP::no_potential(mesh), count, options);
 }
 
 /// On the unit sphere: the integers n but -1, |n + 1| times each, as far as the window reaches.
@@ -228,7 +227,7 @@ TEST(Dirac_spectrum_at_shifts, is_complete_next_to_a_jagged_boundary)
 {
   const Mesh_view mesh = above(icosphere(3), -0.2);
   const Dirac_spectrum s =
-      CGP::internal::Dirac_spectral_problem<>(mesh, CGP::Boundary_condition::binormals())
+      CGP::internal::Dirac_spectral_problem(mesh, CGP::Boundary_condition::binormals())
           .find(CGP::no_potential(mesh), 10, {});
   EXPECT_TRUE(s.is_complete());
   EXPECT_GT(s.complete_radius, 1.5);

@@ -3,7 +3,6 @@
 // Tests include/Conformal_geometry_processing/spin/Dirac_system.h
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <Eigen/Core>
 
@@ -33,7 +32,7 @@ class Dirac_system : public testing::Test {
 
   const Mesh_view mesh = icosphere(1);
   const Quaternion_vector<double> one = identity_spins(mesh);
-  CGP::internal::Dirac_system<> system{mesh};
+  CGP::internal::Dirac_system system{mesh};
   CGP::internal::Dirac_evidence::Seconds seconds;
 };
 
@@ -93,7 +92,7 @@ TEST_F(Dirac_system, adds_up_the_seconds_of_all_potentials)
 TEST_F(Dirac_system, has_the_curvature_of_the_sphere_of_the_same_area_as_unit)
 {
   const Mesh_view large = scaled_to_area(mesh, 100);
-  EXPECT_NEAR(CGP::internal::Dirac_system<>(large).unit(), 4 * pi / 100, 1e-14);
+  EXPECT_NEAR(CGP::internal::Dirac_system(large).unit(), 4 * pi / 100, 1e-14);
 }
 
 TEST_F(Dirac_system, solves_with_its_matrix_and_the_shift_of_its_factor)
@@ -148,7 +147,7 @@ TEST_F(Dirac_system, overlap_is_one_for_right_factors_and_zero_for_orthogonal_ve
 TEST_F(Dirac_system, tells_which_step_of_the_solver_failed)
 {
   const Mesh_view empty;
-  EXPECT_THROW(CGP::internal::Dirac_system<>{empty}, CGP::Solver_error);
+  EXPECT_THROW(CGP::internal::Dirac_system{empty}, CGP::Solver_error);
   EXPECT_THROW((void)system.noise(1, 0), CGP::Solver_error);  // not factorized yet
   EXPECT_THROW((void)system.solve(one), CGP::Solver_error);
   try {
@@ -173,7 +172,7 @@ TEST_F(Dirac_system, is_shifted_more_where_rounding_makes_it_indefinite_but_not_
 {
   const double four_pi = 4 * std::acos(-1.);  // the sum of the shifts by unit()
   const Curvature_potential rho = smooth_potential(mesh, 1);
-  CGP::internal::Dirac_system<Timid_solver_traits> timid(mesh);
+  CGP::internal::Dirac_system timid(mesh, {}, "test", Timid_solver_traits());
   Timid_solver_traits::enough = 0.005 * four_pi;
   timid.set_potential(rho, seconds);
   EXPECT_EQ(Timid_solver_traits::factorizations, 2);

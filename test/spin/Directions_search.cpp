@@ -22,7 +22,7 @@ namespace cgp_test::directions_search_tests {
 
 using Q = Quaternion<double>;
 using Vectors = CGP::Block<Q>;
-using System = CGP::internal::Dirac_system<>;
+using System = CGP::internal::Dirac_system;
 
 /// the equation on a small mesh, and all its eigenpairs by a dense matrix
 class Directions_search : public testing::Test {
@@ -87,8 +87,7 @@ class Directions_search : public testing::Test {
   {
     CGP::internal::Dirac_solution s;
     system.set_potential(rho, s.seconds);
-    CGP::internal::Directions_search<CGP::Default_solver_traits>(system, rho, options)
-        .solve(s, go_further);
+    CGP::internal::Directions_search(system, rho, options).solve(s, go_further);
     return s;
   }
 
@@ -219,7 +218,7 @@ TEST(Directions_search_for_binormals, knows_the_distance_to_the_next_eigenvalue_
     CGP::internal::Dirac_spectrum_options around;
     around.shift = s.eigenvalue;
     const auto spectrum =
-        CGP::internal::Dirac_spectral_problem<>(cap, Boundary_condition::binormals())
+        CGP::internal::Dirac_spectral_problem(cap, Boundary_condition::binormals())
             .find(rho, 2, around);
     ASSERT_NEAR(spectrum.eigenvalues[0], s.eigenvalue, .01);  // X mixes less next to gamma
     const double gap = std::abs(spectrum.eigenvalues[1] - spectrum.eigenvalues[0]);

@@ -24,7 +24,7 @@ namespace cgp_test::exact_steps_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
-using Transformation = CGP::Spin_transformation<>;
+using Transformation = CGP::Spin_transformation;
 using On = Curvature_potential::On;
 
 // A test function that is independent of the surface.
@@ -59,7 +59,7 @@ double distortion(const CGP::Spin_result& result)
 TEST(Exact_steps, of_a_sphere_are_a_single_one_to_the_bit)
 {
   const Mesh_view mesh = bumpy_sphere(2);
-  const CGP::Spin_result expected = CGP::Spin_transformation<>(mesh).step(wave(mesh, 1));
+  const CGP::Spin_result expected = CGP::Spin_transformation(mesh).step(wave(mesh, 1));
   const CGP::Spin_result result = transformed(mesh, wave(mesh, 1));
   EXPECT_EQ(result.positions, expected.positions);
   EXPECT_EQ(result.lambda, expected.lambda);

@@ -31,7 +31,7 @@ CGP::Spin_result transformed(const Mesh_view& mesh, const Boundary_condition& co
                              CGP::Spin_transformation_options options = {})
 {
   options.boundary = condition;
-  return CGP::Spin_transformation<>(mesh, options, "f").transform(rho);
+  return CGP::Spin_transformation(mesh, options, "f").transform(rho);
 }
 
 double distortion(const CGP::Spin_result& result)
@@ -57,8 +57,7 @@ TEST(Exact_steps_with_boundary, of_a_disk_are_a_single_one_to_the_bit)
 {
   const Mesh_view mesh = bumpy_cap(8);
   const Boundary_condition condition = Boundary_condition::binormals();
-  const CGP::Spin_result expected =
-      CGP::Spin_transformation<>(mesh, {condition}).step(wave(mesh, 1));
+  const CGP::Spin_result expected = CGP::Spin_transformation(mesh, {condition}).step(wave(mesh, 1));
   const CGP::Spin_result result = transformed(mesh, condition, wave(mesh, 1));
   EXPECT_EQ(result.positions, expected.positions);
   EXPECT_EQ(result.report.steps, 1);
@@ -86,7 +85,7 @@ TEST(Exact_steps_with_boundary, does_not_shear_an_annulus)
 TEST(Spin_transformation_with_boundary, is_as_before_if_new_positions_fold_the_boundary)
 {
   const Mesh_view mesh = bumpy_annulus(4);
-  CGP::Spin_transformation<> transformation(mesh, {Boundary_condition::binormals()});
+  CGP::Spin_transformation transformation(mesh, {Boundary_condition::binormals()});
   const CGP::Spin_result expected = transformation.transform(wave(mesh, .5));
   const CGP::internal::Boundary_frames b = CGP::boundary_frames(mesh);
   Points folded = mesh.positions();
@@ -105,7 +104,7 @@ TEST(Exact_steps_with_boundary, tell_the_error_of_directions_from_end_to_end)
     CGP::Spin_transformation_options options{Boundary_condition::binormals()};
     options.max_period_defect = .001;
     if (is_mollified) options.mollification = 1e-6;
-    CGP::Spin_transformation<> transformation(mesh, options);
+    CGP::Spin_transformation transformation(mesh, options);
     const CGP::Spin_result result = transformation.transform(wave(mesh, 2));
     ASSERT_TRUE(result.report);
     ASSERT_GT(result.report.steps, 2);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Exact_steps.h
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Exact_steps.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 
 #include "support/Counted_solver_traits.h"
 #include "support/meshes.h"
+#include "support/with_solvers.h"
 
 namespace cgp_test::exact_steps_costs_tests {
 
@@ -19,9 +20,7 @@ namespace cgp_test::exact_steps_costs_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
-using Transformation = CGP::Spin_transformation<Counted_solver_traits>;
-
-CGP::Spin_report edited(Transformation& transformation, double amplitude)
+CGP::Spin_report edited(CGP::Spin_transformation& transformation, double amplitude)
 {
   Counted_solver_traits::reset();
   const Eigen::VectorXd rho = amplitude * (3 * transformation.positions().row(1).array()).sin();
@@ -30,7 +29,7 @@ CGP::Spin_report edited(Transformation& transformation, double amplitude)
 
 TEST(Exact_steps_costs, are_one_factorization_for_each_edit_after_the_first_in_one_step)
 {
-  Transformation transformation(btorus(16));
+  CGP::Spin_transformation transformation(btorus(16), with_solvers<Counted_solver_traits>());
   EXPECT_EQ(edited(transformation, .1).steps, 1);
   EXPECT_EQ(Counted_solver_traits::quaternionic.factorizations,
             2);  // the constraints, and the edit
@@ -46,7 +45,8 @@ TEST(Exact_steps_costs, are_all_in_the_report)
   strict.max_period_defect = 1e-3;
   for (const auto& [amplitude, options] :
        {std::pair(.1, CGP::Spin_transformation_options()), std::pair(6., strict)}) {
-    Transformation transformation(btorus(16), options);
+    CGP::Spin_transformation transformation(btorus(16),
+                                            with_solvers<Counted_solver_traits>(options));
     for (const bool is_first : {true, false}) {
       const CGP::Spin_report report = edited(transformation, amplitude);
       EXPECT_EQ(report.factorizations, Counted_solver_traits::quaternionic.factorizations);
@@ -62,7 +62,8 @@ TEST(Exact_steps_costs, are_those_of_a_part_of_the_way_where_lengths_exceed_a_bo
     CGP::Spin_transformation_options options;
     options.max_period_defect = 1e-3;
     options.scales.bound = bound;
-    Transformation transformation(btorus(16), options);
+    CGP::Spin_transformation transformation(btorus(16),
+                                            with_solvers<Counted_solver_traits>(options));
     const Eigen::VectorXd rho = 6 * (3 * transformation.positions().row(1).array()).sin();
     return CGP::internal::Exact_steps(transformation, CGP::Curvature_potential::on_vertices(rho),
                                       options)
@@ -83,7 +84,7 @@ TEST(Exact_steps_costs, are_one_factorization_more_for_each_change_that_closes_t
 {
   CGP::Spin_transformation_options options;
   options.max_period_defect = 1e-5;
-  Transformation transformation(btorus(16), options);
+  CGP::Spin_transformation transformation(btorus(16), with_solvers<Counted_solver_traits>(options));
   (void)edited(transformation, .5);
   const CGP::Spin_report report = edited(transformation, .5);
   EXPECT_EQ(report.steps, 1);

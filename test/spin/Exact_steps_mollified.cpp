@@ -40,7 +40,7 @@ Spin_result robust(const Mesh_view& mesh, const Curvature_potential& rho,
                    CGP::Spin_transformation_options options = {})
 {
   options.mollification = 1e-6;
-  return CGP::Spin_transformation<>(mesh, options).transform(rho);
+  return CGP::Spin_transformation(mesh, options).transform(rho);
 }
 
 /// an annulus with bumps
@@ -63,7 +63,7 @@ TEST(Exact_steps_mollified, of_a_Delaunay_torus_is_the_moving_mesh)
   const Mesh_view mesh = torus(1, .5, 24, 12);
   for (const auto on : both) {
     const Curvature_potential rho = rho_of(mesh, on, .8);
-    const Spin_result expected = CGP::Spin_transformation<>(mesh).transform(rho),
+    const Spin_result expected = CGP::Spin_transformation(mesh).transform(rho),
                       result = robust(mesh, rho);
     ASSERT_TRUE(expected.report.converged && result.report.converged);
     EXPECT_EQ(expected.report.steps, 1);  // after which it is no longer Delaunay
@@ -78,9 +78,9 @@ TEST(Exact_steps_mollified, of_a_Delaunay_torus_is_the_moving_mesh)
 TEST(Exact_steps_mollified, makes_of_a_spoilt_torus_the_same_shape)
 {
   const Mesh_view clean = torus(1, .5, 56, 28), mesh = spoilt(clean);
-  EXPECT_THROW(CGP::Spin_transformation<>{mesh}, CGP::Precondition_error);
+  EXPECT_THROW(CGP::Spin_transformation{mesh}, CGP::Precondition_error);
   const auto on = Curvature_potential::On::vertices;
-  const Spin_result expected = CGP::Spin_transformation<>(clean).transform(rho_of(clean, on, .3)),
+  const Spin_result expected = CGP::Spin_transformation(clean).transform(rho_of(clean, on, .3)),
                     result = robust(mesh, rho_of(mesh, on, .3));
   ASSERT_TRUE(expected.report.converged && result.report.converged);
   EXPECT_GT(result.report.mollification.flipped_edges, 1000);
@@ -98,8 +98,8 @@ TEST(Exact_steps_mollified, goes_on_from_the_surface_of_the_step_before)
   CGP::Spin_transformation_options options;
   options.max_period_defect = 1e-5;  // which needs steps, as the torus is isothermic
   for (const auto on : both) {
-    const Spin_result expected = CGP::Spin_transformation<>(clean, options)
-                                     .transform(rho_of(clean, on, 2)),
+    const Spin_result expected =
+                          CGP::Spin_transformation(clean, options).transform(rho_of(clean, on, 2)),
                       result = robust(mesh, rho_of(mesh, on, 2), options);
     ASSERT_TRUE(expected.report.converged && result.report.converged);
     EXPECT_GT(result.report.steps, 1);
@@ -125,7 +125,7 @@ TEST(Exact_steps_mollified, keeps_holes_closed)
 {
   const Mesh_view clean = bumpy_annulus(60, 12), mesh = spoilt(clean);
   const auto on = Curvature_potential::On::vertices;
-  const Spin_result expected = CGP::Spin_transformation<>(clean).transform(rho_of(clean, on, .4)),
+  const Spin_result expected = CGP::Spin_transformation(clean).transform(rho_of(clean, on, .4)),
                     result = robust(mesh, rho_of(mesh, on, .4));
   ASSERT_TRUE(expected.report.converged && result.report.converged);
   // The weight of a free boundary goes with the length of the edges, which are shorter here.

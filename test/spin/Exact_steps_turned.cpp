@@ -13,7 +13,7 @@ const std::vector<Circle> one{{{.2, .1}, .3}}, two{{{.2, .1}, .3}, {{-.45, -.3},
 CGP::Spin_result closed(const Mesh_view& mesh, const Boundary_condition& condition,
                         const Curvature_potential& rho)
 {
-  return CGP::Spin_transformation<>(mesh, {condition}).transform(rho);
+  return CGP::Spin_transformation(mesh, {condition}).transform(rho);
 }
 
 /// the binormals, or tangents, with those of each inner loop turned by an angle

@@ -40,7 +40,7 @@ struct Followed {
   }
 
   Mesh_view mesh;
-  CGP::Spin_transformation<> transformation;
+  CGP::Spin_transformation transformation;
   CGP::internal::Exactness_constraints constraints;
 };
 

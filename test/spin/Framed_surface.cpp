@@ -101,7 +101,7 @@ TEST(Framed_surface, measures_by_how_much_prescribed_directions_are_missed)
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).matrix();
   for (const std::optional<double> mollification : {std::optional<double>(), {1e-6}}) {
     const Framed_surface domain(mesh, mollification);
-    const CGP::internal::Dirac_system<> dirac(domain.surface(), Boundary_condition::tangents());
+    const CGP::internal::Dirac_system dirac(domain.surface(), Boundary_condition::tangents());
     const auto errors = [&](const Points& p) {
       return domain.direction_errors(*dirac.directions(), p, dirac.directions()->targets());
     };

@@ -46,7 +46,7 @@ TEST(Nearest_spin_transformation, of_a_bend_is_conformal_where_the_bend_itself_n
   const std::vector<double> direct = {1.1949, 1.1870, 1.1848}, nearest = {1.02661, 1.01320, 1.0066};
   for (std::size_t i = 0; i < 3; ++i) {
     const Mesh_view mesh = beam(4 << i);
-    CGP::Nearest_spin_transformation<> near(mesh, bending_spins(mesh), "test", curvature_kept());
+    CGP::Nearest_spin_transformation near(mesh, bending_spins(mesh), "test", curvature_kept());
     const CGP::Nearest_spin_result result = near.transform();
     ASSERT_TRUE(result.report);
     EXPECT_NEAR(mean_error(result) - 1, nearest[i] - 1, 0.02 * (nearest[i] - 1));
@@ -59,7 +59,7 @@ TEST(Nearest_spin_transformation, of_a_bend_is_conformal_where_the_bend_itself_n
 TEST(Nearest_spin_transformation, refuses_to_be_called_by_its_own_visitor)
 {
   const Mesh_view mesh = beam(4);
-  CGP::Nearest_spin_transformation<> nearest(mesh, bending_spins(mesh)),
+  CGP::Nearest_spin_transformation nearest(mesh, bending_spins(mesh)),
       undisturbed(mesh, bending_spins(mesh));
   const CGP::Nearest_spin_result expected = undisturbed.transform();
   int refused = 0;
@@ -78,7 +78,7 @@ TEST(Nearest_spin_transformation, refuses_to_be_called_by_its_own_visitor)
 TEST(Nearest_spin_transformation, blends_from_the_conformal_surface_to_the_target)
 {
   const Mesh_view mesh = beam(8);
-  CGP::Nearest_spin_transformation<> near(mesh, bending_spins(mesh), "test", curvature_kept());
+  CGP::Nearest_spin_transformation near(mesh, bending_spins(mesh), "test", curvature_kept());
   const CGP::Nearest_spin_result result = near.transform();
   const std::vector<double> expected = {1.049, 1.093, 1.139};
   for (int i = 0; i < 3; ++i)
@@ -89,7 +89,7 @@ TEST(Nearest_spin_transformation, blends_from_the_conformal_surface_to_the_targe
 TEST(Nearest_spin_transformation, bends_by_more_than_half_a_turn_without_flipping_a_face)
 {
   const Mesh_view mesh = beam(4), target = bent_beam(mesh, 324 * pi / 180);
-  CGP::Nearest_spin_transformation<> near(mesh, target.positions(), "test", curvature_kept());
+  CGP::Nearest_spin_transformation near(mesh, target.positions(), "test", curvature_kept());
   const CGP::Nearest_spin_result result = near.transform();
   ASSERT_TRUE(result.report);
   EXPECT_EQ(result.report.conformality.flipped_faces, 0);
@@ -102,7 +102,7 @@ TEST(Nearest_spin_transformation, of_a_conformal_map_is_that_map)
   for (int level : {2, 3, 4}) {
     const Mesh_view mesh = bumpy_sphere(level);
     const Mesh_view target = inverted(mesh, Eigen::Vector3d(0.4, 0.3, 2.5));
-    CGP::Nearest_spin_transformation<> near(mesh, target.positions(), "test", curvature_kept());
+    CGP::Nearest_spin_transformation near(mesh, target.positions(), "test", curvature_kept());
     const CGP::Nearest_spin_result result = near.transform();
     ASSERT_TRUE(result.report);
     h.push_back(std::pow(2., -level));
@@ -117,12 +117,11 @@ TEST(Nearest_spin_transformation, does_not_depend_on_the_unit)
 {
   const Mesh_view mesh = bumpy_sphere(2);
   const Points target = inverted(mesh, Eigen::Vector3d(0.4, 0.3, 2.5)).positions();
-  const double distance = CGP::Nearest_spin_transformation<>(mesh, target, "test", curvature_kept())
-                              .transform()
-                              .distance;
+  const double distance =
+      CGP::Nearest_spin_transformation(mesh, target, "test", curvature_kept()).transform().distance;
   for (const double unit : {1e-150, 1e-80, 1e80, 1e150}) {
-    CGP::Nearest_spin_transformation<> near(scaled(mesh, unit), Points(unit * target), "test",
-                                            curvature_kept());
+    CGP::Nearest_spin_transformation near(scaled(mesh, unit), Points(unit * target), "test",
+                                          curvature_kept());
     const CGP::Nearest_spin_result result = near.transform();
     EXPECT_TRUE(result.report) << unit;
     EXPECT_NEAR(result.distance, distance, 1e-6) << unit;
@@ -135,7 +134,7 @@ TEST(Nearest_spin_transformation, of_a_stretch_is_the_surface_itself)
   const Mesh_view target = mapped(mesh, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
     return {p.x(), p.y(), 1.5 * p.z()};
   });
-  CGP::Nearest_spin_transformation<> near(mesh, target.positions(), "test", curvature_kept());
+  CGP::Nearest_spin_transformation near(mesh, target.positions(), "test", curvature_kept());
   EXPECT_LT(near.potential().values.cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_LT(mean_error(near.transform()), 1 + 1e-10);
 }
@@ -145,8 +144,8 @@ TEST(Nearest_spin_transformation, of_a_disk_has_the_tangents_of_the_target)
   const std::vector<double> expected = {1.02051, 1.01026};
   for (std::size_t i = 0; i < 2; ++i) {
     const Mesh_view mesh = disk(i == 0 ? 16 : 32);
-    CGP::Nearest_spin_transformation<> near(mesh, cap_from_disk(mesh, 1.2).positions(), "test",
-                                            curvature_kept());
+    CGP::Nearest_spin_transformation near(mesh, cap_from_disk(mesh, 1.2).positions(), "test",
+                                          curvature_kept());
     const CGP::Nearest_spin_result result = near.transform();
     ASSERT_TRUE(result.report);
     EXPECT_NEAR(mean_error(result) - 1, expected[i] - 1, 0.02 * (expected[i] - 1));
@@ -157,7 +156,7 @@ TEST(Nearest_spin_transformation, of_a_disk_has_the_tangents_of_the_target)
 TEST(Nearest_spin_transformation, scales_lengths_where_it_is_told_to)
 {
   const Mesh_view mesh = icosphere(3);
-  CGP::Nearest_spin_transformation<> near(mesh, mesh.positions());
+  CGP::Nearest_spin_transformation near(mesh, mesh.positions());
   EXPECT_LT(near.potential().values.cwiseAbs().maxCoeff(), 1e-12);
   Eigen::VectorXd factor(mesh.size_of_vertices());
   for (int v = 0; v < factor.size(); ++v) factor[v] = std::exp(0.3 * mesh.position(v).z());
@@ -170,7 +169,7 @@ TEST(Nearest_spin_transformation, scales_lengths_where_it_is_told_to)
 TEST(Nearest_spin_transformation, refuses_targets_that_do_not_fit)
 {
   const Mesh_view mesh = icosphere(1);
-  using Near = CGP::Nearest_spin_transformation<>;
+  using Near = CGP::Nearest_spin_transformation;
   EXPECT_THROW(Near(mesh, Points(3, 5)), CGP::Precondition_error);
   Points target = mesh.positions();
   target(1, 3) = std::nan("");
@@ -186,7 +185,7 @@ TEST(Nearest_spin_transformation, refuses_targets_that_do_not_fit)
 
 TEST(Nearest_spin_transformation, keeps_the_spin_structure_and_refuses_targets_of_another)
 {
-  using Near = CGP::Nearest_spin_transformation<>;
+  using Near = CGP::Nearest_spin_transformation;
   const Mesh_view circle = turned_torus(32, 16, false, 0), odd = turned_torus(48, 24, true, 1);
   EXPECT_THROW(Near(circle, turned_torus(32, 16, true, 0).positions()), CGP::Precondition_error);
   for (const Mesh_view& mesh : {circle, odd}) {

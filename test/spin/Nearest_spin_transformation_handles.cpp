@@ -33,7 +33,7 @@ TEST(Nearest_spin_transformation_of_handles, closes_up_as_spin_transformations_d
   const Mesh_view mesh = torus(3, 1, 48, 24);
   CGP::Nearest_spin_options closed;
   closed.keep_curvature = true;
-  CGP::Nearest_spin_transformation<> near(mesh, deformed(mesh), "test", closed);
+  CGP::Nearest_spin_transformation near(mesh, deformed(mesh), "test", closed);
   const CGP::Nearest_spin_result result = near.transform();
   ASSERT_TRUE(result.report);
   EXPECT_LT(result.report.period_defect, .02);
@@ -41,7 +41,7 @@ TEST(Nearest_spin_transformation_of_handles, closes_up_as_spin_transformations_d
   EXPECT_LT(result.report.conformality.quasi_conformal.mean, 1.03);
   CGP::Nearest_spin_options open = closed;
   open.exactness.reset();
-  CGP::Nearest_spin_transformation<> plain(mesh, deformed(mesh), "test", open);
+  CGP::Nearest_spin_transformation plain(mesh, deformed(mesh), "test", open);
   const CGP::Nearest_spin_result sheared = plain.transform();
   EXPECT_GT(sheared.report.closure_residual, 10 * result.report.closure_residual);
   const CGP::Nearest_spin_result again = near.transform();
@@ -51,13 +51,13 @@ TEST(Nearest_spin_transformation_of_handles, closes_up_as_spin_transformations_d
 TEST(Nearest_spin_transformation_of_handles, takes_thin_faces)
 {
   const Mesh_view clean = torus(3, 1, 48, 24), mesh = with_thin_faces(clean, 0);
-  EXPECT_THROW(CGP::Nearest_spin_transformation<>(mesh, deformed(mesh)), CGP::Precondition_error);
+  EXPECT_THROW(CGP::Nearest_spin_transformation(mesh, deformed(mesh)), CGP::Precondition_error);
   CGP::Nearest_spin_options options;
   options.mollification = 1e-6;
   options.keep_curvature = true;
   CGP::Nearest_spin_options plain;
   plain.keep_curvature = true;
-  CGP::Nearest_spin_transformation<> near(mesh, deformed(mesh), "test", options),
+  CGP::Nearest_spin_transformation near(mesh, deformed(mesh), "test", options),
       expected(clean, deformed(clean), "test", plain);
   const CGP::Nearest_spin_result result = near.transform();
   ASSERT_TRUE(result.report);

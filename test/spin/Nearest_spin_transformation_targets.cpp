@@ -28,7 +28,7 @@ Errors errors(const Mesh_view& mesh, const Mesh_view& target,
   CGP::Nearest_spin_options options;
   options.direction = direction;
   options.keep_curvature = true;
-  CGP::Nearest_spin_transformation<> near(mesh, target.positions(), "test", options);
+  CGP::Nearest_spin_transformation near(mesh, target.positions(), "test", options);
   const CGP::Nearest_spin_result result = near.transform();
   EXPECT_TRUE(result.report);
   EXPECT_EQ(near.sign_conflicts(), 0);
@@ -62,7 +62,7 @@ TEST(Nearest_spin_transformation_to, a_twist_of_90_degrees_is_nearly_the_beam_it
   EXPECT_LT(e.nearest, 1.0025);
   CGP::Nearest_spin_options options;
   options.keep_curvature = true;
-  CGP::Nearest_spin_transformation<> near(mesh, target.positions(), "test", options);
+  CGP::Nearest_spin_transformation near(mesh, target.positions(), "test", options);
   const double from_beam = CGP::align(near.transform().positions, mesh.positions()).rms;
   EXPECT_LT(from_beam, e.distance / 2);
 }
@@ -121,10 +121,10 @@ TEST(Nearest_spin_transformation_to, a_bend_of_324_degrees_needs_signs)
   Points normals(3, mesh.size_of_faces());
   for (int f = 0; f < mesh.size_of_faces(); ++f) normals.col(f) = target.double_area_vector(f);
   const auto of_single_faces = CGP::vertex_spins(mesh, CGP::face_spins(mesh, target.positions()));
-  const CGP::Spin_result naive = CGP::Spin_transformation<>(mesh).integrate(of_single_faces);
+  const CGP::Spin_result naive = CGP::Spin_transformation(mesh).integrate(of_single_faces);
   CGP::Nearest_spin_options options;
   options.keep_curvature = true;
-  CGP::Nearest_spin_transformation<> near(mesh, target.positions(), "test", options);
+  CGP::Nearest_spin_transformation near(mesh, target.positions(), "test", options);
   const CGP::Nearest_spin_result nearest = near.transform(), direct = near.blend(nearest, 1);
   const auto flips = [&](const Points& positions) {
     return CGP::flipped_faces(mesh, positions, normals);

@@ -6,13 +6,13 @@
 #include <Conformal_geometry_processing/operators/vertex_graph.h>
 #include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <vector>
 
+#include "support/Counted_solver_traits.h"
 #include "support/dense.h"
 #include "support/meshes.h"
 
@@ -35,7 +35,7 @@ Points centred(Points f)
   return f;
 }
 
-CGP::Poisson_reconstruction<> reconstruction_of(const Mesh_view& mesh)
+CGP::Poisson_reconstruction reconstruction_of(const Mesh_view& mesh)
 {
   return {mesh, CGP::vertex_graph(mesh)};
 }
@@ -49,7 +49,7 @@ double cotan_energy(const Mesh_view& mesh, const Points& f, const Eigen::MatrixX
 TEST(Poisson_reconstruction, finds_positions_from_their_edge_vectors_up_to_a_translation)
 {
   for (const Mesh_view& mesh : {radially_perturbed(icosphere(2), 0.3), torus(2, 1, 12, 9)}) {
-    const CGP::Poisson_reconstruction<> reconstruction = reconstruction_of(mesh);
+    const CGP::Poisson_reconstruction reconstruction = reconstruction_of(mesh);
     const Points wanted = perturbed(mesh, 0.5, 3).positions();
     const Points f = reconstruction.positions(differences(mesh, wanted));
     EXPECT_LT((f - centred(wanted)).norm(), 1e-11 * wanted.norm());
@@ -72,7 +72,7 @@ TEST(Poisson_reconstruction, of_edges_spun_by_one_quaternion_is_the_spun_surface
 TEST(Poisson_reconstruction, is_translation_free_and_linear_in_the_edges)
 {
   const Mesh_view mesh = icosphere(1);
-  const CGP::Poisson_reconstruction<> reconstruction = reconstruction_of(mesh);
+  const CGP::Poisson_reconstruction reconstruction = reconstruction_of(mesh);
   const Eigen::MatrixX3d a = Eigen::MatrixX3d(
       random_numbers(3 * mesh.size_of_edges(), 1).reshaped(mesh.size_of_edges(), 3));
   const Eigen::MatrixX3d b = Eigen::MatrixX3d(
@@ -85,7 +85,7 @@ TEST(Poisson_reconstruction, is_translation_free_and_linear_in_the_edges)
 TEST(Poisson_reconstruction, minimises_the_cotan_weighted_squares)
 {
   const Mesh_view mesh = radially_perturbed(icosphere(1), 0.2);
-  const CGP::Poisson_reconstruction<> reconstruction = reconstruction_of(mesh);
+  const CGP::Poisson_reconstruction reconstruction = reconstruction_of(mesh);
   const Eigen::MatrixX3d edges =
       random_numbers(3 * mesh.size_of_edges(), 7).reshaped(mesh.size_of_edges(), 3);
   const Points f = reconstruction.positions(edges);
@@ -104,7 +104,10 @@ TEST(Poisson_reconstruction, can_take_the_ordering_of_another_solver)
   CGP::internal::Ordering backwards(at(mesh.size_of_vertices()));
   for (int i = 0; i < mesh.size_of_vertices(); ++i)
     backwards[at(i)] = mesh.size_of_vertices() - 1 - i;
-  const CGP::Poisson_reconstruction<> other(mesh, pattern, backwards);
+  CGP::internal::Solver_ref<double> solver;
+  ASSERT_EQ(solver.analyze(*pattern, backwards), CGP::Solver_status::success);
+  const CGP::Poisson_reconstruction other(mesh, pattern, solver);
+  EXPECT_EQ(other.solver().ordering(), backwards);
   const Eigen::MatrixX3d edges =
       random_numbers(3 * mesh.size_of_edges(), 7).reshaped(mesh.size_of_edges(), 3);
   const Points expected = reconstruction_of(mesh).positions(edges);
@@ -115,8 +118,9 @@ TEST(Poisson_reconstruction, can_take_the_ordering_of_another_solver)
 TEST(Poisson_reconstruction, follows_a_mesh_that_moves_without_another_analysis)
 {
   Mesh_view mesh = icosphere(2);
-  CGP::Poisson_reconstruction<> reconstruction(mesh, CGP::vertex_graph(mesh));
-  const auto structure = reconstruction.solver().solver().structure();
+  CGP::Poisson_reconstruction reconstruction(mesh, CGP::vertex_graph(mesh),
+                                             Counted_solver_traits());
+  const int analyses = Counted_solver_traits::analyses();
   const Eigen::MatrixX3d edges =
       random_numbers(3 * mesh.size_of_edges(), 7).reshaped(mesh.size_of_edges(), 3);
   for (const double amplitude : {0.1, 0.3}) {
@@ -127,13 +131,13 @@ TEST(Poisson_reconstruction, follows_a_mesh_that_moves_without_another_analysis)
     EXPECT_EQ(reconstruction.residual(expected, edges),
               reconstruction_of(mesh).residual(expected, edges));
   }
-  EXPECT_EQ(reconstruction.solver().solver().structure(), structure);
+  EXPECT_EQ(Counted_solver_traits::analyses(), analyses);
 }
 
 TEST(Poisson_reconstruction, residual_is_relative_to_the_edges)
 {
   const Mesh_view mesh = icosphere(1);
-  const CGP::Poisson_reconstruction<> reconstruction = reconstruction_of(mesh);
+  const CGP::Poisson_reconstruction reconstruction = reconstruction_of(mesh);
   const Eigen::MatrixX3d edges = differences(mesh, mesh.positions());
   EXPECT_NEAR(reconstruction.residual(1.25 * mesh.positions(), edges), 0.25, 1e-14);
   EXPECT_NEAR(reconstruction.residual(1.25e9 * mesh.positions(), 1e9 * edges), 0.25, 1e-14);
@@ -147,7 +151,7 @@ TEST(Poisson_reconstruction, refuses_weights_that_are_not_finite)
   EXPECT_THROW(reconstruction_of(mesh), CGP::Solver_error);
 
   Mesh_view moving = icosahedron();
-  CGP::Poisson_reconstruction<> reconstruction(moving, CGP::vertex_graph(moving));
+  CGP::Poisson_reconstruction reconstruction(moving, CGP::vertex_graph(moving));
   moving.set_positions(p);
   EXPECT_THROW(reconstruction.update_geometry(), CGP::Solver_error);
 }

@@ -15,7 +15,7 @@
 namespace cgp_test::position_residual_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using Residual = CGP::internal::Position_residual<CGP::Default_solver_traits>;
+using Residual = CGP::internal::Position_residual;
 using Spins = Quaternion_vector<double>;
 
 const Eigen::Matrix3d turn =
@@ -36,7 +36,7 @@ Spins nearly_one(int count, double size)
 }
 
 /// of the sphere of the same area, in the frame
-double radius_of_area(const CGP::Spin_transformation<>& t)
+double radius_of_area(const CGP::Spin_transformation& t)
 {
   return std::sqrt(area(t.domain().mesh()) / (4 * pi));
 }
@@ -60,7 +60,7 @@ struct Controlled {
   }
 
   Mesh_view mesh;
-  CGP::Spin_transformation<> transformation;
+  CGP::Spin_transformation transformation;
   std::vector<Control_point> points;
   Residual residual;
 };
@@ -139,7 +139,7 @@ TEST(Position_residual, measures_distances_from_targets)
 TEST(Position_residual, weighs_points_by_their_masses)
 {
   const Mesh_view mesh = perturbed(icosphere(2), .02);
-  CGP::Spin_transformation<> t(mesh);
+  CGP::Spin_transformation t(mesh);
   const auto points = one_moved(mesh, 5, .2);
   const Eigen::VectorXd masses = Eigen::VectorXd::LinSpaced(5, .1, .3);
   Residual residual(t.system().surface(), t.reconstruction(), points, masses);

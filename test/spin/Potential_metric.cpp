@@ -14,9 +14,9 @@ namespace cgp_test::potential_metric_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using CGP::Surface_ref;
-using Metric = CGP::internal::Potential_metric<>;
+using Metric = CGP::internal::Potential_metric;
 using On = CGP::Curvature_potential::On;
-using System = CGP::internal::Dirac_system<>;
+using System = CGP::internal::Dirac_system;
 
 Eigen::VectorXd heights(const Mesh_view& mesh, On on)
 {

@@ -26,7 +26,7 @@ namespace cgp_test::potential_search_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
-using Search = CGP::internal::Potential_search<>;
+using Search = CGP::internal::Potential_search;
 using CGP::internal::Scale_residual;
 
 const CGP::internal::Always_go_further always;
@@ -48,7 +48,7 @@ double norm(const Eigen::VectorXd& v, const Eigen::VectorXd& areas)
 TEST(Potential_search, without_residuals_finds_rho_itself)
 {
   const Mesh_view mesh = perturbed(icosphere(3), .02);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   const Curvature_potential rho = waves(mesh, 1);
   Search search(system, rho, {});
   EXPECT_TRUE(search.minimize({}, always, 0));
@@ -60,7 +60,7 @@ TEST(Potential_search, without_residuals_finds_rho_itself)
 TEST(Potential_search, moves_to_another_rho)
 {
   const Mesh_view mesh = perturbed(icosphere(3), .02);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   const Curvature_potential there = waves(mesh, 1);
   Search search(system, waves(mesh, .9), {});
   ASSERT_TRUE(search.minimize({}, always, 0));
@@ -78,7 +78,7 @@ TEST(Potential_search, moves_to_another_rho)
 TEST(Potential_search, recovers_rho_from_scales)
 {
   const Mesh_view mesh = perturbed(icosphere(3), .02);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   const Curvature_potential rho = waves(mesh, .6);
   const auto wanted = CGP::solve_dirac_equation(system, rho);
   const Eigen::VectorXd u = CGP::internal::log_scales(wanted.lambda), areas = system.areas();
@@ -97,7 +97,7 @@ TEST(Potential_search, knows_a_minimum_at_little_cost)
 {
   for (const double weight : {1., 30.}) {
     const Mesh_view mesh = perturbed(icosphere(3), .02);
-    CGP::internal::Dirac_system<> system(mesh);
+    CGP::internal::Dirac_system system(mesh);
     Scale_residual scales(system.areas(), Eigen::VectorXd::Zero(system.areas().size()));
     scales.set_weight(weight);
     Search search(system, waves(mesh, 1), {&scales});
@@ -118,13 +118,13 @@ TEST(Potential_search, ends_where_the_sum_is_smallest)
       mapped(icosphere(2),
              [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x(), 2 * p.y(), p.z()); }),
       .02);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   const Curvature_potential rho = waves(mesh, 1);
   const Eigen::VectorXd areas = system.areas();
   Scale_residual scales(areas, Eigen::VectorXd::Zero(areas.size()));
   scales.set_weight(3);
   const double smoothness = .05;
-  const CGP::internal::Potential_metric<> metric(system, rho.on, smoothness / system.unit());
+  const CGP::internal::Potential_metric metric(system, rho.on, smoothness / system.unit());
   Search search(system, rho, {&scales}, {}, smoothness);
   ASSERT_TRUE(search.minimize({}, always, 0));
   const Eigen::VectorXd found = search.present().rho.values;
@@ -145,7 +145,7 @@ TEST(Potential_search, changes_rho_smoothly)
 {
   const Mesh_view mesh = perturbed(icosphere(2), .02);
   const auto roughness = [&](CGP::Curvature_potential::On on, double smoothness) {
-    CGP::internal::Dirac_system<> system(mesh);
+    CGP::internal::Dirac_system system(mesh);
     const int n = mesh.size_of_vertices();
     Scale_residual scales(system.areas(), .1 * random_numbers(n, 5));
     scales.set_weight(300);
@@ -153,7 +153,7 @@ TEST(Potential_search, changes_rho_smoothly)
     Search search(system, {on, Eigen::VectorXd::Zero(areas.size())}, {&scales}, {}, smoothness);
     EXPECT_TRUE(search.minimize({}, always, 0));
     const Eigen::VectorXd rho = search.present().rho.values;
-    const CGP::internal::Potential_metric<> both(system, on, 1 / system.unit());
+    const CGP::internal::Potential_metric both(system, on, 1 / system.unit());
     return both.squared_norm(rho) / areas.dot(rho.cwiseAbs2()) - 1;
   };
   for (const auto on : {Curvature_potential::On::vertices, Curvature_potential::On::faces})
@@ -163,7 +163,7 @@ TEST(Potential_search, changes_rho_smoothly)
 TEST(Potential_search, keeps_a_torus_closed)
 {
   const Mesh_view mesh = btorus(16);
-  CGP::Spin_transformation<> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh);
   const Curvature_potential rho = waves(mesh, 1);
   const auto& exactness = transformation.exactness(rho.on);
   auto& system = transformation.system();
@@ -181,14 +181,14 @@ TEST(Potential_search, keeps_a_torus_closed)
 TEST(Potential_search, residuals_have_their_transposes)
 {
   const Mesh_view mesh = btorus(12);
-  CGP::Spin_transformation<> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh);
   const auto& exactness = transformation.exactness(Curvature_potential::On::vertices);
   const Eigen::VectorXd& areas = transformation.system().areas();
   const int n = mesh.size_of_vertices();
   CGP::internal::Period_residual periods(transformation.system().surface(), exactness);
   Scale_residual scales(areas, random_numbers(n, 1));
-  CGP::internal::Exactness_residual<> inexact(transformation.system().surface(),
-                                              transformation.reconstruction());
+  CGP::internal::Exactness_residual inexact(transformation.system().surface(),
+                                            transformation.reconstruction());
   inexact.set_weight(3);
   const Quaternion_vector<double> lambda = random_quaternions(n, 2), d = random_quaternions(n, 3);
   for (CGP::internal::Spin_residual* r :
@@ -205,10 +205,10 @@ TEST(Potential_search, residuals_have_their_transposes)
 TEST(Potential_search, measures_inexact_edges)
 {
   const Mesh_view mesh = perturbed(icosphere(2), .05);
-  CGP::Spin_transformation<> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh);
   const CGP::Spin_result r = transformation.transform(waves(mesh, 2));
   const CGP::Surface_ref& surface = transformation.system().surface();
-  CGP::internal::Exactness_residual<> inexact(surface, transformation.reconstruction());
+  CGP::internal::Exactness_residual inexact(surface, transformation.reconstruction());
   inexact.set_weight(4);
   const Eigen::VectorXd roots = CGP::cotan_weights(surface).cwiseAbs().cwiseSqrt();
   const Quaternion_vector<double> d = random_quaternions(mesh.size_of_vertices(), 3);

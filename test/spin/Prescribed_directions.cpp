@@ -11,7 +11,7 @@
 namespace cgp_test::prescribed_directions_tests {
 
 using Q = Quaternion<double>;
-using Directions = CGP::internal::Prescribed_directions<CGP::Default_solver_traits>;
+using Directions = CGP::internal::Prescribed_directions;
 
 /// The directions of a condition, with the objects that they refer to
 struct Prescribed {
@@ -22,7 +22,7 @@ struct Prescribed {
   {}
 
   Mesh_view mesh;
-  CGP::internal::Dirac_system<> system;
+  CGP::internal::Dirac_system system;
   Directions directions;
 };
 

@@ -12,7 +12,7 @@
 namespace cgp_test::prescribed_positions_tests {
 
 using Q = Quaternion<double>;
-using Positions = CGP::internal::Prescribed_positions<CGP::Default_solver_traits>;
+using Positions = CGP::internal::Prescribed_positions;
 
 /// the normals of a curve whose boundary frames turn `turns` times about its tangents
 Points twisted_normals(const Mesh_view& mesh, int turns)
@@ -31,7 +31,7 @@ Points boundary_of(const Mesh_view& mesh)
 /// what the spins and positions of a condition are refused with
 std::string refusal(const Mesh_view& mesh, const Points& targets, const Points& normals)
 {
-  const CGP::internal::Dirac_system<> system(mesh);
+  const CGP::internal::Dirac_system system(mesh);
   return refusal_of([&] {
     const Positions positions(mesh, Boundary_condition::positions(targets, normals),
                               system.matrix().shared_pattern(), system.solver(), "f");
@@ -46,7 +46,7 @@ class Prescribed_positions : public testing::Test {
   const Curvature_potential rho =
       potential_on_vertices(mesh, [](const Eigen::Vector3d& p) { return std::cos(3 * p.x()); });
   const CGP::internal::Boundary_frames frames = CGP::boundary_frames(mesh);
-  CGP::internal::Dirac_system<> system{mesh, Boundary_condition::positions(targets, normals)};
+  CGP::internal::Dirac_system system{mesh, Boundary_condition::positions(targets, normals)};
 };
 
 TEST_F(Prescribed_positions, turn_and_stretch_the_boundary_into_the_curve)
@@ -133,7 +133,7 @@ TEST(Prescribed_positions_of_a_curve, that_is_similar_give_the_similar_surface)
   const Eigen::Matrix3d R = Random(3).rotation();
   const auto similar =
       mapped(mesh, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return 2 * (R * p); });
-  CGP::internal::Dirac_system<> system(
+  CGP::internal::Dirac_system system(
       mesh, Boundary_condition::positions(boundary_of(similar), twisted_normals(similar, 0)));
   const CGP::internal::Dirac_solution s =
       CGP::solve_dirac_equation(system, constant_potential(mesh, 0));

@@ -20,7 +20,7 @@ namespace cgp_test::region_of_interest_tests {
 namespace CGP = Conformal_geometry_processing;
 using CGP::internal::control_point;
 using CGP::internal::Region_of_interest;
-using Deformation = CGP::internal::Conformal_deformation<>;
+using Deformation = CGP::internal::Conformal_deformation;
 using Options = CGP::internal::Conformal_deformation_options;
 
 /// 1 near the north pole of a unit sphere, down to the height `inner`; 0 below `outer`

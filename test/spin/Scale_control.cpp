@@ -24,7 +24,7 @@ TEST(Scale_control, rejects_what_makes_no_sense)
   const Mesh_view mesh = icosphere(1);
   const int n = mesh.size_of_vertices();
   const auto make = [&](const CGP::Spin_transformation_options& options) {
-    CGP::Spin_transformation<> transformation(mesh, options);
+    CGP::Spin_transformation transformation(mesh, options);
   };
   CGP::Spin_transformation_options options;
   for (const double bound : {1., 0., -2., std::numeric_limits<double>::infinity()}) {

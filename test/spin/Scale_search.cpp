@@ -32,7 +32,7 @@ CGP::Spin_transformation_options bounded_by(std::optional<double> bound)
 CGP::Spin_result transformed(const Mesh_view& mesh, const Eigen::VectorXd& rho,
                              const CGP::Spin_transformation_options& options)
 {
-  CGP::Spin_transformation<> transformation(mesh, options);
+  CGP::Spin_transformation transformation(mesh, options);
   return transformation.transform(Curvature_potential::on_vertices(rho));
 }
 
@@ -185,13 +185,12 @@ TEST(Scale_search, ignores_places_without_weight)
 TEST(Scale_search, comes_at_least_as_near_to_rho_from_a_part_of_it_as_from_none)
 {
   const Mesh_view mesh = dumbbell(3);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   const CGP::internal::Scale_control control{2., {}, {}};
-  const CGP::Poisson_reconstruction<> reconstruction(system.surface(),
-                                                     CGP::vertex_graph(system.surface()));
-  CGP::internal::Scale_search<CGP::Default_solver_traits, CGP::Lobpcg_eigensolver_traits> search(
-      system, Curvature_potential::on_vertices(rings(mesh, .6, 3)), control, reconstruction,
-      nullptr, {});
+  const CGP::Poisson_reconstruction reconstruction(system.surface(),
+                                                   CGP::vertex_graph(system.surface()));
+  CGP::internal::Scale_search search(system, Curvature_potential::on_vertices(rings(mesh, .6, 3)),
+                                     control, reconstruction, nullptr, {});
   using Trial = std::decay_t<decltype(search.best())>;
   const auto run = [&](double share, const Trial* from) {
     const auto found = search.run(share, from, {}, CGP::internal::Always_go_further());

@@ -41,7 +41,7 @@ Mesh_view octahedron(double a)
 TEST(Scale_search_coarse, takes_as_much_of_rho_as_a_coarse_mesh_bears_without_jumps)
 {
   const Mesh_view mesh = icosahedron();
-  CGP::Spin_transformation<> transformation(mesh, bounded());
+  CGP::Spin_transformation transformation(mesh, bounded());
   transformation.limits().map.quasi_conformal = 1.2;
   double last = 0, least = 1;
   for (double amplitude = .3; amplitude < 3; amplitude *= 1.05) {
@@ -66,7 +66,7 @@ TEST(Scale_search_coarse, begins_where_all_scales_are_equal)
 {
   for (double a = 1.19; a < 1.23; a += .002) {
     const Mesh_view mesh = octahedron(a);
-    CGP::Spin_transformation<> transformation(mesh, bounded());
+    CGP::Spin_transformation transformation(mesh, bounded());
     const auto rho = Curvature_potential::on_vertices(rings(mesh, 3, 5));
     const auto report = transformation.transform(rho).report;
     EXPECT_TRUE(report) << a << ": " << to_string(report.fault());

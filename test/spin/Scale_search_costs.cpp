@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Scale_search.h
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
 #include "support/Counted_solver_traits.h"
 #include "support/limbs.h"
+#include "support/with_solvers.h"
 
 namespace cgp_test::scale_search_costs_tests {
 
@@ -19,7 +19,7 @@ void expect_counted(const Mesh_view& mesh, double amplitude, double bound)
 {
   CGP::Spin_transformation_options options;
   options.scales.bound = bound;
-  CGP::Spin_transformation<Counted_solver_traits> transformation(mesh, options);
+  CGP::Spin_transformation transformation(mesh, with_solvers<Counted_solver_traits>(options));
   Counted_solver_traits::reset();
   const auto rho = CGP::Curvature_potential::on_vertices(rings(mesh, amplitude, 3));
   const CGP::Spin_report report = transformation.transform(rho).report;

@@ -95,7 +95,7 @@ class Derivative {
   /// on closed surfaces, as a search does
   void factor_near_the_eigenvalue()
   {
-    CGP::internal::Dirac_system<>& system = transformation.system();
+    CGP::internal::Dirac_system& system = transformation.system();
     if (!system.is_closed()) return;
     const Quaternion_vector<double>& lambda = found.lambda;
     const double mu = CGP::inner_product(lambda, system.matrix() * lambda).w /
@@ -105,14 +105,14 @@ class Derivative {
     system.set_preconditioner({m_rho.on, potential * unit()}, seconds, 1e-3 - .8 * mu);
   }
 
-  const CGP::internal::Dirac_system<>& system() { return transformation.system(); }
+  const CGP::internal::Dirac_system& system() { return transformation.system(); }
   double unit() const { return transformation.domain().unit(); }
 
-  CGP::Spin_transformation<> transformation;
+  CGP::Spin_transformation transformation;
   Eigen::VectorXd direction;
   CGP::Spin_result found;
-  std::optional<CGP::internal::Spin_derivative<>> spins;
-  std::optional<CGP::internal::Position_derivative<>> positions;
+  std::optional<CGP::internal::Spin_derivative> spins;
+  std::optional<CGP::internal::Position_derivative> positions;
 
  private:
   CGP::Curvature_potential m_rho;
@@ -167,7 +167,7 @@ TEST(Spin_derivative, has_its_transpose)
 // With the factor for the inverse as well, and near the exact products as the factor is near mu.
 TEST(Spin_derivative, has_its_transpose_with_the_factor)
 {
-  using Inverse = CGP::internal::Spin_derivative<>::Inverse;
+  using Inverse = CGP::internal::Spin_derivative::Inverse;
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
     Derivative d(c);

@@ -15,7 +15,7 @@ namespace cgp_test::spin_preview_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
-using Preview = CGP::internal::Spin_preview<>;
+using Preview = CGP::internal::Spin_preview;
 
 /// a soft brush on a surface of size about 1
 Curvature_potential bump(const Mesh_view& mesh, double amplitude, double x = 1)
@@ -44,7 +44,7 @@ std::vector<Mesh_view> surfaces()
 TEST(Spin_preview, of_no_change_is_the_surface)
 {
   for (const Mesh_view& mesh : surfaces()) {
-    CGP::Spin_transformation<> exact(mesh);
+    CGP::Spin_transformation exact(mesh);
     const CGP::Spin_result r = Preview(exact).transform(bump(mesh, 0));
     EXPECT_TRUE(r.report.converged);
     EXPECT_LT((r.positions - mesh.positions()).cwiseAbs().maxCoeff(), 1e-9);
@@ -54,7 +54,7 @@ TEST(Spin_preview, of_no_change_is_the_surface)
 TEST(Spin_preview, is_near_the_transformation_after_ten_solves_on_any_mesh)
 {
   for (const Mesh_view& mesh : surfaces()) {
-    CGP::Spin_transformation<> exact(mesh);
+    CGP::Spin_transformation exact(mesh);
     const CGP::Spin_result wanted = exact.transform(bump(mesh, 1.5));
     const CGP::Spin_result r = Preview(exact).transform(bump(mesh, 1.5));
     EXPECT_LE(r.report.solves, 10);
@@ -68,7 +68,7 @@ TEST(Spin_preview, is_near_the_transformation_after_ten_solves_on_any_mesh)
 TEST(Spin_preview, follows_a_brush)
 {
   const Mesh_view mesh = perturbed(icosphere(3), .03);
-  CGP::Spin_transformation<> exact(mesh);
+  CGP::Spin_transformation exact(mesh);
   Preview preview(exact);
   int solves = 0;
   for (int i = 1; i <= 10; ++i) {
@@ -88,7 +88,7 @@ TEST(Spin_preview, does_not_depend_on_the_unit_of_length)
   const Mesh_view mesh = perturbed(icosphere(2), .05);
   const double unit = 8;  // rounds alike, in either precision
   const Mesh_view large(CGP::Points(unit * mesh.positions()), mesh.corners());
-  CGP::Spin_transformation<> a(mesh), b(large);
+  CGP::Spin_transformation a(mesh), b(large);
   Curvature_potential rho = bump(mesh, 2);
   const CGP::Spin_result small = Preview(a).transform(rho);
   rho.values /= unit;
@@ -100,7 +100,7 @@ TEST(Spin_preview, does_not_depend_on_the_unit_of_length)
 TEST(Spin_preview, keeps_handles_closed_to_first_order)
 {
   const Mesh_view mesh = btorus(16);
-  CGP::Spin_transformation<> exact(mesh);
+  CGP::Spin_transformation exact(mesh);
   Preview preview(exact);
   double last = 0;
   for (const double amplitude : {.2, .1}) {
@@ -116,7 +116,7 @@ TEST(Spin_preview, keeps_handles_closed_to_first_order)
 TEST(Spin_preview, starts_again)
 {
   const Mesh_view mesh = perturbed(icosphere(2), .05);
-  CGP::Spin_transformation<> exact(mesh);
+  CGP::Spin_transformation exact(mesh);
   Preview preview(exact);
   const CGP::Spin_result first = preview.transform(bump(mesh, 1));
   (void)preview.transform(bump(mesh, 4, -1));
@@ -130,7 +130,7 @@ TEST(Spin_preview, refuses_what_it_does_not_know)
   const Mesh_view disk = jittered_disk(6, .2);
   CGP::Spin_transformation_options options;
   options.boundary = CGP::Boundary_condition::tangents();
-  CGP::Spin_transformation<> turned(disk, options), free(disk);
+  CGP::Spin_transformation turned(disk, options), free(disk);
   EXPECT_THROW(Preview{turned}, CGP::Precondition_error);
   Preview preview(free);
   Curvature_potential rho = bump(disk, 1);

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_preview.h
-#include <Conformal_geometry_processing/spin/Spin_preview_templates.h>
-#include <Conformal_geometry_processing/templates.h>
+#include <Conformal_geometry_processing/spin/Spin_preview.h>
 
 #include <gtest/gtest.h>
 
 #include "support/Counted_solver_traits.h"
 #include "support/meshes.h"
+#include "support/with_solvers.h"
 
 namespace cgp_test::spin_preview_costs_tests {
 
@@ -15,14 +15,11 @@ namespace cgp_test::spin_preview_costs_tests {
 
 namespace CGP = Conformal_geometry_processing;
 
-using Transformation = CGP::Spin_transformation<Counted_solver_traits>;
-using Preview = CGP::internal::Spin_preview<Counted_solver_traits, CGP::Lobpcg_eigensolver_traits>;
-
 TEST(Spin_preview_costs, are_all_in_the_report)
 {
   for (const Mesh_view& mesh : {icosphere(3), jittered_disk(8, .2), btorus(16)}) {
-    Transformation transformation(mesh);
-    Preview preview(transformation);
+    CGP::Spin_transformation transformation(mesh, with_solvers<Counted_solver_traits>());
+    CGP::internal::Spin_preview preview(transformation);
     for (const double amplitude : {.2, .4}) {
       const Eigen::VectorXd rho = amplitude * (3 * mesh.positions().row(1).array()).sin();
       Counted_solver_traits::reset();

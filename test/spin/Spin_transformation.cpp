@@ -49,7 +49,7 @@ Eigen::Vector3d centroid(const Mesh_view& mesh)
 std::string refusal(const Mesh_view& mesh, const Curvature_potential& rho)
 {
   try {
-    (void)CGP::Spin_transformation<>(mesh, {}, "f").transform(rho);
+    (void)CGP::Spin_transformation(mesh, {}, "f").transform(rho);
   } catch (const CGP::Precondition_error& error) {
     return error.what();
   }
@@ -60,7 +60,7 @@ TEST(Spin_transformation, by_rho_zero_leaves_the_surface_as_it_is)
 {
   for (const Mesh_view& mesh :
        {radially_perturbed(icosphere(2), 0.2), torus(3, 1, 14, 9), block(2, 1, 3)}) {
-    const CGP::Spin_result r = CGP::Spin_transformation<>(mesh).transform(constant(mesh, 0));
+    const CGP::Spin_result r = CGP::Spin_transformation(mesh).transform(constant(mesh, 0));
     EXPECT_TRUE(r.report);
     EXPECT_EQ(r.report.iterations, 0);
     EXPECT_LT(greatest_displacement(r.positions, mesh.positions()), 1e-11);
@@ -73,7 +73,7 @@ TEST(Spin_transformation, by_rho_zero_leaves_the_surface_as_it_is)
 TEST(Spin_transformation, by_constant_rho_leaves_the_surface_as_it_is)
 {
   const Mesh_view mesh = radially_perturbed(icosphere(2), 0.1);
-  CGP::Spin_transformation<> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh);
   for (const double c : {-0.3, 0.7, 5.}) {
     const CGP::Spin_result r = transformation.transform(constant(mesh, c));
     EXPECT_TRUE(r.report);
@@ -85,7 +85,7 @@ TEST(Spin_transformation, by_constant_rho_leaves_the_surface_as_it_is)
 TEST(Spin_transformation, does_not_see_the_mean_of_rho)
 {
   const Mesh_view mesh = icosphere(3);
-  CGP::Spin_transformation<> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh);
   const auto shifted = [&](double c) {
     Curvature_potential rho = smooth(mesh);
     rho.values.array() += c;
@@ -103,7 +103,7 @@ TEST(Spin_transformation, keeps_area_and_centroid)
     return Eigen::Vector3d(3 * p + Eigen::Vector3d(5, -1, 2));
   });
   Curvature_potential rho = Curvature_potential::on_vertices(0.2 * mesh.positions().row(0));
-  const CGP::Spin_result r = CGP::Spin_transformation<>(mesh).transform(rho);
+  const CGP::Spin_result r = CGP::Spin_transformation(mesh).transform(rho);
   const Mesh_view result(r.positions, mesh.corners());
   EXPECT_NEAR(area(result), area(mesh), 1e-11 * area(mesh));
   EXPECT_LT((centroid(result) - centroid(mesh)).norm(), 1e-12);
@@ -112,7 +112,7 @@ TEST(Spin_transformation, keeps_area_and_centroid)
 TEST(Spin_transformation, returns_spins_that_turn_and_scale_the_edges_into_the_new_ones)
 {
   const Mesh_view mesh = icosphere(3);
-  const CGP::Spin_result r = CGP::Spin_transformation<>(mesh).transform(smooth(mesh));
+  const CGP::Spin_result r = CGP::Spin_transformation(mesh).transform(smooth(mesh));
   double difference = 0, total = 0;
   for (int k = 0; k < mesh.size_of_edges(); ++k) {
     const auto [i, j] = mesh.ends(k);
@@ -129,7 +129,7 @@ TEST(Spin_transformation, returns_spins_that_turn_and_scale_the_edges_into_the_n
 TEST(Spin_transformation, returns_spins_whose_scale_is_that_of_the_new_area)
 {
   const Mesh_view mesh = icosphere(3);
-  const CGP::Spin_result r = CGP::Spin_transformation<>(mesh).transform(smooth(mesh));
+  const CGP::Spin_result r = CGP::Spin_transformation(mesh).transform(smooth(mesh));
   const Eigen::VectorXd areas = CGP::vertex_areas(mesh);
   double new_area = 0;  // lengths grow by |lambda|^2
   for (int v = 0; v < mesh.size_of_vertices(); ++v)
@@ -140,7 +140,7 @@ TEST(Spin_transformation, returns_spins_whose_scale_is_that_of_the_new_area)
 TEST(Spin_transformation, sees_no_flip_where_the_surface_turns_by_more_than_a_right_angle)
 {
   const Mesh_view mesh = icosphere(3);
-  const CGP::Spin_result r = CGP::Spin_transformation<>(mesh).transform(smooth(mesh, 3));
+  const CGP::Spin_result r = CGP::Spin_transformation(mesh).transform(smooth(mesh, 3));
   int turned = 0;
   for (int f = 0; f < mesh.size_of_faces(); ++f)
     turned += mesh.double_area_vector(f).dot(mesh.double_area_vector(f, r.positions)) < 0;
@@ -151,7 +151,7 @@ TEST(Spin_transformation, sees_no_flip_where_the_surface_turns_by_more_than_a_ri
 TEST(Spin_transformation, report_measures_the_result)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::Spin_transformation<> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh);
   const CGP::Spin_result r = transformation.transform(smooth(mesh));
   const CGP::Spin_report& report = r.report;
   EXPECT_TRUE(report);
@@ -186,7 +186,7 @@ TEST(Spin_report_of_a_transformation, converts_to_true_only_when_converged_and_n
 TEST(Spin_transformation, without_convergence_says_so)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::Spin_transformation<> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh);
   CGP::Dirac_options options;
   options.max_iterations = 1;
   EXPECT_FALSE(transformation.transform(smooth(mesh), options).report);

@@ -42,7 +42,7 @@ TEST_P(Invariance_with_a_boundary, under_doing_it_again)
 {
   CGP::Dirac_options options;
   options.tolerance = 1e-10;
-  CGP::Spin_transformation<> transformation(mesh, {condition});
+  CGP::Spin_transformation transformation(mesh, {condition});
   for (int i = 0; i < 2; ++i) {
     const CGP::Spin_result r = transformation.transform(rho, options);
     EXPECT_EQ(r.positions, expected.positions);
@@ -105,7 +105,7 @@ TEST_P(Invariance_with_a_boundary, under_a_move_of_the_mesh_and_back)
   if (condition.kind == Boundary_condition::Kind::positions) return;  // cannot move
   CGP::Dirac_options options;
   options.tolerance = 1e-10;
-  CGP::Spin_transformation<> transformation(perturbed(mesh, .01, 9), {condition});
+  CGP::Spin_transformation transformation(perturbed(mesh, .01, 9), {condition});
   (void)transformation.transform(rho, options);
   transformation.set_positions(mesh.positions());
   const CGP::Spin_result r = transformation.transform(rho, options);

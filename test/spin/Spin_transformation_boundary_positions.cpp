@@ -95,7 +95,7 @@ TEST(Spin_transformation_to_new_positions, is_judged_by_the_distortion_that_they
 {
   const Mesh_view mesh = random_domain(.1, 5);
   const auto result = [&mesh](const Mesh_view& image) {
-    return CGP::Spin_transformation<>(mesh, {boundary_of(image)})
+    return CGP::Spin_transformation(mesh, {boundary_of(image)})
         .transform(constant_potential(mesh, 0));
   };
   const auto ellipse = [&mesh](double a) {
@@ -129,7 +129,7 @@ TEST(Spin_transformation_to_new_positions, trades_them_for_conformality_by_their
   const auto result = [&](double weight) {
     Boundary_condition condition = boundary_of(saddle);
     condition.weight = weight;
-    return CGP::Spin_transformation<>(mesh, {condition}).transform(constant_potential(mesh, 0));
+    return CGP::Spin_transformation(mesh, {condition}).transform(constant_potential(mesh, 0));
   };
   const CGP::Spin_result exact = result(std::numeric_limits<double>::infinity());
   double Q = 1, distance = std::numeric_limits<double>::infinity();
@@ -167,7 +167,7 @@ TEST(Spin_transformation_to_new_positions, refuses_a_weight_that_is_none)
   Boundary_condition condition = boundary_of(disk(3));
   for (const double weight : {0., -1., std::numeric_limits<double>::quiet_NaN()}) {
     condition.weight = weight;
-    EXPECT_EQ(refusal_of([&] { CGP::Spin_transformation<>(disk(3), {condition}, "f"); }),
+    EXPECT_EQ(refusal_of([&] { CGP::Spin_transformation(disk(3), {condition}, "f"); }),
               "the weight of positions must be positive");
   }
 }
@@ -205,7 +205,7 @@ TEST(Spin_transformation_to_new_positions, refuses_a_curve_that_is_twisted_once)
     return Eigen::Vector3d(p.x() * frame.col(1) + p.y() * frame.col(2));
   });
   EXPECT_NE(refusal_of([&] {
-              CGP::Spin_transformation<>(mesh, {condition}, "f");
+              CGP::Spin_transformation(mesh, {condition}, "f");
             }).find("twisted by a full turn"),
             std::string::npos);
 }
@@ -213,7 +213,7 @@ TEST(Spin_transformation_to_new_positions, refuses_a_curve_that_is_twisted_once)
 TEST(Spin_transformation_to_new_positions, refuses_to_move_afterwards)
 {
   const Mesh_view mesh = disk(5);
-  CGP::Spin_transformation<> transformation(mesh, {boundary_of(mesh)});
+  CGP::Spin_transformation transformation(mesh, {boundary_of(mesh)});
   EXPECT_EQ(refusal_of([&] { transformation.set_positions(2 * mesh.positions()); }),
             "a surface with prescribed boundary cannot move");
 }

@@ -3,9 +3,9 @@
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Cholmod_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include "spin/boundary_cases.h"
+#include "support/with_solvers.h"
 
 namespace cgp_test::spin_transformation_boundary_solvers_cholmod_tests {
 
@@ -14,7 +14,9 @@ CGP::Spin_result result(const Boundary_condition& condition)
 {
   CGP::Dirac_options options;
   options.tolerance = 1e-10;
-  return CGP::Spin_transformation<Solver_traits>(uneven_cap(), {condition})
+  return CGP::Spin_transformation(
+             uneven_cap(),
+             with_solvers<Solver_traits, CGP::Spin_transformation_options>({condition}))
       .transform(rho_of_uneven_cap(), options);
 }
 

@@ -55,7 +55,7 @@ double predicted_willmore(const Mesh_view& sphere, double gamma)
 
 Measured measure(const Mesh_view& sphere, const Curvature_potential& rho)
 {
-  CGP::Spin_transformation<> transformation(sphere);
+  CGP::Spin_transformation transformation(sphere);
   const CGP::Spin_result r = transformation.transform(rho);
   const CGP::Conformality& c = r.report.conformality;
   EXPECT_TRUE(r.report);
@@ -172,7 +172,7 @@ TEST(Spin_transformation, converges_as_tabled_for_rho_on_faces)
 TEST(Spin_transformation, turns_positive_rho_into_more_mean_curvature)
 {
   const Mesh_view sphere = icosphere(3);
-  CGP::Spin_transformation<> transformation(sphere);
+  CGP::Spin_transformation transformation(sphere);
   const CGP::Spin_result r = transformation.transform(
       Curvature_potential::on_vertices(rho_of_section_3_on_vertices(sphere)));
   EXPECT_LT(curvature_error(sphere, r, 1), 0.03);
@@ -186,7 +186,7 @@ TEST(Spin_transformation, by_the_curvature_of_an_inversion_inverts_a_torus)
   for (const int n : {16, 32, 64}) {
     const Mesh_view mesh = torus(2, 1, 2 * n, n);
     // The inversion is a single transformation, exact up to the discretisation.
-    const CGP::Spin_result r = CGP::Spin_transformation<>(mesh).step(
+    const CGP::Spin_result r = CGP::Spin_transformation(mesh).step(
         Curvature_potential::on_vertices(rho_of_inversion(mesh, center)));
     h.push_back(mean_edge_length(mesh));
     Q.push_back(r.report.conformality.quasi_conformal.mean - 1);

@@ -5,7 +5,6 @@
 // Tests include/Conformal_geometry_processing/spin/Nearest_spin_transformation.h
 #include <Conformal_geometry_processing/spin/Conformal_deformation.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -14,12 +13,11 @@
 #include "support/control_points.h"
 #include "support/limbs.h"
 #include "support/thin_faces.h"
+#include "support/with_solvers.h"
 
 namespace cgp_test::spin_transformation_costs_tests {
 
 /// Reports count every factorization of X, and every solve with it.
-
-using Transformation = CGP::Spin_transformation<Counted_solver_traits>;
 
 Curvature_potential waves(const Mesh_view& mesh, double amplitude)
 {
@@ -39,7 +37,7 @@ void expect_counted(const CGP::Spin_report& report)
 void expect_counted(const Mesh_view& mesh, double amplitude, const CGP::Dirac_options& dirac = {},
                     const CGP::Spin_transformation_options& options = {})
 {
-  Transformation transformation(mesh, options);
+  CGP::Spin_transformation transformation(mesh, with_solvers<Counted_solver_traits>(options));
   for (const double factor : {1., .9}) {
     Counted_solver_traits::reset();
     expect_counted(transformation.transform(waves(mesh, factor * amplitude), dirac).report);
@@ -97,7 +95,9 @@ TEST(Spin_transformation_costs, are_all_in_the_report_of_new_positions_of_the_bo
 TEST(Spin_transformation_costs, are_all_in_the_report_of_control_points)
 {
   for (const Mesh_view& mesh : {perturbed(icosphere(3), .02), jittered_disk(8, .2), btorus(16)}) {
-    CGP::internal::Conformal_deformation<Counted_solver_traits> deformation(mesh);
+    CGP::internal::Conformal_deformation_options options;
+    options.surface = with_solvers<Counted_solver_traits>();
+    CGP::internal::Conformal_deformation deformation(mesh, options);
     for (const double way : {.1, .12}) {
       Counted_solver_traits::reset();
       expect_counted(deformation.deform(one_moved(mesh, 5, way)).report);
@@ -117,7 +117,8 @@ TEST(Spin_transformation_costs, are_all_in_the_report_of_the_nearest_one)
       CGP::Nearest_spin_options options;
       options.keep_curvature = keep_curvature;
       Counted_solver_traits::reset();
-      CGP::Nearest_spin_transformation<Counted_solver_traits> nearest(mesh, mu, "test", options);
+      CGP::Nearest_spin_transformation nearest(mesh, mu, "test",
+                                               with_solvers<Counted_solver_traits>(options));
       expect_counted(nearest.transform().report);
     }
 }

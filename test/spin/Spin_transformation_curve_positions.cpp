@@ -40,7 +40,7 @@ Boundary_condition curves_of(const Mesh_view& surface, std::vector<std::vector<i
 
 CGP::Spin_result flat_disk_to(const Boundary_condition& condition, const Mesh_view& mesh)
 {
-  return CGP::Spin_transformation<>(mesh, {condition}).transform(constant_potential(mesh, 0));
+  return CGP::Spin_transformation(mesh, {condition}).transform(constant_potential(mesh, 0));
 }
 
 /// the disk with a circular ridge
@@ -58,7 +58,7 @@ TEST(Spin_transformation_with_curves, finds_the_moebius_image_that_they_lie_on)
   for (const int n : {8, 16, 32}) {
     const Mesh_view mesh = disk(n), image = inverted(mesh, {.4, -.3, 1.2});
     const CGP::Spin_result r =
-        CGP::Spin_transformation<>(mesh, {curves_of(image, {ring(n / 4), ring(n / 2)})})
+        CGP::Spin_transformation(mesh, {curves_of(image, {ring(n / 4), ring(n / 2)})})
             .transform(CGP::curvature_difference(mesh, image.positions()));
     EXPECT_TRUE(r.report);
     h.push_back(1. / n);
@@ -106,7 +106,7 @@ TEST(Spin_transformation_with_curves, wants_them_inside_and_apart)
   const auto refusal = [&](std::vector<std::vector<int>> curves) {
     Boundary_condition condition = curves_of(mesh, {});
     condition.curves = std::move(curves);
-    return refusal_of([&] { CGP::Spin_transformation<>(mesh, {condition}, "f"); });
+    return refusal_of([&] { CGP::Spin_transformation(mesh, {condition}, "f"); });
   };
   EXPECT_EQ(refusal({{1, 2}}), "a curve of 2 vertices; at least three are needed");
   for (const std::vector<int>& curve : {std::vector<int>{1, 2, 37}, {1, 2, -1}, {1, 2, 61}})

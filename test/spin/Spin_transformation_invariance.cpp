@@ -21,7 +21,7 @@ class Invariance_of_spin_transformations : public testing::Test {
  protected:
   CGP::Spin_result transformed(const Mesh_view& surface, const Curvature_potential& potential) const
   {
-    return CGP::Spin_transformation<>(surface).transform(potential);
+    return CGP::Spin_transformation(surface).transform(potential);
   }
 
   /// the result of the mesh and rho multiplied by s, which is the old one multiplied by s
@@ -126,7 +126,7 @@ TEST_F(Invariance_of_spin_transformations, under_another_order_of_faces_and_corn
 
 TEST_F(Invariance_of_spin_transformations, under_doing_it_again)
 {
-  CGP::Spin_transformation<> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh);
   for (int i = 0; i < 2; ++i) {
     const CGP::Spin_result r = transformation.transform(rho);
     EXPECT_EQ(r.positions, expected.positions);
@@ -139,10 +139,10 @@ TEST(Spin_transformation_of_a_large_mesh, gives_the_same_bits_for_any_number_of_
 {
   const Mesh_view mesh = geodesic_sphere(21);
   const auto rho = Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh));
-  const CGP::Spin_result one = CGP::Spin_transformation<>(mesh).transform(rho);
+  const CGP::Spin_result one = CGP::Spin_transformation(mesh).transform(rho);
   for (const int threads : {2, 3}) {
     const Threads setting(threads);
-    const CGP::Spin_result r = CGP::Spin_transformation<>(mesh).transform(rho);
+    const CGP::Spin_result r = CGP::Spin_transformation(mesh).transform(rho);
     EXPECT_EQ(r.positions, one.positions);
     EXPECT_EQ(r.lambda, one.lambda);
   }

@@ -24,7 +24,7 @@ namespace cgp_test::spin_transformation_mollified_tests {
 
 namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
-using Transformation = CGP::Spin_transformation<>;
+using Transformation = CGP::Spin_transformation;
 
 CGP::Spin_transformation_options mollified(const CGP::Boundary_condition& condition = {},
                                            double share = 1e-6)

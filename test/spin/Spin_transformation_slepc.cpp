@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/Spin_transformation.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Slepc_eigensolver_traits.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include "spin/solver_agreement.h"
 

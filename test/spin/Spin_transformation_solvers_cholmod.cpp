@@ -5,7 +5,6 @@
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Supernodal_real_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include "spin/solver_agreement.h"
 #include "support/Double_solver_traits.h"

@@ -15,7 +15,7 @@ namespace cgp_test::spin_transformation_surfaces_tests {
 /// What does not depend on whether the surface is the mesh or, with mollification, its intrinsic
 /// Delaunay triangulation.
 
-using Transformation = CGP::Spin_transformation<>;
+using Transformation = CGP::Spin_transformation;
 
 CGP::Spin_transformation_options options_with(std::optional<double> mollification,
                                               const Boundary_condition& condition = {})

@@ -5,7 +5,6 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/spin/Nearest_spin_transformation.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +15,7 @@
 #include "support/bounded_meshes.h"
 #include "support/meshes.h"
 #include "support/moebius.h"
+#include "support/with_solvers.h"
 
 namespace cgp_test::target_search_tests {
 
@@ -40,7 +40,8 @@ template <class SolverTraits = CGP::Default_solver_traits>
 Nearest_spin_result nearest(const Mesh_view& mesh, const Points& target,
                             const CGP::Nearest_spin_options& options = within(0))
 {
-  return CGP::Nearest_spin_transformation<SolverTraits>(mesh, target, "test", options).transform();
+  return CGP::Nearest_spin_transformation(mesh, target, "test", with_solvers<SolverTraits>(options))
+      .transform();
 }
 
 Points moved_by_a_similarity(const Points& p)
@@ -55,7 +56,7 @@ Points transformed(const Mesh_view& mesh, double amplitude)
   for (int v = 0; v < rho.size(); ++v)
     rho[v] = amplitude * (std::sin(3 * mesh.position(v).y()) + .5 * mesh.position(v).x());
   const CGP::Spin_result r =
-      CGP::Spin_transformation<>(mesh).transform(CGP::Curvature_potential::on_vertices(rho));
+      CGP::Spin_transformation(mesh).transform(CGP::Curvature_potential::on_vertices(rho));
   EXPECT_TRUE(r.report);
   return moved_by_a_similarity(r.positions);
 }

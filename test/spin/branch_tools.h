@@ -51,10 +51,9 @@ inline Quaternion_vector<double> identity_spins(const Mesh_view& mesh)
 }
 
 /// the smallest eigenpairs of X, as many as `start` has columns, of which `wanted` converge
-template <class SolverTraits>
-CGP::Eigensolver_result smallest(const CGP::internal::Dirac_system<SolverTraits>& system,
-                                 CGP::Block<Quaternion<double>> start, int wanted, double tolerance,
-                                 int max_iterations = 200)
+inline CGP::Eigensolver_result smallest(const CGP::internal::Dirac_system& system,
+                                        CGP::Block<Quaternion<double>> start, int wanted,
+                                        double tolerance, int max_iterations = 200)
 {
   CGP::Eigensolver_options options;
   options.wanted = wanted;
@@ -67,9 +66,8 @@ CGP::Eigensolver_result smallest(const CGP::internal::Dirac_system<SolverTraits>
 }
 
 /// the guide, and a vector to be improved
-template <class SolverTraits>
-CGP::Block<Quaternion<double>> guide_and_noise(
-    const CGP::internal::Dirac_system<SolverTraits>& system, const Quaternion_vector<double>& guide)
+inline CGP::Block<Quaternion<double>> guide_and_noise(const CGP::internal::Dirac_system& system,
+                                                      const Quaternion_vector<double>& guide)
 {
   CGP::Block<Quaternion<double>> both(guide.size(), 2);
   both << guide, system.noise(1, 0);
@@ -85,7 +83,7 @@ struct Branch_point {
 
 /// Brute force: rho is switched on in `steps` equal steps. Each takes, of the eigenvectors of
 /// D - (t rho + gamma) with gamma the last eigenvalue, the one that overlaps most with the last.
-inline Branch_point branch_of_identity(CGP::internal::Dirac_system<>& system,
+inline Branch_point branch_of_identity(CGP::internal::Dirac_system& system,
                                        const Curvature_potential& rho, int steps)
 {
   const auto one = Quaternion_vector<double>::Constant(system.areas().size(), {1, 0, 0, 0});
@@ -107,7 +105,7 @@ inline Branch_point branch_of_identity(CGP::internal::Dirac_system<>& system,
 
 /// Brute force: at a point where X(rho + gamma) has an eigenvector near, the one whose own quotient
 /// is the shift. sigma <- gamma converges, on the coarsest meshes by one bit a step.
-inline Branch_point settled(CGP::internal::Dirac_system<>& system, const Curvature_potential& rho,
+inline Branch_point settled(CGP::internal::Dirac_system& system, const Curvature_potential& rho,
                             Branch_point at)
 {
   double last = at.gamma + 1;
@@ -122,7 +120,7 @@ inline Branch_point settled(CGP::internal::Dirac_system<>& system, const Curvatu
 }
 
 /// the eigenvector of the smallest eigenvalue of X, whatever its branch
-inline Quaternion_vector<double> smallest_eigenvector(CGP::internal::Dirac_system<>& system,
+inline Quaternion_vector<double> smallest_eigenvector(CGP::internal::Dirac_system& system,
                                                       const Curvature_potential& rho)
 {
   CGP::internal::Dirac_evidence::Seconds seconds;

@@ -20,7 +20,7 @@ namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 using CGP::internal::Closed_step;
 using On = Curvature_potential::On;
-using Transformation = CGP::Spin_transformation<>;
+using Transformation = CGP::Spin_transformation;
 
 /// the exact part of a wave in space
 Curvature_potential exact_wave(Transformation& transformation, double amplitude,

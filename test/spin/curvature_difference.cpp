@@ -27,7 +27,7 @@ TEST(Curvature_difference, leads_to_the_other_surface_up_to_second_order)
   for (int level : {2, 3, 4}) {
     const Mesh_view mesh = bumpy_sphere(level), target = other(mesh);
     const auto rho = CGP::curvature_difference(mesh, target.positions());
-    const CGP::Spin_result result = CGP::Spin_transformation<>(mesh).transform(rho);
+    const CGP::Spin_result result = CGP::Spin_transformation(mesh).transform(rho);
     ASSERT_TRUE(result.report);
     h.push_back(std::pow(2., -level));
     errors.push_back(CGP::align(result.positions, target.positions()).rms);
@@ -40,7 +40,7 @@ TEST(Curvature_difference, leads_to_conformal_surfaces_on_the_way_and_beyond)
 {
   const Mesh_view mesh = bumpy_sphere(4), target = other(mesh);
   const auto rho = CGP::curvature_difference(mesh, target.positions());
-  CGP::Spin_transformation<> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh);
   for (double t : {0.25, 0.5, 0.75, 1., 1.25}) {
     const CGP::Spin_result result =
         transformation.transform(CGP::Curvature_potential::on_vertices(t * rho.values));

@@ -151,7 +151,7 @@ double recovered_at(const Mesh_view& mesh, const Eigen::Vector3d& top, double s)
     if (!(2.5 * s < d && d < 4 * s)) ring[v] = 0;
   }
   const CGP::Spin_result r =
-      CGP::Spin_transformation<>(mesh).transform(CGP::curvature_of_displacement(mesh, h));
+      CGP::Spin_transformation(mesh).transform(CGP::curvature_of_displacement(mesh, h));
   EXPECT_TRUE(r.report);
   const Points moved =
       CGP::align(r.positions, mesh.positions(), ring).apply(r.positions) - mesh.positions();

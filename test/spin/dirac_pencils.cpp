@@ -37,7 +37,7 @@ class Dirac_pencils : public testing::TestWithParam<bool> {
                                     : radially_perturbed(icosphere(2), .1);
   const Curvature_potential rho =
       potential_on_faces(mesh, [](const auto& p) { return std::cos(2 * p.x() + 1); });
-  CGP::internal::Dirac_system<> system{
+  CGP::internal::Dirac_system system{
       mesh, GetParam() ? Boundary_condition::binormals() : Boundary_condition::free()};
   const Vectors none = Vectors(mesh.size_of_vertices(), 0);
 };

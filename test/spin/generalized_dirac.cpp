@@ -53,7 +53,7 @@ TEST(Generalized_dirac, has_the_tabled_eigenvalues)
 TEST(Generalized_dirac, has_the_eigenvalue_that_the_error_of_the_standard_problem_predicts)
 {
   const Mesh_view sphere = icosphere(3);
-  CGP::internal::Dirac_system<> system(sphere);
+  CGP::internal::Dirac_system system(sphere);
   for (const double amplitude : {1., 0.3, -0.1}) {
     const CGP::internal::Dirac_solution standard =
         CGP::solve_dirac_equation(system, potential(sphere, amplitude));
@@ -69,7 +69,7 @@ TEST(Generalized_dirac, has_the_eigenvalue_that_the_error_of_the_standard_proble
 TEST(Generalized_dirac, finds_positive_and_negative_eigenvalues)
 {
   const Mesh_view sphere = icosphere(2);
-  CGP::internal::Dirac_system<> system(sphere);
+  CGP::internal::Dirac_system system(sphere);
   for (const double mean : {-0.2, 0.2}) {
     const CGP::internal::Dirac_solution s =
         CGP::solve_dirac_equation(system, potential(sphere, 0.5, mean), generalized());
@@ -83,7 +83,7 @@ TEST(Generalized_dirac, finds_positive_and_negative_eigenvalues)
 TEST(Generalized_dirac, is_not_trusted_where_the_eigenvalue_vanishes)
 {
   const Mesh_view sphere = icosphere(2);
-  CGP::internal::Dirac_system<> system(sphere);
+  CGP::internal::Dirac_system system(sphere);
   const double mean = CGP::solve_dirac_equation(system, potential(sphere, 1)).eigenvalue;
   for (const double offset : {0., 1e-6, -1e-6}) {
     const Curvature_potential rho = potential(sphere, 1, mean + offset);
@@ -112,7 +112,7 @@ TEST(Generalized_dirac, keeps_the_standard_solution_for_rho_zero)
 TEST(Generalized_dirac, is_rejected_where_an_eigenvalue_of_the_same_sign_is_smaller)
 {
   const Mesh_view sphere = icosphere(2);
-  CGP::internal::Dirac_system<> system(sphere);
+  CGP::internal::Dirac_system system(sphere);
   const CGP::internal::Dirac_solution standard = CGP::solve_dirac_equation(system,
                                                                            potential(sphere, 1, 2)),
                                       s = CGP::solve_dirac_equation(system, potential(sphere, 1, 2),
@@ -127,7 +127,7 @@ TEST(Generalized_dirac, is_rejected_where_an_eigenvalue_of_the_same_sign_is_smal
 TEST(Generalized_dirac, can_be_cancelled)
 {
   const Mesh_view sphere = icosphere(2);
-  CGP::internal::Dirac_system<> system(sphere);
+  CGP::internal::Dirac_system system(sphere);
   const int standard = CGP::solve_dirac_equation(system, potential(sphere, 1)).iterations;
   int asked = 0;
   const auto stop = [&](const CGP::Eigensolver_progress&) { return ++asked <= standard + 1; };

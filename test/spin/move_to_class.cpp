@@ -27,7 +27,7 @@ CGP::Spin_result transformed(const Mesh_view& mesh, double amplitude,
                              CGP::Spin_transformation_options options = {})
 {
   options.exact_conformal_class = true;
-  return CGP::Spin_transformation<>(mesh, options).transform(waves(mesh, amplitude));
+  return CGP::Spin_transformation(mesh, options).transform(waves(mesh, amplitude));
 }
 
 double change(const Mesh_view& mesh, const CGP::Spin_result& result)
@@ -38,7 +38,7 @@ double change(const Mesh_view& mesh, const CGP::Spin_result& result)
 TEST(Move_to_class, keeps_length_cross_ratios_on_spheres_tori_disks_and_rings)
 {
   for (const Mesh_view& mesh : {bumpy_sphere(3), irregular_torus(2, 1, 24, 12), disk(8)}) {
-    const CGP::Spin_result off = CGP::Spin_transformation<>(mesh).transform(waves(mesh, .8));
+    const CGP::Spin_result off = CGP::Spin_transformation(mesh).transform(waves(mesh, .8));
     const CGP::Spin_result on = transformed(mesh, .8);
     ASSERT_TRUE(on.report);
     ASSERT_TRUE(on.report.exact_class.has_value());
@@ -85,7 +85,7 @@ TEST(Move_to_class, leaves_directions_at_the_boundary_as_the_transformation_has_
        {CGP::Boundary_condition::tangents(), CGP::Boundary_condition::binormals()}) {
     CGP::Spin_transformation_options options;
     options.boundary = condition;
-    const auto off = CGP::Spin_transformation<>(mesh, options).transform(waves(mesh, .8));
+    const auto off = CGP::Spin_transformation(mesh, options).transform(waves(mesh, .8));
     const CGP::Spin_result on = transformed(mesh, .8, options);
     EXPECT_TRUE(on.report);
     EXPECT_LT(change(mesh, on), 1e-10);
@@ -117,7 +117,7 @@ TEST(Move_to_class, keeps_a_bound_that_the_way_to_the_class_would_exceed)
   for (const double amplitude : {.4, .6, .8, 1.}) {
     CGP::Spin_transformation_options options;
     options.scales.bound = 100;
-    const auto free = CGP::Spin_transformation<>(mesh, options).transform(waves(mesh, amplitude));
+    const auto free = CGP::Spin_transformation(mesh, options).transform(waves(mesh, amplitude));
     options.scales.bound = std::pow(100, free.report.scales.excess() * (1 + 1e-9));
     const CGP::Spin_result result = transformed(mesh, amplitude, options);
     EXPECT_TRUE(result.report) << to_string(result.report.fault());
@@ -145,12 +145,12 @@ TEST(Move_to_class, rejects_prescribed_positions_and_edges_without_length)
   options.exact_conformal_class = true;
   options.boundary.kind = CGP::Boundary_condition::Kind::positions;
   options.boundary.targets = mesh.positions();
-  EXPECT_THROW((CGP::Spin_transformation<>(mesh, options)), CGP::Precondition_error);
+  EXPECT_THROW((CGP::Spin_transformation(mesh, options)), CGP::Precondition_error);
   options.boundary = {};
   options.mollification = 1e-6;
   Points p = mesh.positions();
   p.col(1) = p.col(0);
-  EXPECT_THROW((CGP::Spin_transformation<>({p, mesh.corners()}, options)), CGP::Precondition_error);
+  EXPECT_THROW((CGP::Spin_transformation({p, mesh.corners()}, options)), CGP::Precondition_error);
 }
 
 TEST(Move_to_class, faults_where_it_is_not_reached)

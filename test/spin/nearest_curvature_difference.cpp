@@ -33,7 +33,7 @@ double distance_by(const CGP::Curvature_potential& rho, const Mesh_view& mesh,
         CGP::turned_binormals(mesh, Mesh_view(aligned, mesh.corners()), mesh, 1));
     options.exactness.reset();
   }
-  const CGP::Spin_result result = CGP::Spin_transformation<>(mesh, options).transform(rho);
+  const CGP::Spin_result result = CGP::Spin_transformation(mesh, options).transform(rho);
   EXPECT_TRUE(result.report);
   return CGP::align(result.positions, positions).rms;
 }

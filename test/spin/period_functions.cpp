@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests include/Conformal_geometry_processing/spin/period_functions.h
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/spin/closed_step_templates.h>
+#include <Conformal_geometry_processing/spin/closed_step.h>
 #include <Conformal_geometry_processing/spin/period_functions.h>
 #include <Conformal_geometry_processing/spin/transformed_edges.h>
 
@@ -16,7 +16,7 @@ const std::vector<Circle> holes{{{.2, .1}, .3}, {{-.45, -.3}, .2}};
 /// greatest of them. It is of the discretisation: the spins solve the equation up to it.
 double derivative_error(const Moebius_image& moebius, const Eigen::Vector3d& tnb)
 {
-  CGP::Spin_transformation<> t(moebius.source, {moebius.directions(tnb)});
+  CGP::Spin_transformation t(moebius.source, {moebius.directions(tnb)});
   CGP::Dirac_options options;
   options.tolerance = 1e-11;
   const auto step = [&](const Curvature_potential& rho) {
@@ -46,7 +46,7 @@ TEST(Period_functions, are_the_exactness_functions_at_the_identity)
 {
   const Mesh_view mesh = random_domain(.15, 3, holes);
   for (const bool on_faces : {false, true}) {
-    CGP::Spin_transformation<> t(mesh, {Boundary_condition::binormals()});
+    CGP::Spin_transformation t(mesh, {Boundary_condition::binormals()});
     const auto on = on_faces ? Curvature_potential::On::faces : Curvature_potential::On::vertices;
     const auto& constraints = t.exactness(on);
     t.system().prepare_response();

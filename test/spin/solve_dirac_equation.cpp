@@ -5,8 +5,8 @@
 #include <Conformal_geometry_processing/operators/averaging.h>
 #include <Conformal_geometry_processing/operators/dirac.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <Eigen/Core>
 
@@ -81,7 +81,7 @@ TEST(Solve_dirac_equation, for_rho_zero_is_solved_by_the_identity_without_an_ite
 TEST(Solve_dirac_equation, for_constant_rho_is_solved_by_the_identity)
 {
   const Mesh_view mesh = radially_perturbed(icosphere(2), 0.05);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   for (const double c : {0.1, -0.5, 1., 3., -20.}) {
     for (const auto& rho : {constant_on_faces(mesh, c), constant_on_vertices(mesh, c)}) {
       const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
@@ -97,7 +97,7 @@ TEST(Solve_dirac_equation, of_a_weak_rho_has_the_smallest_eigenvalue_of_the_dens
 {
   const double radius = 3;
   const Mesh_view sphere = icosphere(1), mesh = scaled(sphere, radius);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   for (const auto& rho :
        {Curvature_potential::on_faces(0.5 / radius * rho_of_section_3_on_faces(sphere)),
         Curvature_potential::on_vertices(0.5 / radius * rho_of_section_3_on_vertices(sphere))}) {
@@ -151,7 +151,7 @@ TEST(Solve_dirac_equation, residual_is_that_of_the_equation)
 TEST(Solve_dirac_equation, adds_a_constant_to_the_eigenvalue_and_nothing_to_lambda)
 {
   const Mesh_view mesh = icosphere(3);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   CGP::Dirac_options options;
   options.tolerance = 1e-10;
   const CGP::internal::Dirac_solution s0 =
@@ -170,7 +170,7 @@ TEST(Solve_dirac_equation, adds_a_constant_to_the_eigenvalue_and_nothing_to_lamb
 TEST(Solve_dirac_equation, takes_one_factorization_where_rho_is_weak_whatever_its_mean)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   for (const double mean : {0., -1.01, 4.})
     for (const double amplitude : {0.2, 1.}) {
       const auto rho = Curvature_potential::on_vertices(
@@ -185,7 +185,7 @@ TEST(Solve_dirac_equation, takes_one_factorization_where_rho_is_weak_whatever_it
 TEST(Solve_dirac_equation, counts_its_factorizations_and_solves)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::internal::Dirac_system<Counted_solver_traits> system(mesh);
+  CGP::internal::Dirac_system system(mesh, {}, "test", Counted_solver_traits());
   CGP::Dirac_options options;
   for (const double amplitude : {0., 1., 3., 5.})
     for (const auto problem : {CGP::Dirac_options::Eigenproblem::standard,
@@ -203,7 +203,7 @@ TEST(Solve_dirac_equation, counts_its_factorizations_and_solves)
 TEST(Solve_dirac_equation, is_solved_twice_to_the_same_bits)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   for (const double amplitude : {1., 5.}) {
     const auto rho = Curvature_potential::on_faces(amplitude * rho_of_section_3_on_faces(mesh));
     const CGP::internal::Dirac_solution first = CGP::solve_dirac_equation(system, rho),
@@ -219,7 +219,7 @@ TEST(Solve_dirac_equation, is_solved_twice_to_the_same_bits)
 TEST(Solve_dirac_equation, does_not_depend_on_the_random_start_beyond_the_tolerance)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   CGP::Dirac_options options;
   const CGP::internal::Dirac_solution a =
       CGP::solve_dirac_equation(system, shifted(mesh, 0), options);
@@ -232,7 +232,7 @@ TEST(Solve_dirac_equation, does_not_depend_on_the_random_start_beyond_the_tolera
 TEST(Solve_dirac_equation, reports_progress_and_stops_when_told)
 {
   const Mesh_view mesh = icosphere(2);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   int iterations = 0;
   const auto watch = [&](const CGP::Eigensolver_progress& p) {
     EXPECT_EQ(p.iteration, iterations++);
@@ -250,7 +250,7 @@ TEST(Solve_dirac_equation, reports_progress_and_stops_when_told)
 TEST(Solve_dirac_equation, passes_on_what_the_observer_throws)
 {
   const Mesh_view mesh = icosphere(1);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   const auto bad = [](const CGP::Eigensolver_progress&) -> bool {
     throw std::runtime_error("bad");
   };

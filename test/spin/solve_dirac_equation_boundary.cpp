@@ -7,7 +7,6 @@
 #include <Conformal_geometry_processing/operators/mass_matrices.h>
 #include <Conformal_geometry_processing/spin/nearness_weight.h>
 #include <Conformal_geometry_processing/spin/solve_dirac_equation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include "spin/boundary_tools.h"
 #include "spin/solved.h"
@@ -15,7 +14,7 @@
 
 namespace cgp_test::solve_dirac_equation_boundary_tests {
 
-using System = CGP::internal::Dirac_system<CGP::Eigen_hermitian_solver_traits>;
+using System = CGP::internal::Dirac_system;
 using Q = Quaternion<double>;
 
 /// (X + weight M_V) x, with the matrix of the system
@@ -32,7 +31,7 @@ class Free_boundary : public testing::Test {
   const Mesh_view mesh = perturbed(cap_from_disk(jittered_disk(5, .3), 1), .02);
   const Curvature_potential rho =
       potential_on_faces(mesh, [](const Eigen::Vector3d& p) { return 2 * std::cos(3 * p.x()); });
-  System system{mesh};
+  System system{mesh, {}, "test", CGP::Eigen_hermitian_solver_traits()};
   const double weight = CGP::nearness_weight(mesh);
 };
 
@@ -136,7 +135,7 @@ TEST(Solve_dirac_equation_with_a_boundary, follows_the_mesh)
         Boundary_condition::tangents(
             at_boundary(after, [](const auto&, const auto& frame) { return frame.col(0); }))}) {
     Mesh_view mesh = before;
-    CGP::internal::Dirac_system<> system(mesh, condition);
+    CGP::internal::Dirac_system system(mesh, condition);
     (void)CGP::solve_dirac_equation(system, rho);
     mesh.set_positions(after.positions());
     system.update_geometry();

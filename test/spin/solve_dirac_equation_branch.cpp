@@ -33,7 +33,7 @@ class Branch_on_icosphere_3 : public testing::Test {
   }
 
   const Mesh_view sphere = icosphere(3);
-  CGP::internal::Dirac_system<> system{sphere};
+  CGP::internal::Dirac_system system{sphere};
 };
 
 TEST_F(Branch_on_icosphere_3, is_followed_where_the_smallest_vector_is_another)
@@ -134,7 +134,7 @@ TEST_F(Branch_on_icosphere_3, is_left_when_cancelled_within_the_stages)
 TEST(Branch_on_a_coarse_mesh, is_found_with_at_most_two_factors_where_rho_is_mild)
 {
   for (const Coarse_case& c : coarse_cases()) {
-    CGP::internal::Dirac_system<> system(c.mesh);
+    CGP::internal::Dirac_system system(c.mesh);
     for (const double amplitude : {.3, .6, 1., 1.5}) {
       const Curvature_potential rho = scaled(c.rho, amplitude, 0);
       const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
@@ -163,7 +163,7 @@ Curvature_potential waves(const Mesh_view& mesh)
 TEST(Branch_on_a_dumbbell, is_followed_in_one_stage_however_much_its_vector_turns)
 {
   const Mesh_view mesh = scaled_to_area(dumbbell(2), 4 * pi);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   for (const double amplitude : {.3, .5, 1.}) {
     const Curvature_potential rho = scaled(waves(mesh), amplitude, 0);
     const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
@@ -181,7 +181,7 @@ TEST(Branch_on_a_dumbbell, is_followed_in_one_stage_however_much_its_vector_turn
 TEST(Branch_on_a_dumbbell, is_not_left_for_another_as_rho_grows)
 {
   const Mesh_view mesh = scaled_to_area(dumbbell(2), 4 * pi);
-  CGP::internal::Dirac_system<> system(mesh);
+  CGP::internal::Dirac_system system(mesh);
   Quaternion_vector<double> last = identity_spins(mesh);
   for (int k = 1; k <= 30; ++k) {
     const Curvature_potential rho = scaled(waves(mesh), .1 * k, 0);
@@ -204,7 +204,7 @@ TEST(Branch_in_a_span, has_few_vectors_whatever_the_mesh_and_rho)
   const Mesh_view limbs = scaled_to_area(dumbbell(2), 4 * pi);
   cases.push_back({"dumbbell", limbs, waves(limbs)});
   for (const Coarse_case& c : cases) {
-    CGP::internal::Dirac_system<> system(c.mesh);
+    CGP::internal::Dirac_system system(c.mesh);
     for (const double amplitude : {1., 4., 16., 64.}) {
       const auto s = CGP::solve_dirac_equation(system, scaled(c.rho, amplitude, 0), options);
       EXPECT_GE(s.largest_span, 2) << c.name << ' ' << amplitude;

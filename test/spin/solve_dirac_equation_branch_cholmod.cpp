@@ -12,7 +12,7 @@ class Branch_on_icosphere_4 : public testing::Test {
  protected:
   CGP::internal::Dirac_solution expect_branch(const Curvature_potential& rho)
   {
-    CGP::internal::Dirac_system<> system(sphere);
+    CGP::internal::Dirac_system system(sphere);
     CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
     const Branch_point expected = settled(system, rho, branch_of_identity(system, rho, 20));
     EXPECT_GT(expected.least_overlap, 0.98);

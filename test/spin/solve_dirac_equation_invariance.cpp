@@ -28,8 +28,7 @@ const CGP::Dirac_options precise = [] {
   return options;
 }();
 
-Dirac_solution precisely_solved(CGP::internal::Dirac_system<>& system,
-                                const Curvature_potential& rho)
+Dirac_solution precisely_solved(CGP::internal::Dirac_system& system, const Curvature_potential& rho)
 {
   Dirac_solution s = CGP::solve_dirac_equation(system, rho, precise);
   EXPECT_TRUE(s.converged);
@@ -48,7 +47,7 @@ bool is_resolved(const Dirac_solution& s)
 }
 
 /// the amplitudes `step` k, k = 0..n, as long as the mesh resolves lambda
-std::vector<Dirac_solution> sweep(CGP::internal::Dirac_system<>& system,
+std::vector<Dirac_solution> sweep(CGP::internal::Dirac_system& system,
                                   const Curvature_potential& rho, double step, int n)
 {
   std::vector<Dirac_solution> solutions;
@@ -78,7 +77,7 @@ double least_energy(const Mesh_view& mesh, const Curvature_potential& rho, doubl
 TEST(Dirac_solution_of_a_coarse_mesh, is_the_same_for_rho_and_rho_plus_a_constant)
 {
   for (const Coarse_case& c : coarse_cases()) {
-    CGP::internal::Dirac_system<> system(c.mesh);
+    CGP::internal::Dirac_system system(c.mesh);
     for (const double amplitude : {.3, 1., 2.}) {
       const Curvature_potential rho = scaled(c.rho, amplitude, 0);
       const Dirac_solution s0 = precisely_solved(system, rho);
@@ -96,7 +95,7 @@ TEST(Dirac_solution_of_a_coarse_mesh, is_the_same_for_rho_and_rho_plus_a_constan
 TEST(Dirac_solution_of_a_coarse_mesh, is_an_eigenvector_for_the_shift_by_its_own_quotient)
 {
   for (const Coarse_case& c : coarse_cases()) {
-    CGP::internal::Dirac_system<> system(c.mesh);
+    CGP::internal::Dirac_system system(c.mesh);
     for (const double amplitude : {.3, 1., 2.}) {
       const Curvature_potential rho = scaled(c.rho, amplitude, .4);
       const Dirac_solution s = precisely_solved(system, rho);
@@ -113,7 +112,7 @@ TEST(Dirac_solution_of_a_coarse_mesh, is_an_eigenvector_for_the_shift_by_its_own
 TEST(Dirac_solution_of_a_coarse_mesh, has_less_energy_than_any_vector_has_for_a_shift_nearby)
 {
   for (const Coarse_case& c : smallest_coarse_cases()) {
-    CGP::internal::Dirac_system<> system(c.mesh);
+    CGP::internal::Dirac_system system(c.mesh);
     for (const double amplitude : {.3, 1.}) {
       const Curvature_potential rho = scaled(c.rho, amplitude, 0);
       const Dirac_solution s = precisely_solved(system, rho);
@@ -131,7 +130,7 @@ TEST(Dirac_solution_of_a_coarse_mesh, changes_little_where_rho_does_but_where_br
   const int n = 40;
   const double step = 3. / n;
   for (const Coarse_case& c : coarse_cases()) {
-    CGP::internal::Dirac_system<> system(c.mesh);
+    CGP::internal::Dirac_system system(c.mesh);
     const std::vector<Dirac_solution> s = sweep(system, c.rho, step, n);
     EXPECT_GT(s.size(), 2U * n / 3) << c.name;
     const double small_gap = middle_of_gaps(s) / 5;

@@ -54,7 +54,7 @@ TYPED_TEST(Solve_dirac_equation_on, any_surface_with_constant_rho_finds_the_iden
 {
   for (const TypeParam& surface :
        {TypeParam(radially_perturbed(icosphere(2), 0.05)), TypeParam(perturbed(btorus(12), .04))}) {
-    CGP::internal::Dirac_system<> system(surface);
+    CGP::internal::Dirac_system system(surface);
     for (const double c : {0., 0.1, -0.5, 1., 3., -20.})
       for (const Curvature_potential& rho : this->constants(surface, c)) {
         const CGP::internal::Dirac_solution s = CGP::solve_dirac_equation(system, rho);
@@ -69,7 +69,7 @@ TYPED_TEST(Solve_dirac_equation_on, any_surface_with_weak_rho_finds_the_smallest
 {
   const Mesh_view mesh = perturbed(icosphere(1), .05);
   const TypeParam surface(mesh);
-  CGP::internal::Dirac_system<> system(surface);
+  CGP::internal::Dirac_system system(surface);
   for (const auto& rho :
        {Curvature_potential::on_faces(0.5 * rho_of_section_3_on_faces(mesh)),
         Curvature_potential::on_vertices(0.5 * rho_of_section_3_on_vertices(mesh))}) {

@@ -14,7 +14,7 @@ inline Conformal_geometry_processing::internal::Dirac_solution solved(
     const Conformal_geometry_processing::Dirac_options& options = {},
     const Conformal_geometry_processing::Boundary_condition& condition = {})
 {
-  Conformal_geometry_processing::internal::Dirac_system<> system(surface, condition);
+  Conformal_geometry_processing::internal::Dirac_system system(surface, condition);
   return solve_dirac_equation(system, rho, options);
 }
 

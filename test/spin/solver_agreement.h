@@ -15,6 +15,7 @@
 
 #include "spin/gauge_tools.h"
 #include "support/meshes.h"
+#include "support/with_solvers.h"
 
 /// What every model of SparseHermitianSolverTraits leaves as it is: the result of a spin
 /// transformation. Instantiate over traits.
@@ -24,9 +25,10 @@ namespace CGP = Conformal_geometry_processing;
 using CGP::Curvature_potential;
 
 template <class Solver_traits, class Eigensolver_traits = CGP::Lobpcg_eigensolver_traits>
-CGP::Spin_result transformed(const Mesh_view& mesh, const CGP::Dirac_options& options = {})
+CGP::Spin_result transformed(const Mesh_view& mesh, CGP::Dirac_options options = {})
 {
-  CGP::Spin_transformation<Solver_traits, Eigensolver_traits> transformation(mesh);
+  options.eigensolver = Eigensolver_traits();
+  CGP::Spin_transformation transformation(mesh, with_solvers<Solver_traits>());
   return transformation.transform(
       Curvature_potential::on_vertices(rho_of_section_3_on_vertices(mesh)), options);
 }

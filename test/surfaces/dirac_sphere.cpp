@@ -84,7 +84,7 @@ TEST(Surface_of_spin, of_any_eigenfunction_has_the_energy_of_its_eigenvalue)
 {
   const Mesh_view sphere = icosphere(4);
   const CGP::internal::Dirac_spectrum s =
-      CGP::internal::Dirac_spectral_problem<>(sphere).find(CGP::no_potential(sphere), 7);
+      CGP::internal::Dirac_spectral_problem(sphere).find(CGP::no_potential(sphere), 7);
   ASSERT_TRUE(s.converged);
   for (int k = 0; k < 7; ++k) {
     const CGP::Spin_result result = CGP::surface_of_spin(sphere, s.vectors.col(k));

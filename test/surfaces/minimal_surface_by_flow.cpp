@@ -26,7 +26,7 @@ Mesh_view bump()
 /// the transformation by a share of -H, with the tangents of the boundary
 CGP::Spin_result part(const Mesh_view& mesh, double share)
 {
-  return CGP::Spin_transformation<>(mesh, {Boundary_condition::tangents()})
+  return CGP::Spin_transformation(mesh, {Boundary_condition::tangents()})
       .transform(Curvature_potential::on_vertices(-share * CGP::mean_curvature(mesh)));
 }
 
@@ -47,7 +47,7 @@ TEST(Minimal_surface_that_is_far, is_found_after_the_flow_with_the_same_tangents
   CGP::Flow_options options;
   options.boundary = Boundary_condition::tangents();
   options.max_steps = 20;
-  CGP::Conformal_willmore_flow<> flow(mesh, options);
+  CGP::Conformal_willmore_flow flow(mesh, options);
   (void)flow.run();
   const CGP::Spin_result r = CGP::spin_to_minimal_surface(flow.mesh());
   EXPECT_TRUE(r.report);

@@ -78,7 +78,7 @@ struct Residuals {
   }
 };
 
-Residuals residuals(const CGP::Mesh_view& mesh, const CGP::Hodge_decomposition<>& hodge)
+Residuals residuals(const CGP::Mesh_view& mesh, const CGP::Hodge_decomposition& hodge)
 {
   const Eigen::MatrixXd& forms = hodge.harmonic_basis().one_forms;
   const double size = forms.cwiseAbs().maxCoeff();
@@ -99,8 +99,8 @@ std::string fault_of(const Residuals& found)
 }
 
 // How well the equations hold, and the class of a torus.
-void tell(const CGP::Mesh_view& mesh, const CGP::Hodge_decomposition<>& hodge,
-          const Residuals& found, Report& report)
+void tell(const CGP::Mesh_view& mesh, const CGP::Hodge_decomposition& hodge, const Residuals& found,
+          Report& report)
 {
   const CGP::Harmonic_basis& basis = hodge.harmonic_basis();
   report.tell("result/genus", "genus", basis.genus());
@@ -164,7 +164,7 @@ CGP::Harmonic_basis find(const Surface_input& input, const Harmonic_options& opt
 {
   require_handles(input, options);
   const CGP::Mesh_view mesh = CGP::internal::in_own_frame(input.mesh);
-  const CGP::Hodge_decomposition<> hodge(mesh, "harmonic");
+  const CGP::Hodge_decomposition hodge(mesh, "harmonic");
   throw_if_interrupted();
   session.end_stage("solve");
   const Residuals found = residuals(mesh, hodge);

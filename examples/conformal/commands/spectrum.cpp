@@ -100,7 +100,7 @@ CGP::internal::Dirac_spectrum find(const Surface_input& input, const Spectrum_op
   const auto condition = CGP::boundary_loops(mesh).empty() ? CGP::Boundary_condition::free()
                                                            : CGP::Boundary_condition::binormals();
   CGP::internal::Dirac_spectrum s =
-      CGP::internal::Dirac_spectral_problem<>(mesh, condition, "spectrum")
+      CGP::internal::Dirac_spectral_problem(mesh, condition, "spectrum")
           .find(CGP::no_potential(mesh), options.count, o, go_further);
   throw_if_interrupted();
   if (!s.converged)

@@ -65,14 +65,14 @@ class Studio_surface {
 
   CGP::Mesh_view m_mesh;
   double m_unit;  // of the user's frame
-  CGP::Spin_transformation<> m_plain;
-  std::optional<CGP::Spin_transformation<>> m_bounded;
+  CGP::Spin_transformation m_plain;
+  std::optional<CGP::Spin_transformation> m_bounded;
   double m_bound = 0;
-  std::optional<CGP::internal::Spin_preview<>> m_preview;
+  std::optional<CGP::internal::Spin_preview> m_preview;
   double m_preview_share = 1;  // of rho
-  std::optional<CGP::internal::Conformal_deformation<>> m_deformation;
+  std::optional<CGP::internal::Conformal_deformation> m_deformation;
   double m_deformation_bound = 0;
-  std::optional<CGP::Conformal_willmore_flow<>> m_flow;
+  std::optional<CGP::Conformal_willmore_flow> m_flow;
   int m_flow_steps = 0;
   double m_flow_energy = 0;  // before the first of them
   CGP::Points m_positions;

@@ -55,7 +55,7 @@ CGP::Flow_options options_of(const Flow_options& options, const Common_options& 
 Flow_solution run_flow(const CGP::Mesh_view& mesh, const Flow_options& options,
                        const Common_options& common, Flow_watch& watch)
 {
-  CGP::Conformal_willmore_flow<> flow(mesh, options_of(options, common), {}, "flow");
+  CGP::Conformal_willmore_flow flow(mesh, options_of(options, common), {}, "flow");
   CGP::Flow_report report = flow.run(watch);
   return {flow.mesh().positions(), std::move(report)};
 }

@@ -20,7 +20,7 @@ Deformation_solution solve_deformation(
   CGP::Dirac_options dirac;
   dirac.tolerance = common.tolerance;
   dirac.random_seed = common.seed;
-  CGP::internal::Conformal_deformation<> deformation(mesh, own, "deform");
+  CGP::internal::Conformal_deformation deformation(mesh, own, "deform");
   CGP::Spin_result result = deformation.deform(problem.points, dirac, std::cref(go_further));
   return {{std::move(result.positions), std::move(result.lambda), result.report},
           deformation.potential()};

@@ -17,7 +17,7 @@ Fit_solution solve_fit(const CGP::Mesh_view& mesh, const Fit_problem& problem,
   own.distance_tolerance = problem.distance_tolerance;
   own.scales.bound = problem.scale_bound;
   if (problem.mollification > 0) own.mollification = problem.mollification;
-  CGP::Nearest_spin_transformation<> nearest(mesh, problem.target, "fit", own);
+  CGP::Nearest_spin_transformation nearest(mesh, problem.target, "fit", own);
   if (problem.scales.size() > 0) nearest.scale_lengths(problem.scales);
   CGP::Dirac_options dirac;
   dirac.tolerance = common.tolerance;

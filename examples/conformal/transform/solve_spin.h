@@ -46,7 +46,7 @@ struct Spin_problem {
 };
 
 /// Calls the library's `Spin_transformation`, or `spin_to_minimal_surface()`, with the solver that
-/// the options name. This is the one place that compiles it.
+/// the options name.
 Spin_solution solve_spin(const CGP::Mesh_view& mesh, const Spin_problem& problem,
                          const Spin_options& options, const Common_options& common,
                          const Go_further& go_further);

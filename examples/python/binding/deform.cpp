@@ -28,7 +28,7 @@ class Deformation {
     take(options, "position_weight", own.position_weight);
     own.region = take_numbers(options, "vertex_region", m_function);
     m_deformation = without_lock([&] {
-      return std::make_unique<CGP::internal::Conformal_deformation<>>(m_mesh, own, m_function);
+      return std::make_unique<CGP::internal::Conformal_deformation>(m_mesh, own, m_function);
     });
   }
 
@@ -65,7 +65,7 @@ class Deformation {
 
   std::string m_function;
   CGP::Mesh_view m_mesh;
-  std::unique_ptr<CGP::internal::Conformal_deformation<>> m_deformation;
+  std::unique_ptr<CGP::internal::Conformal_deformation> m_deformation;
   std::atomic_flag m_is_computing = ATOMIC_FLAG_INIT;
 };
 

@@ -146,11 +146,11 @@ class Derivative {
 
   static constexpr const char* function = "Spin_derivative";
   CGP::Mesh_view m_mesh;
-  CGP::Spin_transformation<> m_transformation;
+  CGP::Spin_transformation m_transformation;
   CGP::Curvature_potential m_rho;
   Spins m_lambda;
-  std::optional<CGP::internal::Spin_derivative<>> m_spins;
-  std::optional<CGP::internal::Position_derivative<>> m_positions;
+  std::optional<CGP::internal::Spin_derivative> m_spins;
+  std::optional<CGP::internal::Position_derivative> m_positions;
   mutable std::atomic_flag m_is_computing = ATOMIC_FLAG_INIT;
 };
 

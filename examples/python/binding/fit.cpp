@@ -43,7 +43,7 @@ py::tuple nearest(const Array& V, const Array& target, const Indices& F, double 
   const Watch watch(callback);
   int conflicts = 0;
   const CGP::Nearest_spin_result result = without_lock([&] {
-    CGP::Nearest_spin_transformation<> search(mesh, points, function, own);
+    CGP::Nearest_spin_transformation search(mesh, points, function, own);
     if (factors.size() > 0) search.scale_lengths(factors);
     CGP::Nearest_spin_result found = search.transform(dirac, std::cref(watch));
     found.report.limits = limits;
@@ -80,7 +80,7 @@ CGP::Spin_result blended(const Pair& meshes, double t, std::optional<double> tol
         CGP::turned_binormals(meshes.a, aligned, meshes.start, t));
     own.exactness.reset();  // the prescribed data determine the loops
   }
-  return CGP::Spin_transformation<>(meshes.start, own, function)
+  return CGP::Spin_transformation(meshes.start, own, function)
       .transform(rho, options, std::cref(watch));
 }
 

@@ -86,7 +86,7 @@ py::tuple willmore_flow(const Array& V, const Indices& F, const py::dict& option
   Flow_watch watch(callback);
   CGP::Flow_report report;
   const CGP::Points positions = without_lock([&] {
-    CGP::Conformal_willmore_flow<> flow(mesh, own, {}, function);
+    CGP::Conformal_willmore_flow flow(mesh, own, {}, function);
     report = flow.run(watch);
     return flow.mesh().positions();
   });

@@ -21,7 +21,7 @@ class Transformation {
   {
     const auto own = transformation_options(options, m_mesh, m_function);
     m_transformation = without_lock(
-        [&] { return std::make_unique<CGP::Spin_transformation<>>(m_mesh, own, m_function); });
+        [&] { return std::make_unique<CGP::Spin_transformation>(m_mesh, own, m_function); });
   }
 
   py::tuple transform(const Array& rho, const std::string& on, const py::dict& options,
@@ -58,7 +58,7 @@ class Transformation {
  private:
   std::string m_function;
   CGP::Mesh_view m_mesh;
-  std::unique_ptr<CGP::Spin_transformation<>> m_transformation;
+  std::unique_ptr<CGP::Spin_transformation> m_transformation;
   std::atomic_flag m_is_computing = ATOMIC_FLAG_INIT;
 };
 

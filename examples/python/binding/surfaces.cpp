@@ -35,7 +35,7 @@ py::tuple flatten(const Array& V, const Indices& F, const py::dict& options)
   take(options, "max_iterations", o.maximum_number_of_iterations);
   const CGP::Mesh_view mesh = mesh_view(V, F, function);
   const auto result =
-      without_lock([&] { return CGP::spectral_parameterization<>(mesh, o, function); });
+      without_lock([&] { return CGP::spectral_parameterization(mesh, o, function); });
   Array uv(std::vector<py::ssize_t>{result.z.size(), 2});
   Eigen::Map<Eigen::VectorXcd>(reinterpret_cast<std::complex<double>*>(uv.mutable_data()),
                                result.z.size()) = result.z;
@@ -51,7 +51,7 @@ py::tuple harmonic_basis(const Array& V, const Indices& F)
   const CGP::internal::Normalized_frame frame(mesh.positions());
   mesh.set_positions(frame.to_frame(mesh.positions()));
   CGP::Harmonic_basis basis =
-      without_lock([&] { return CGP::Hodge_decomposition<>(mesh, function).harmonic_basis(); });
+      without_lock([&] { return CGP::Hodge_decomposition(mesh, function).harmonic_basis(); });
   py::array_t<int> ends({mesh.size_of_edges(), 2});
   for (int k = 0; k < mesh.size_of_edges(); ++k)
     for (int end = 0; end < 2; ++end)
@@ -100,7 +100,7 @@ py::dict dirac_spectrum(const Array& V, const Indices& F, int count, const py::o
   take(options, "max_restarts", o.max_restarts);
   take(options, "random_seed", o.random_seed);
   return spectrum_as_dict(without_lock([&] {
-    return CGP::internal::Dirac_spectral_problem<>(mesh, condition, function)
+    return CGP::internal::Dirac_spectral_problem(mesh, condition, function)
         .find(curvature, count, o, [](const CGP::internal::Krylov_progress&) {
           const py::gil_scoped_acquire lock;
           raise_signals();

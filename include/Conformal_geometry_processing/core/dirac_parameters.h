@@ -28,11 +28,19 @@ Dirac_options dirac_options(const NamedParameters& np)
   o.branch = choose_parameter(get_parameter(np, internal_np::branch), o.branch);
   o.random_seed = static_cast<unsigned>(
       choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), o.random_seed));
+  o.eigensolver = parameter_or(np, internal_np::eigenvalue_solver, Eigensolver_ref());
   return o;
 }
 
+/// the solvers that named parameters tell of
+template <class NamedParameters>
+Spin_solvers spin_solvers(const NamedParameters& np)
+{
+  return parameter_or(np, internal_np::sparse_solver, Spin_solvers());
+}
+
 /// \brief the options that named parameters tell of a spin transformation, but for the boundary.
-/// \tparam Options has exactness, max_period_defect and mollification
+/// \tparam Options has exactness, max_period_defect, mollification and solvers
 template <class Options, class NamedParameters>
 void read_exactness_and_mollification(const NamedParameters& np, Options& options)
 {
@@ -43,6 +51,7 @@ void read_exactness_and_mollification(const NamedParameters& np, Options& option
         CGAL::parameters::get_parameter(np, internal_np::maximum_period_defect);
   if constexpr (has_parameter<NamedParameters, internal_np::mollification_t>)
     options.mollification = CGAL::parameters::get_parameter(np, internal_np::mollification);
+  options.solvers = spin_solvers(np);
 }
 
 /// passes the progress of an eigensolver to the visitor of the named parameters, and asks whether

@@ -196,44 +196,6 @@ template <class NamedParameters, class Tag>
 inline constexpr bool has_parameter =
     !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
 
-template <class T>
-struct Referred {
-  using type = T;
-};
-
-template <class T>
-struct Referred<std::reference_wrapper<T>> {
-  using type = std::remove_const_t<T>;
-};
-
-/// Defined in templates.h, and therefore complete if that is included
-template <class T>
-struct Templates_are_included;
-
-template <class T, class = void>
-constexpr bool is_complete = false;
-template <class T>
-constexpr bool is_complete<T, std::void_t<decltype(sizeof(T))>> = true;
-
-/// The type the library was compiled for, or any type if the template definitions are included
-template <class T, class Compiled>
-struct Instantiable {
-#ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-  static_assert(std::is_same_v<T, Compiled> || is_complete<Templates_are_included<T>>,
-                "a solver, an eigenvalue solver or a direction of one's own needs "
-                "#include <Conformal_geometry_processing/templates.h>");
-#endif
-  using type = T;
-};
-
-/// \brief The type of a parameter (of the object that `std::ref` refers to), or the fallback, for
-/// which the library has been compiled.
-template <class NamedParameters, class Tag, class Fallback>
-using Parameter_type =
-    typename Instantiable<typename Referred<typename CGAL::internal_np::Lookup_named_param_def<
-                              Tag, NamedParameters, Fallback>::type>::type,
-                          Fallback>::type;
-
 /// Returns the value of a parameter (the object that `std::ref` refers to), or else the fallback
 template <class NamedParameters, class Tag, class Fallback>
 decltype(auto) parameter_or(const NamedParameters& np, Tag tag, Fallback&& fallback)

@@ -6,12 +6,12 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/flow/Class_keeper.h>
 #include <Conformal_geometry_processing/flow/Constrained_direction.h>
+#include <Conformal_geometry_processing/flow/Curvature_direction_ref.h>
 #include <Conformal_geometry_processing/flow/Flow_balance.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Flow_report.h>
 #include <Conformal_geometry_processing/flow/Flow_visitor.h>
 #include <Conformal_geometry_processing/flow/Time_step.h>
-#include <Conformal_geometry_processing/flow/Willmore_direction.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_result.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
@@ -68,11 +68,7 @@ namespace Conformal_geometry_processing {
 /// edges have to be closed. The way back to the class costs one to three factorizations of about
 /// twice its operations in the beginning, and solves only where a step changes little.
 ///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
 /// \tparam Direction a model of `CurvatureDirection`
-template <class SolverTraits = Default_solver_traits,
-          class EigensolverTraits = Lobpcg_eigensolver_traits, class Direction = Willmore_direction>
 class Conformal_willmore_flow {
  public:
   /// \param mesh is copied
@@ -81,7 +77,7 @@ class Conformal_willmore_flow {
   /// finite coordinates and positive areas, or an option is out of its range
   /// \throw Solver_error if the analysis fails
   explicit Conformal_willmore_flow(const Mesh_view& mesh, const Flow_options& options = {},
-                                   Direction direction = {},
+                                   internal::Curvature_direction_ref direction = {},
                                    std::string function = "Conformal_willmore_flow");
 
   /// the surface after the last complete step; on the exact conformal class, its faces are those of
@@ -266,11 +262,11 @@ class Conformal_willmore_flow {
   Flow_options m_options;
   Mesh_view m_input;                    // with its own faces
   Mesh_view m_initial, m_mesh, m_next;  // m_next: workspace for trials
-  Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
+  Spin_transformation m_transformation;
   std::optional<internal::Class_keeper> m_class;  // if the exact class is kept
   std::optional<internal::Well_shaped_faces>
       m_well_shaped;  // of the initial mesh, with mollification
-  internal::Constrained_direction<SolverTraits, EigensolverTraits, Direction> m_direction;
+  internal::Constrained_direction m_direction;
   internal::Flow_balance m_balance;
   double m_initial_energy, m_energy;
   internal::Time_step m_time_step;
@@ -281,7 +277,7 @@ class Conformal_willmore_flow {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Conformal_willmore_flow_templates.h>
+#include <Conformal_geometry_processing/flow/Conformal_willmore_flow_impl.h>
 #endif
 
 #endif

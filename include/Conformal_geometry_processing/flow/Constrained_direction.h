@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CONSTRAINED_DIRECTION_H
 
 #include <Conformal_geometry_processing/exceptions.h>
+#include <Conformal_geometry_processing/flow/Curvature_direction_ref.h>
 #include <Conformal_geometry_processing/flow/Curvature_filter.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
@@ -26,13 +27,10 @@ namespace internal {
 /// curvature has no component along them, but the filtered curvature has, and would make the
 /// surface drift.
 ///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
 /// \tparam Direction a model of `CurvatureDirection`
-template <class SolverTraits, class EigensolverTraits, class Direction>
 class Constrained_direction {
  public:
-  using Transformation = Spin_transformation<SolverTraits, EigensolverTraits>;
+  using Transformation = Spin_transformation;
 
   /// the direction on one surface
   struct Result {
@@ -46,10 +44,10 @@ class Constrained_direction {
   };
 
   /// \param transformation of the evolving surface; must outlive the object
-  Constrained_direction(Transformation& transformation, Direction direction,
+  Constrained_direction(Transformation& transformation, Curvature_direction_ref direction,
                         const Flow_options& options, std::string function);
 
-  const Direction& unconstrained() const { return m_direction; }
+  const Curvature_direction_ref& unconstrained() const { return m_direction; }
 
   /// \brief the direction on the present surface.
   /// \param mesh the surface
@@ -68,10 +66,10 @@ class Constrained_direction {
   void require_one_per_vertex(const Eigen::VectorXd& v) const;
 
   Transformation& m_transformation;
-  Direction m_direction;
+  Curvature_direction_ref m_direction;
   double m_filter_weight;
   int m_filter_order;
-  std::optional<Curvature_filter<SolverTraits>> m_filter;
+  std::optional<Curvature_filter> m_filter;
   std::string m_function;
 };
 
@@ -80,7 +78,7 @@ class Constrained_direction {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Constrained_direction_templates.h>
+#include <Conformal_geometry_processing/flow/Constrained_direction_impl.h>
 #endif
 
 #endif

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_CURVATURE_FILTER_H
 
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
@@ -36,27 +36,25 @@ namespace internal {
 /// 1e-10. The matrix of C has the pattern of the mesh and is factored in the constructor and by
 /// `update_geometry()`; a call costs 1, 27, 42, 58 solves for the orders 1, 2, 3, 4.
 ///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
 class Curvature_filter {
  public:
-  using Solver = typename SolverTraits::template Solver<double>;
-
   /// \param surface must outlive the object
   /// \param weight sigma > 0
   /// \param order k >= 0
   /// \pre `require_surface()` of the mesh holds
   /// \throw Precondition_error if weight or order are out of range
   /// \throw Solver_error if the matrix cannot be factored
-  Curvature_filter(const Surface_ref& surface, double weight, int order);
+  Curvature_filter(const Surface_ref& surface, double weight, int order,
+                   const Spin_solvers& solvers = {});
 
   /// shares the symbolic analysis of another solver with the same pattern
   /// \param pattern `vertex_graph(surface)`
   /// \param other a `Solver` of the same traits, for any scalar
-  template <class OtherSolver>
+  template <class Scalar>
   Curvature_filter(const Surface_ref& surface, double weight, int order,
-                   std::shared_ptr<const Sparse_pattern> pattern, const OtherSolver& other)
-      : Curvature_filter(surface, weight, order, std::move(pattern))
+                   std::shared_ptr<const Sparse_pattern> pattern, const Solver_ref<Scalar>& other)
+      : Curvature_filter(surface, weight, order, std::move(pattern),
+                         other.template another<double>())
   {
     check("analysis", m_solver.analyze_like(m_L.pattern(), other));
     update_geometry();
@@ -73,7 +71,7 @@ class Curvature_filter {
 
  private:
   Curvature_filter(const Surface_ref& surface, double weight, int order,
-                   std::shared_ptr<const Sparse_pattern> pattern);
+                   std::shared_ptr<const Sparse_pattern> pattern, Solver_ref<double>&& solver);
 
   /// C v
   Eigen::VectorXd smoothed(const Eigen::VectorXd& v) const;
@@ -90,7 +88,7 @@ class Curvature_filter {
   Hermitian_sparse_matrix<double> m_L;
   Eigen::VectorXd m_series;  // the coefficients of the filter
   Eigen::VectorXd m_masses;  // |V|; C = (L + diag(m_masses))^-1 diag(m_masses)
-  Solver m_solver;
+  Solver_ref<double> m_solver;
 };
 
 }  // namespace internal
@@ -98,7 +96,7 @@ class Curvature_filter {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/flow/Curvature_filter_templates.h>
+#include <Conformal_geometry_processing/flow/Curvature_filter_impl.h>
 #endif
 
 #endif

@@ -6,10 +6,7 @@
 #include <Conformal_geometry_processing/algebra/Moebius_map.h>
 #include <Conformal_geometry_processing/flow/Flow_options.h>
 #include <Conformal_geometry_processing/flow/Moebius_balancing.h>
-#include <Conformal_geometry_processing/flow/canonical_area_density.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
-#include <Conformal_geometry_processing/mesh/requirements.h>
-#include <Conformal_geometry_processing/operators/mass_matrices.h>
 
 #include <Eigen/Core>
 
@@ -17,6 +14,8 @@
 #include <string>
 
 namespace Conformal_geometry_processing {
+
+class Spin_transformation;
 
 namespace internal {
 
@@ -29,16 +28,8 @@ class Flow_balance {
   /// \param function named in exceptions
   /// \throw Precondition_error if a prescribed area is not positive, their number is not that of
   /// the vertices, or the canonical metric of a sphere is requested
-  template <class Transformation>
-  Flow_balance(const Mesh_view& mesh, const Flow_options& options, Transformation& transformation,
-               const std::string& function)
-      : m_way(options.balancing)
-  {
-    if (options.balance == Flow_options::Balance::none) return;
-    require_closed(mesh, function);
-    m_balancing.emplace(target_areas(options, transformation, function), function);
-    (void)m_balancing->imbalance(mesh);  // throws if the number of areas is wrong
-  }
+  Flow_balance(const Mesh_view& mesh, const Flow_options& options,
+               Spin_transformation& transformation, const std::string& function);
 
   /// \brief the term to be added to the curvature potential of a step, |V| numbers in 1/length;
   /// zero if balance is not kept by a potential.
@@ -57,18 +48,6 @@ class Flow_balance {
   Points inverted(Mesh_view mesh) const;
 
  private:
-  template <class Transformation>
-  static Eigen::VectorXd target_areas(const Flow_options& options, Transformation& transformation,
-                                      const std::string& function)
-  {
-    if (options.balance == Flow_options::Balance::prescribed) return options.target_areas;
-    const Surface_ref surface = transformation.system().surface();
-    if (options.balance == Flow_options::Balance::initial) return vertex_areas(surface);
-    const auto& exactness = transformation.exactness(Curvature_potential::On::vertices);
-    return canonical_vertex_areas(
-        surface, canonical_area_density(surface, exactness.forms.one_forms, function));
-  }
-
   Flow_options::Balancing m_way;
   std::optional<Moebius_balancing> m_balancing;
 };

@@ -5,11 +5,43 @@
 
 #include <Conformal_geometry_processing/config.h>
 #include <Conformal_geometry_processing/flow/Flow_balance.h>
+#include <Conformal_geometry_processing/flow/canonical_area_density.h>
 #include <Conformal_geometry_processing/mesh/normals.h>
+#include <Conformal_geometry_processing/mesh/requirements.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation.h>
 
 #include <Eigen/Core>
 
+#include <string>
+
 namespace Conformal_geometry_processing {
+namespace internal {
+
+CGP_INLINE Eigen::VectorXd target_areas(const Flow_options& options,
+                                        Spin_transformation& transformation,
+                                        const std::string& function)
+{
+  if (options.balance == Flow_options::Balance::prescribed) return options.target_areas;
+  const Surface_ref surface = transformation.system().surface();
+  if (options.balance == Flow_options::Balance::initial) return vertex_areas(surface);
+  const auto& exactness = transformation.exactness(Curvature_potential::On::vertices);
+  return canonical_vertex_areas(
+      surface, canonical_area_density(surface, exactness.forms.one_forms, function));
+}
+
+}  // namespace internal
+
+CGP_INLINE internal::Flow_balance::Flow_balance(const Mesh_view& mesh, const Flow_options& options,
+                                                Spin_transformation& transformation,
+                                                const std::string& function)
+    : m_way(options.balancing)
+{
+  if (options.balance == Flow_options::Balance::none) return;
+  require_closed(mesh, function);
+  m_balancing.emplace(target_areas(options, transformation, function), function);
+  (void)m_balancing->imbalance(mesh);  // throws if the number of areas is wrong
+}
 
 CGP_INLINE Eigen::VectorXd internal::Flow_balance::potential(const Mesh_view& mesh) const
 {

@@ -109,6 +109,7 @@ struct Flow_options {
   Boundary_condition boundary;
 
   Dirac_options dirac;
+  Spin_solvers solvers = {};  ///< for the linear systems
 };
 
 /// \relates Flow_options

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_FLOW_FILTERED_ON_SURFACE_H
 
 #include <Conformal_geometry_processing/flow/Curvature_filter.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
 #include <Conformal_geometry_processing/painting/Curvature_band.h>
@@ -34,15 +34,15 @@ struct Filter_options {
 /// \pre `require_surface(mesh)` holds
 /// \throw Precondition_error if weight or order are out of range
 /// \throw Solver_error if a factorization fails
-template <class SolverTraits = Default_solver_traits>
-Eigen::VectorXd filtered_on_surface(const Mesh_view& mesh, const Eigen::VectorXd& v,
-                                    Curvature_band band,
-                                    const internal::Filter_options& options = {})
+inline Eigen::VectorXd filtered_on_surface(const Mesh_view& mesh, const Eigen::VectorXd& v,
+                                           Curvature_band band,
+                                           const internal::Filter_options& options = {},
+                                           const Spin_solvers& solvers = {})
 {
   const Points& positions = mesh.positions();
   const Mesh_view in_frame(internal::Normalized_frame(positions).to_frame(positions),
                            mesh.corners());
-  const internal::Curvature_filter<SolverTraits> filter(in_frame, options.weight, options.order);
+  const internal::Curvature_filter filter(in_frame, options.weight, options.order, solvers);
   return band_of(v, filter(v), band, options.amount);
 }
 

@@ -3,12 +3,11 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_FORMS_HARMONIC_BASIS_H
 #define CONFORMAL_GEOMETRY_PROCESSING_FORMS_HARMONIC_BASIS_H
 
+#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
-#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <vector>
 
 namespace Conformal_geometry_processing {
@@ -39,16 +38,8 @@ namespace internal {
 
 /// \brief Subtracts d0 u with L u = d0^T w omega from 1-forms omega; the result is co-closed.
 /// \param laplacian solves with L of the surface
-template <class Laplacian>
 void remove_exact_parts(const Surface_ref& surface, const Eigen::VectorXd& w,
-                        const Laplacian& laplacian, Eigen::MatrixXd& forms)
-{
-  constexpr Eigen::Index at_once = 16;  // columns per solve: bounds the memory for solutions
-  for (Eigen::Index first = 0; first < forms.cols(); first += at_once) {
-    auto some = forms.middleCols(first, (std::min)(at_once, forms.cols() - first));
-    some -= differential(surface, laplacian.solve(codifferential(surface, w, some)));
-  }
-}
+                        const Grounded_solver& laplacian, Eigen::MatrixXd& forms);
 
 /// Replaces closed forms by orthonormal ones with the same span. Uses their fields, whose inner
 /// products are positive definite despite rounding, unlike sums with negative cotan weights.

@@ -7,11 +7,13 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/forms/Harmonic_basis.h>
 #include <Conformal_geometry_processing/forms/tangent_field.h>
+#include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Conformal_geometry_processing {
@@ -29,6 +31,16 @@ CGP_INLINE Eigen::MatrixXd Harmonic_basis::coefficients(const Eigen::VectorXd& w
 }
 
 namespace internal {
+
+CGP_INLINE void remove_exact_parts(const Surface_ref& surface, const Eigen::VectorXd& w,
+                                   const Grounded_solver& laplacian, Eigen::MatrixXd& forms)
+{
+  constexpr Eigen::Index at_once = 16;  // columns per solve: bounds the memory for solutions
+  for (Eigen::Index first = 0; first < forms.cols(); first += at_once) {
+    auto some = forms.middleCols(first, (std::min)(at_once, forms.cols() - first));
+    some -= differential(surface, laplacian.solve(codifferential(surface, w, some)));
+  }
+}
 
 /// The fields of closed forms, one form per column, with each vector multiplied by the square root
 /// of its sheet's area: the inner products of the columns are those of the forms.

@@ -43,8 +43,6 @@ struct Hodge_parts {
 /// Factors the Laplacian once, unless its factor is given; the basis costs two solves with it per
 /// form.
 ///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
 class Hodge_decomposition {
  public:
   /// \param mesh must outlive the object
@@ -53,7 +51,8 @@ class Hodge_decomposition {
   /// coordinates and positive areas; the message names the first offending element
   /// \throw Solver_error if the Laplacian cannot be factored
   explicit Hodge_decomposition(const Mesh_view& mesh,
-                               const std::string& function = "Hodge_decomposition");
+                               const std::string& function = "Hodge_decomposition",
+                               const Spin_solvers& solvers = {});
 
   /// \brief from given generators, with a given factor.
   /// \param generators closed forms, |E| x their number (see `closed_generators()`), no linear
@@ -64,7 +63,7 @@ class Hodge_decomposition {
   /// \pre `require_surface(mesh)` holds
   /// \throw Precondition_error if the generators are not independent
   Hodge_decomposition(const Surface_ref& surface, Eigen::MatrixXd generators,
-                      const internal::Grounded_solver<SolverTraits>& laplacian);
+                      const internal::Grounded_solver& laplacian);
 
   const Harmonic_basis& harmonic_basis() const& { return m_basis; }
   Harmonic_basis harmonic_basis() && { return std::move(m_basis); }
@@ -77,7 +76,7 @@ class Hodge_decomposition {
   internal::Hodge_parts decompose(const Eigen::MatrixXd& omega) const;
 
  private:
-  using Laplacian = std::shared_ptr<const internal::Grounded_solver<SolverTraits>>;
+  using Laplacian = std::shared_ptr<const internal::Grounded_solver>;
 
   // A checked mesh; the checks must precede all other members.
   struct Checked_mesh {
@@ -85,10 +84,10 @@ class Hodge_decomposition {
     const Mesh_view& mesh;
   };
 
-  explicit Hodge_decomposition(const Checked_mesh& c);
+  Hodge_decomposition(const Checked_mesh& c, const Spin_solvers& solvers);
   Hodge_decomposition(const Surface_ref& surface, Eigen::MatrixXd generators, Laplacian laplacian);
-  static Laplacian factored(const Mesh_view& mesh);
-  static Laplacian not_owned(const internal::Grounded_solver<SolverTraits>& laplacian);
+  static Laplacian factored(const Mesh_view& mesh, const Spin_solvers& solvers);
+  static Laplacian not_owned(const internal::Grounded_solver& laplacian);
 
   /// u with L u = d0^T w omega
   Eigen::MatrixXd potential(const Eigen::MatrixXd& omega) const;
@@ -102,7 +101,7 @@ class Hodge_decomposition {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/forms/Hodge_decomposition_templates.h>
+#include <Conformal_geometry_processing/forms/Hodge_decomposition_impl.h>
 #endif
 
 #endif

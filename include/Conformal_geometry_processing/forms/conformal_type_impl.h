@@ -24,7 +24,7 @@ CGP_INLINE Eigen::MatrixXd internal::harmonic_energies(const Mesh_view& mesh)
   if (forms.cols() == 0) return Eigen::MatrixXd(0, 0);
   const Eigen::VectorXd w = cotan_weights(mesh);
   const auto graph = vertex_graph(mesh);
-  Grounded_solver<> laplacian(graph);
+  Grounded_solver laplacian(graph);
   laplacian.factorize(cotan_laplacian(mesh, graph));
   remove_exact_parts(mesh, w, laplacian, forms);
   return forms.transpose() * w.asDiagonal() * forms;

@@ -7,17 +7,13 @@
 
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition_templates.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver_templates.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver_templates.h>
-#include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver_templates.h>
 
 #include <complex>
 
 namespace Conformal_geometry_processing {
 
-template class internal::Grounded_solver<Default_solver_traits>;
-template class internal::Dirichlet_solver<double, Default_solver_traits>;
-template class internal::Dirichlet_solver<Quaternion<double>, Default_solver_traits>;
-template class internal::Real_reduced_solver<Supernodal_cholesky<double>>;
+template class internal::Dirichlet_solver<double>;
+template class internal::Dirichlet_solver<Quaternion<double>>;
 template internal::Hermitian_eigen_decomposition<double> hermitian_eigen_decomposition(
     Block<double>);
 template internal::Hermitian_eigen_decomposition<std::complex<double>>

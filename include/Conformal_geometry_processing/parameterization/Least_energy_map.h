@@ -24,14 +24,13 @@ namespace internal {
 ///
 /// Energies that are invariant under rotations of the image are complex matrices, |V| x |V|; other
 /// energies are real matrices, 2|V| x 2|V|, in the order a_0, b_0, a_1, b_1, ...
-template <class SolverTraits>
 class Least_energy_map {
   using Complex = std::complex<double>;
 
  public:
   /// \param loops the constrained ones; the first one has at least three edges
   Least_energy_map(const Mesh_view& mesh, const std::vector<Vertex_loop>& loops,
-                   std::string function);
+                   const Map_solvers& solvers, std::string function);
 
   /// \param report receives the results of the eigensolver, and the seconds
   /// \throw Solver_error if a factorization fails
@@ -44,11 +43,11 @@ class Least_energy_map {
   /// Reorders rows 0 ... n-1, n ... 2n-1 to 0, n, 1, n+1, ...
   static Eigen::MatrixXd interleaved(const Eigen::MatrixXd& x);
 
-  template <class Scalar, class Solver>
-  Vector<Scalar> eigenvector(const Hermitian_sparse_matrix<Scalar>& energy, Solver& solver,
-                             const Centered_mass<Scalar>& mass, const Eigen::VectorXd& weights,
-                             const Block<Scalar>& start, const Subspace_options& options,
-                             Parameterization_report& report) const
+  template <class Scalar>
+  Vector<Scalar> eigenvector(const Hermitian_sparse_matrix<Scalar>& energy,
+                             Solver_ref<Scalar>& solver, const Centered_mass<Scalar>& mass,
+                             const Eigen::VectorXd& weights, const Block<Scalar>& start,
+                             const Subspace_options& options, Parameterization_report& report) const
   {
     Stopwatch watch;
     const double shift = factorize(energy, weights, solver);
@@ -69,9 +68,9 @@ class Least_energy_map {
   /// Factors energy + shift weights, because the energy vanishes for constants. Constants then have
   /// the energy `constant`, far below that of all maps except those of flat surfaces; it must
   /// exceed the rounding errors of the zero eigenvalue, which are large for meshes with slivers.
-  template <class Scalar, class Solver>
+  template <class Scalar>
   double factorize(const Hermitian_sparse_matrix<Scalar>& energy, const Eigen::VectorXd& weights,
-                   Solver& solver) const
+                   Solver_ref<Scalar>& solver) const
   {
     Solver_status status = Solver_status::success;
     for (const double constant : {1e-8, 1e-6, 1e-4}) {
@@ -89,6 +88,7 @@ class Least_energy_map {
   const Mesh_view& m_mesh;
   Eigen::MatrixXcd m_start;   // |V| x up to 4
   Eigen::VectorXd m_weights;  // |V|: 1 on the loops
+  Map_solvers m_solvers;
   std::string m_function;
 };
 
@@ -97,7 +97,7 @@ class Least_energy_map {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/parameterization/Least_energy_map_templates.h>
+#include <Conformal_geometry_processing/parameterization/Least_energy_map_impl.h>
 #endif
 
 #endif

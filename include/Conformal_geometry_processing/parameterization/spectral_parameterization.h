@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_PARAMETERIZATION_SPECTRAL_PARAMETERIZATION_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Stopwatch.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
@@ -43,6 +43,7 @@ struct Parameterization_options {
   internal::Normalized_boundary boundary = internal::Normalized_boundary::longest_loop;
   double tolerance = 1e-6;  ///< of the relative error of the map in the norm of the energy
   int maximum_number_of_iterations = 100;
+  Map_solvers solvers = {};  ///< for the linear systems
 };
 
 namespace internal {
@@ -62,26 +63,6 @@ void require_boundary(const Mesh_view& mesh, const std::string& function);
 
 namespace internal {
 
-/// Computes the map of minimal energy in normalized coordinates, and fills in the report
-template <class SolverTraits>
-Eigen::VectorXcd least_energy_map(const Mesh_view& mesh, const std::vector<Vertex_loop>& loops,
-                                  const Parameterization_options& options,
-                                  Parameterization_report& report, const std::string& function)
-{
-  const Subspace_options subspace{options.tolerance, options.maximum_number_of_iterations};
-  const auto graph = vertex_graph(mesh);
-  Stopwatch watch;
-  if (options.normals == Parameterization_options::Normals::of_faces) {
-    const auto energy = conformal_energy(mesh, graph);
-    report.seconds.assembly = watch.lap();
-    return Least_energy_map<SolverTraits>(mesh, loops, function).find(energy, subspace, report);
-  }
-  const auto energy =
-      vertex_normal_energy(mesh, vertex_normals(mesh, options.vertex_normals), *graph);
-  report.seconds.assembly = watch.lap();
-  return Least_energy_map<SolverTraits>(mesh, loops, function).find(energy, subspace, report);
-}
-
 void certify(const Mesh_view& mesh, const Eigen::VectorXcd& z, Parameterization_report& report);
 
 }  // namespace internal
@@ -92,23 +73,9 @@ void certify(const Mesh_view& mesh, const Eigen::VectorXcd& z, Parameterization_
 /// \param loops at least one, the first one with three vertices or more; it is centred at the
 /// origin
 /// \pre the mesh satisfies the requirements of `spectral_parameterization()`
-template <class SolverTraits = Default_solver_traits>
 internal::Parameterization_result spectral_parameterization_of(
     Mesh_view mesh, const std::vector<internal::Vertex_loop>& loops,
-    const Parameterization_options& options, const std::string& function)
-{
-  const internal::Normalized_frame frame(mesh.positions());
-  mesh.set_positions(frame.to_frame(mesh.positions()));
-  internal::Parameterization_result result;
-  result.z =
-      internal::least_energy_map<SolverTraits>(mesh, loops, options, result.report, function);
-  result.z = place_in_plane(mesh, std::move(result.z), loops[0]);
-  internal::Stopwatch watch;
-  internal::certify(mesh, result.z, result.report);
-  result.report.seconds.certificate = watch.lap();
-  result.z *= frame.unit();
-  return result;
-}
+    const Parameterization_options& options, const std::string& function);
 
 /// \ingroup PkgParameterization
 /// \brief Computes the map to the plane that minimizes the conformal energy for a given variance of
@@ -124,21 +91,13 @@ internal::Parameterization_result spectral_parameterization_of(
 /// position of the mesh. A surface with holes is mapped to a plane domain with holes; for surfaces
 /// with handles there is no such map without flipped faces.
 ///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`, also for `std::complex<double>`
 /// \throw Precondition_error if the mesh is not a connected, oriented manifold with boundary,
 /// finite coordinates and positive areas
 /// \throw Solver_error if the energy cannot be factorized. If the iteration does not converge, the
 /// report says so.
-template <class SolverTraits = Default_solver_traits>
 internal::Parameterization_result spectral_parameterization(
     const Mesh_view& mesh, const Parameterization_options& options = {},
-    const std::string& function = "spectral_parameterization")
-{
-  require_surface(mesh, function);
-  require_boundary(mesh, function);
-  return spectral_parameterization_of<SolverTraits>(mesh, normalized_loops(mesh, options.boundary),
-                                                    options, function);
-}
+    const std::string& function = "spectral_parameterization");
 
 }  // namespace Conformal_geometry_processing
 

@@ -43,9 +43,6 @@ namespace internal {
 ///
 /// `Spin_report::limits` of the result demand that all of the way is made.
 ///
-/// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
-template <class SolverTraits = Default_solver_traits,
-          class EigensolverTraits = Lobpcg_eigensolver_traits>
 class Conformal_deformation {
  public:
   /// \throw as the constructor of `Spin_transformation`, for the region if there is one, or that of
@@ -77,7 +74,7 @@ class Conformal_deformation {
   const Curvature_potential& potential() const { return m_rho; }
 
  private:
-  using Search = Control_point_search<SolverTraits, EigensolverTraits>;
+  using Search = Control_point_search;
 
   /// \throw Precondition_error if the best similarity shrinks the points to one
   void require_extent(const std::vector<Control_point>& points) const;
@@ -93,7 +90,7 @@ class Conformal_deformation {
   int m_size;                                  // number of vertices of the mesh
   std::optional<Region_of_interest> m_region;  // none: the whole mesh
   Conformal_deformation_options m_options;
-  Spin_transformation<SolverTraits, EigensolverTraits> m_transformation;
+  Spin_transformation m_transformation;
   std::unique_ptr<Search> m_search;  // for the last points; refers to the members before
   Curvature_potential m_rho;
 };
@@ -103,7 +100,7 @@ class Conformal_deformation {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Conformal_deformation_templates.h>
+#include <Conformal_geometry_processing/spin/Conformal_deformation_impl.h>
 #endif
 
 #endif

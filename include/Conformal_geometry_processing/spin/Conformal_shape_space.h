@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_CONFORMAL_SHAPE_SPACE_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Mesh_view.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
 
@@ -25,8 +25,6 @@ namespace internal {
 /// (k + 1)) for the spherical harmonics of degree k.
 ///
 /// Costs one factorization in the constructor and about five solves for each function.
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
 class Conformal_shape_space {
  public:
   /// \param mesh must outlive the object
@@ -59,7 +57,7 @@ class Conformal_shape_space {
   Eigen::VectorXd without_mean(const Eigen::VectorXd& phi) const;
 
   const Mesh_view& m_mesh;
-  Dirac_system<SolverTraits> m_system;
+  Dirac_system m_system;
 };
 
 }  // namespace internal
@@ -67,7 +65,7 @@ class Conformal_shape_space {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Conformal_shape_space_templates.h>
+#include <Conformal_geometry_processing/spin/Conformal_shape_space_impl.h>
 #endif
 
 #endif

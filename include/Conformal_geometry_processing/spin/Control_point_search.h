@@ -22,12 +22,10 @@ namespace internal {
 /// \ingroup PkgSpin
 /// \brief finds the least rho whose transformation takes control points to targets up to a
 /// similarity, on a way from where they are, see `Conformal_deformation`.
-/// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
-template <class SolverTraits, class EigensolverTraits>
 class Control_point_search {
  public:
-  using Transformation = Spin_transformation<SolverTraits, EigensolverTraits>;
-  using Search = Potential_search<SolverTraits, EigensolverTraits>;
+  using Transformation = Spin_transformation;
+  using Search = Potential_search;
 
   /// \param transformation must outlive the object
   /// \param options must outlive the object
@@ -82,7 +80,7 @@ class Control_point_search {
   std::vector<Control_point> m_points;
   Points m_from, m_to;  // the control points, at first and in the end
   bool m_has_run = false;
-  Position_residual<SolverTraits> m_positions;
+  Position_residual m_positions;
   Scale_residual m_scales;
   std::optional<Period_residual> m_periods;
   std::optional<Search> m_search;
@@ -96,7 +94,7 @@ class Control_point_search {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Control_point_search_templates.h>
+#include <Conformal_geometry_processing/spin/Control_point_search_impl.h>
 #endif
 
 #endif

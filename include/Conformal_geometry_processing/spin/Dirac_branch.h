@@ -43,9 +43,8 @@ namespace internal {
 ///
 /// Costs one factorization for weak rho, two where gamma is far from minus the mean of rho, and
 /// one more for each stage.
-template <class SolverTraits, class EigensolverTraits>
 class Dirac_branch {
-  using System = Dirac_system<SolverTraits>;
+  using System = Dirac_system;
   using Vectors = Block<Quaternion<double>>;
 
  public:
@@ -172,7 +171,7 @@ class Dirac_branch {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Dirac_branch_templates.h>
+#include <Conformal_geometry_processing/spin/Dirac_branch_impl.h>
 #endif
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_LINE_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_LINE_H
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Dirac_solution.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
@@ -26,17 +26,14 @@ namespace internal {
 /// soft modes, the equation is solved exactly (`follow_branch()`).
 ///
 /// Costs four solves with the factor at hand; a prediction is a combination of six vectors.
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
 class Dirac_line {
  public:
   /// \param system whose factor is that of `at`
   /// \param rho in 1/length of the system, \param at its solution
   /// \param change d, \param dlambda derivative of lambda along d
   /// \pre the surface is closed
-  Dirac_line(const Dirac_system<SolverTraits>& system, const Curvature_potential& rho,
-             Dirac_solution at, const Eigen::VectorXd& change,
-             const Quaternion_vector<double>& dlambda);
+  Dirac_line(const Dirac_system& system, const Curvature_potential& rho, Dirac_solution at,
+             const Eigen::VectorXd& change, const Quaternion_vector<double>& dlambda);
 
   /// \brief the solution predicted for t in [0, 1]; none where the branch turns away from lambda,
   /// or cannot be told from another.
@@ -57,7 +54,7 @@ class Dirac_line {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Dirac_line_templates.h>
+#include <Conformal_geometry_processing/spin/Dirac_line_impl.h>
 #endif
 
 #endif

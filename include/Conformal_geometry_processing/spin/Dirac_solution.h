@@ -4,6 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SOLUTION_H
 
 #include <Conformal_geometry_processing/algebra/Quaternion_vector.h>
+#include <Conformal_geometry_processing/linear_algebra/krylov/Eigensolver_ref.h>
 
 #include <functional>
 
@@ -36,6 +37,7 @@ struct Dirac_options {
   /// guide
   double kernel_tolerance = 0;
   Branch branch = Branch::nearest;
+  internal::Eigensolver_ref eigensolver;  ///< for closed surfaces
 };
 
 namespace internal {

@@ -4,7 +4,7 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_DIRAC_SPECTRAL_PROBLEM_H
 
 #include <Conformal_geometry_processing/exceptions.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Visit_guard.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/krylov_schur.h>
 #include <Conformal_geometry_processing/mesh/Normalized_frame.h>
@@ -37,8 +37,6 @@ namespace internal {
 /// vectors, with an error of O(h^2) for any shift. For rho + s = 0, the constants are split off
 /// first, and the other eigenfunctions have mean zero.
 ///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
 class Dirac_spectral_problem {
   using Vectors = Block<Quaternion<double>>;
   using Go_further = std::function<bool(const Krylov_progress&)>;
@@ -52,7 +50,8 @@ class Dirac_spectral_problem {
   /// coordinates and positive areas, or the condition does not fit it
   /// \throw Solver_error if the analysis fails
   explicit Dirac_spectral_problem(const Mesh_view& mesh, const Boundary_condition& condition = {},
-                                  const std::string& function = "Dirac_spectral_problem");
+                                  const std::string& function = "Dirac_spectral_problem",
+                                  const Spin_solvers& solvers = {});
 
   /// \param rho finite, in 1/length
   /// \param count the number of eigenvalues
@@ -91,7 +90,7 @@ class Dirac_spectral_problem {
   Visit_guard m_visits;
   Normalized_frame m_frame;
   Mesh_view m_mesh;  // in the frame
-  Dirac_system<SolverTraits> m_system;
+  Dirac_system m_system;
   Curvature_potential m_rho;  // with the shift, in the frame
   Vectors m_constants;        // in the kernel of D - rho, and excluded
 };
@@ -101,7 +100,7 @@ class Dirac_spectral_problem {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Dirac_spectral_problem_templates.h>
+#include <Conformal_geometry_processing/spin/Dirac_spectral_problem_impl.h>
 #endif
 
 #endif

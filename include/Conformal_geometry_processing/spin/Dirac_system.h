@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/block_products.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/linear_algebra/reduced/Reduced_hermitian_solver.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
@@ -37,15 +37,13 @@ namespace internal {
 ///
 /// `solve_dirac_equation()` and `Dirac_spectral_problem` solve equations with it.
 ///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
 class Dirac_system {
  public:
   using Vectors = Block<Quaternion<double>>;
   using Matrix = Hermitian_sparse_matrix<Quaternion<double>>;
-  using Solver = typename SolverTraits::template Solver<Quaternion<double>>;
-  using Directions = Prescribed_directions<SolverTraits>;
-  using Positions = Prescribed_positions<SolverTraits>;
+  using Solver = Solver_ref<Quaternion<double>>;
+  using Directions = Prescribed_directions;
+  using Positions = Prescribed_positions;
 
   /// \param surface must outlive the object
   /// \param function named in exceptions
@@ -54,7 +52,8 @@ class Dirac_system {
   /// `require_condition()`, or if prescribed positions require another spin structure
   /// \throw Solver_error if the analysis fails
   explicit Dirac_system(const Surface_ref& surface, const Boundary_condition& condition = {},
-                        const std::string& function = "Dirac_system");
+                        const std::string& function = "Dirac_system",
+                        const Spin_solvers& solvers = {});
 
   Dirac_system(const Dirac_system&) = delete;
   Dirac_system& operator=(const Dirac_system&) = delete;
@@ -148,6 +147,8 @@ class Dirac_system {
   /// the nearest vectors in the space
   Vectors projected(Vectors v) const;
 
+  const Spin_solvers& solvers() const { return m_solvers; }
+
   /// the solver on all of H^n; its analysis is shared
   const Solver& solver() const { return m_solver; }
 
@@ -189,6 +190,7 @@ class Dirac_system {
   Eigen::VectorXd m_areas;  // |V|
   Matrix m_X;
   std::optional<Curvature_potential> m_rho;  // of m_X
+  Spin_solvers m_solvers;
   Solver m_solver;
   std::optional<Reduced_hermitian_solver> m_reduced;  // where directions are prescribed
   std::unique_ptr<Directions> m_directions;
@@ -197,12 +199,28 @@ class Dirac_system {
   int m_changes = 0;
 };
 
+/// \ingroup PkgSpin
+/// \brief solves X y = c on a connected closed surface, where the kernel of X = D^H M D consists of
+/// the constants: y has mean zero, and the mean of c, which is not in the range of X, is removed.
+///
+/// Uses conjugate gradients on X itself, preconditioned by any available factor: that of X plus a
+/// small multiple of M_V needs about five iterations; factors of nearby matrices work as well.
+/// \param areas M_V \param solver with such a factor
+/// \param tolerance of the relative error in the energy norm
+/// \param solves increased by the number of solves with the factor
+/// \throw Solver_error if the solver fails, or the iterations do not converge
+Block<Quaternion<double>> closed_response(const Hermitian_sparse_matrix<Quaternion<double>>& X,
+                                          const Eigen::VectorXd& areas,
+                                          const Solver_ref<Quaternion<double>>& solver,
+                                          Block<Quaternion<double>> c, double tolerance,
+                                          int& solves);
+
 }  // namespace internal
 
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Dirac_system_templates.h>
+#include <Conformal_geometry_processing/spin/Dirac_system_impl.h>
 #endif
 
 #endif

@@ -21,7 +21,6 @@ namespace internal {
 ///
 /// The space is real, so eigenvalues are in general simple and not fourfold. Each `solve()` costs
 /// one factorization, and one solve for each iteration and column.
-template <class SolverTraits>
 class Directions_search {
   using Vectors = Block<Quaternion<double>>;
 
@@ -32,7 +31,7 @@ class Directions_search {
 
   /// \param system has prescribed directions; must outlive the object
   /// \param rho must outlive the object
-  Directions_search(Dirac_system<SolverTraits>& system, const Curvature_potential& rho,
+  Directions_search(Dirac_system& system, const Curvature_potential& rho,
                     const Dirac_options& options);
 
   /// \param[in,out] s receives the solution
@@ -71,7 +70,7 @@ class Directions_search {
 
   const Quaternion_vector<double>& guide() const { return m_system.directions()->guide(); }
 
-  Dirac_system<SolverTraits>& m_system;
+  Dirac_system& m_system;
   const Curvature_potential& m_rho;
   Dirac_options m_options;
   double m_greatest_value;       // singular, of a solution
@@ -82,7 +81,7 @@ class Directions_search {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Directions_search_templates.h>
+#include <Conformal_geometry_processing/spin/Directions_search_impl.h>
 #endif
 
 #endif

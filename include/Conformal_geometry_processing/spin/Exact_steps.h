@@ -16,6 +16,9 @@
 #include <optional>
 
 namespace Conformal_geometry_processing {
+
+class Spin_transformation;
+
 namespace internal {
 
 /// \brief applies rho to a surface with handles or holes in steps that keep its edges exact, see
@@ -26,12 +29,11 @@ namespace internal {
 /// ever larger steps. Where prescribed directions turn the boundary, they contribute periods of
 /// first order, too, and rho and they may close together: the first step goes all the way with all
 /// of rho, and adds what `closed_step()` needs.
-template <class Transformation>
 class Exact_steps {
  public:
   /// \param transformation is moved along the path, to the last surface that a step starts from
   /// \param rho in 1/length
-  Exact_steps(Transformation& transformation, const Curvature_potential& rho,
+  Exact_steps(Spin_transformation& transformation, const Curvature_potential& rho,
               const Spin_transformation_options& options);
 
   /// see `Spin_transformation::transform()`
@@ -77,7 +79,7 @@ class Exact_steps {
   /// under scaling
   double norm(const Eigen::VectorXd& rho) const;
 
-  Transformation& m_transformation;
+  Spin_transformation& m_transformation;
   const Spin_transformation_options& m_options;
   Period_limit m_limit;
   Normalized_frame m_frame;        // of the first surface
@@ -94,7 +96,7 @@ class Exact_steps {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Exact_steps_templates.h>
+#include <Conformal_geometry_processing/spin/Exact_steps_impl.h>
 #endif
 
 #endif

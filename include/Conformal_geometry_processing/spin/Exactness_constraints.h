@@ -67,11 +67,11 @@ struct Exactness_constraints {
 /// \param on where the values of rho are
 /// \param version empty: no functions are computed. With a boundary, always the adjoint
 /// \throw Solver_error if a factorization fails, or a solve
-template <class SolverTraits>
-internal::Exactness_constraints exactness_constraints(
-    internal::Dirac_system<SolverTraits>& system,
-    const internal::Grounded_solver<SolverTraits>& laplacian, Eigen::MatrixXd generators,
-    Curvature_potential::On on, std::optional<Exactness> version);
+internal::Exactness_constraints exactness_constraints(internal::Dirac_system& system,
+                                                      const internal::Grounded_solver& laplacian,
+                                                      Eigen::MatrixXd generators,
+                                                      Curvature_potential::On on,
+                                                      std::optional<Exactness> version);
 
 }  // namespace Conformal_geometry_processing
 
@@ -80,7 +80,6 @@ internal::Exactness_constraints exactness_constraints(
 #endif
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Exactness_constraints_templates.h>
 #endif
 
 #endif

@@ -18,12 +18,10 @@ namespace internal {
 /// `Poisson_reconstruction`; its norm is the `closure_residual()`.
 ///
 /// Inexact edges come from a rho that varies too fast for the mesh, and from open handles.
-template <class SolverTraits = Default_solver_traits>
 class Exactness_residual : public Spin_residual {
  public:
   /// \param reconstruction of the surface; both must outlive the object
-  Exactness_residual(const Surface_ref& surface,
-                     const Poisson_reconstruction<SolverTraits>& reconstruction);
+  Exactness_residual(const Surface_ref& surface, const Poisson_reconstruction& reconstruction);
 
   /// \param c factor of the square of the residual; 0 leaves it out
   void set_weight(double c) { m_weight = c; }
@@ -42,7 +40,7 @@ class Exactness_residual : public Spin_residual {
   Eigen::MatrixX3d inexact_part(const Eigen::MatrixX3d& edges) const;
 
   Surface_ref m_surface;
-  const Poisson_reconstruction<SolverTraits>& m_reconstruction;
+  const Poisson_reconstruction& m_reconstruction;
   Eigen::VectorXd m_roots;  // of |w|
   double m_weight = 0, m_length = 1;
   Spins m_lambda;
@@ -54,7 +52,7 @@ class Exactness_residual : public Spin_residual {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Exactness_residual_templates.h>
+#include <Conformal_geometry_processing/spin/Exactness_residual_impl.h>
 #endif
 
 #endif

@@ -56,6 +56,7 @@ struct Nearest_spin_options {
   /// radians between normals: a tenth of a pixel of a picture of 1,000 pixels. What is left after
   /// that costs most of the time
   double distance_tolerance = 1e-4;
+  Spin_solvers solvers = {};  ///< for the linear systems
 };
 
 /// \ingroup PkgSpin
@@ -75,10 +76,6 @@ struct Nearest_spin_options {
 /// search. (1 - t) lambda + t mu interpolates between its result and the target.
 ///
 /// A similarity aligns the results with the target as closely as possible.
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
-template <class SolverTraits = Default_solver_traits,
-          class EigensolverTraits = Lobpcg_eigensolver_traits>
 class Nearest_spin_transformation {
  public:
   /// \param mesh is copied
@@ -161,7 +158,7 @@ class Nearest_spin_transformation {
   Nearest_spin_options m_options;
   Points m_target;
   std::optional<Eigen::Vector3d> m_direction;  // of the present transformation
-  std::unique_ptr<Spin_transformation<SolverTraits, EigensolverTraits>> m_transformation;
+  std::unique_ptr<Spin_transformation> m_transformation;
   internal::Target_mismatch m_mismatch;
   int m_conflicts = 0;
   Quaternion_vector<double> m_mu;
@@ -171,7 +168,7 @@ class Nearest_spin_transformation {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Nearest_spin_transformation_templates.h>
+#include <Conformal_geometry_processing/spin/Nearest_spin_transformation_impl.h>
 #endif
 
 #endif

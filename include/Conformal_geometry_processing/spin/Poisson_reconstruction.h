@@ -3,8 +3,8 @@
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_SPIN_POISSON_RECONSTRUCTION_H
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POISSON_RECONSTRUCTION_H
 
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 
 #include <Eigen/Core>
@@ -24,21 +24,20 @@ namespace Conformal_geometry_processing {
 /// L depends only on the mesh. The constructor factors it, and `update_geometry()` again after the
 /// mesh has moved; each call costs two triangular solves with three right-hand sides.
 ///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
 class Poisson_reconstruction {
  public:
   /// \param surface must outlive the object
   /// \param pattern `vertex_graph(surface)`
   /// \pre `require_surface()` of the mesh holds
   /// \throw Solver_error if the Laplacian cannot be factored
-  Poisson_reconstruction(const Surface_ref& surface, std::shared_ptr<const Sparse_pattern> pattern);
+  Poisson_reconstruction(const Surface_ref& surface, std::shared_ptr<const Sparse_pattern> pattern,
+                         const Spin_solvers& solvers = {});
 
   /// shares the symbolic analysis of another solver with the same pattern
   /// \param other a `Solver` of the same traits, for any scalar
-  template <class OtherSolver>
+  template <class Scalar>
   Poisson_reconstruction(const Surface_ref& surface, std::shared_ptr<const Sparse_pattern> pattern,
-                         const OtherSolver& other)
+                         const internal::Solver_ref<Scalar>& other)
       : m_surface(surface), m_L(pattern), m_solver(std::move(pattern), other)
   {
     update_geometry();
@@ -50,7 +49,7 @@ class Poisson_reconstruction {
   void update_geometry();
 
   /// the solver for the Laplacian
-  const internal::Grounded_solver<SolverTraits>& solver() const { return m_solver; }
+  const internal::Grounded_solver& solver() const { return m_solver; }
 
   /// returns f, 3 x |V|: the unique minimiser with mean zero
   /// \param edges |E| x 3, edge k runs from `surface.ends(k)[0]` to `surface.ends(k)[1]`
@@ -70,13 +69,13 @@ class Poisson_reconstruction {
   Surface_ref m_surface;
   Eigen::VectorXd m_weights;  // |E|
   Hermitian_sparse_matrix<double> m_L;
-  internal::Grounded_solver<SolverTraits> m_solver;
+  internal::Grounded_solver m_solver;
 };
 
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Poisson_reconstruction_templates.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction_impl.h>
 #endif
 
 #endif

@@ -20,15 +20,13 @@ namespace internal {
 /// Includes what `Spin_transformation` does to lambda and to the positions: `fix_gauge()` keeps the
 /// mean of lambda real, `restore_area()` keeps area and centroid. A change of lambda by a right
 /// factor therefore has no effect. Each product costs a solve with the Laplacian, three columns.
-template <class SolverTraits = Default_solver_traits>
 class Position_derivative {
  public:
   /// \param system and reconstruction of the surface; must outlive the object, as the mesh
   /// \param measured the faces on which `restore_area()` measures
   /// \param lambda spins of the result, after `restore_area()`, |V|
   /// \param f its positions, 3 x |V|
-  Position_derivative(const Dirac_system<SolverTraits>& system,
-                      const Poisson_reconstruction<SolverTraits>& reconstruction,
+  Position_derivative(const Dirac_system& system, const Poisson_reconstruction& reconstruction,
                       const Mesh_view& measured, Quaternion_vector<double> lambda, Points f);
 
   /// df, 3 x |V|
@@ -39,8 +37,8 @@ class Position_derivative {
   Quaternion_vector<double> apply_transpose(const Points& y) const;
 
  private:
-  const Dirac_system<SolverTraits>& m_system;
-  const Poisson_reconstruction<SolverTraits>& m_reconstruction;
+  const Dirac_system& m_system;
+  const Poisson_reconstruction& m_reconstruction;
   Quaternion_vector<double> m_lambda;
   double m_mean = 0;  // of lambda, integrated; 0 if the gauge is not fixed
   Placement_derivative m_placement;
@@ -51,7 +49,7 @@ class Position_derivative {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Position_derivative_templates.h>
+#include <Conformal_geometry_processing/spin/Position_derivative_impl.h>
 #endif
 
 #endif

@@ -61,13 +61,11 @@ class Shape_motions {
 /// m^(1/2) dT(dh) / R, up to the change of Z, which is multiplied by distances that become small.
 /// The similarity may be anything: the total scale, the position, and the turn of the surface have
 /// no effect.
-template <class SolverTraits>
 class Position_residual : public Spin_residual {
  public:
   /// \param surface, reconstruction must outlive the object
   /// \param masses weights of the squares of distances, one per point; all one if empty
-  Position_residual(const Surface_ref& surface,
-                    const Poisson_reconstruction<SolverTraits>& reconstruction,
+  Position_residual(const Surface_ref& surface, const Poisson_reconstruction& reconstruction,
                     std::vector<Control_point> points, Eigen::VectorXd masses = {});
 
   /// \param targets 3 x number of points, in the frame
@@ -93,7 +91,7 @@ class Position_residual : public Spin_residual {
   Eigen::VectorXd coordinates(const Points& v) const;
 
   Surface_ref m_surface;
-  const Poisson_reconstruction<SolverTraits>& m_reconstruction;
+  const Poisson_reconstruction& m_reconstruction;
   std::vector<Control_point> m_points;
   Eigen::VectorXd m_masses;
   double m_radius;  // R
@@ -111,8 +109,8 @@ class Position_residual : public Spin_residual {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/spin/Position_residual.h>
 #include <Conformal_geometry_processing/spin/Position_residual_impl.h>
-#include <Conformal_geometry_processing/spin/Position_residual_templates.h>
 #endif
 
 #endif

@@ -4,11 +4,19 @@
 #define CONFORMAL_GEOMETRY_PROCESSING_SPIN_POSITION_RESIDUAL_IMPL_H
 
 #include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/operators/mass_matrices.h>
+#include <Conformal_geometry_processing/spin/Poisson_reconstruction.h>
 #include <Conformal_geometry_processing/spin/Position_residual.h>
+#include <Conformal_geometry_processing/spin/edge_derivative.h>
+#include <Conformal_geometry_processing/spin/transformed_edges.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/QR>
+
+#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace Conformal_geometry_processing {
 namespace internal {
@@ -70,6 +78,68 @@ CGP_INLINE Eigen::VectorXd Shape_motions::motion(const Eigen::VectorXd& y) const
   Eigen::VectorXd all = Eigen::VectorXd::Zero(m_qr.rows());
   all.tail(y.size()) = y;
   return m_qr.householderQ() * all;
+}
+
+CGP_INLINE Position_residual::Position_residual(const Surface_ref& surface,
+                                                const Poisson_reconstruction& reconstruction,
+                                                std::vector<Control_point> points,
+                                                Eigen::VectorXd masses)
+    : m_surface(surface),
+      m_reconstruction(reconstruction),
+      m_points(std::move(points)),
+      m_masses(std::move(masses)),
+      m_radius(std::sqrt(vertex_areas(surface).sum() / (4 * std::acos(-1.))))
+{
+  if (m_masses.size() == 0) m_masses.setOnes(static_cast<Eigen::Index>(m_points.size()));
+}
+
+CGP_INLINE void Position_residual::set_targets(Points targets)
+{
+  m_targets = std::move(targets);
+  m_size = Shape_motions(m_targets / m_radius, m_masses).size();
+}
+
+CGP_INLINE void Position_residual::set_spins(const Spins& lambda)
+{
+  m_lambda = lambda;
+  const Points h =
+      positions_of(m_points, m_reconstruction.positions(transformed_edges(m_surface, lambda)));
+  m_placement = placement(h, m_targets, m_masses);
+  const Points placed = m_placement.apply(h);
+  m_distances = placed - m_targets;
+  m_motions = Shape_motions(placed / m_radius, m_masses);
+}
+
+CGP_INLINE double Position_residual::damping() const
+{
+  const double share = 0.25;
+  return share * values().norm();
+}
+
+CGP_INLINE Eigen::VectorXd Position_residual::change(const Spins& dlambda) const
+{
+  const Points dh =
+      positions_of(m_points, m_reconstruction.positions(edge_change(m_surface, m_lambda, dlambda)));
+  return coordinates(m_placement.scale * (m_placement.rotation * dh));
+}
+
+CGP_INLINE auto Position_residual::gradient(const Eigen::VectorXd& y) const -> Spins
+{
+  const Points z = m_motions.motion(y).reshaped(3, m_targets.cols()) *
+                   (m_weight * m_masses).cwiseSqrt().asDiagonal();
+  const Points forces = m_placement.scale / m_radius * (m_placement.rotation.transpose() * z);
+  Points all = Points::Zero(3, m_lambda.size());
+  for (std::size_t k = 0; k < m_points.size(); ++k)
+    for (std::size_t i = 0; i < m_points[k].vertices.size(); ++i)
+      all.col(m_points[k].vertices[i]) += m_points[k].weights[static_cast<Eigen::Index>(i)] *
+                                          forces.col(static_cast<Eigen::Index>(k));
+  return edge_gradient(m_surface, m_lambda, m_reconstruction.edge_gradient(all));
+}
+
+CGP_INLINE Eigen::VectorXd Position_residual::coordinates(const Points& v) const
+{
+  const Points scaled = v / m_radius * (m_weight * m_masses).cwiseSqrt().asDiagonal();
+  return m_motions.coordinates(scaled.reshaped(), m_size);
 }
 
 }  // namespace internal

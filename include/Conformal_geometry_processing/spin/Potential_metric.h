@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 #include <Conformal_geometry_processing/mesh/Surface_ref.h>
 #include <Conformal_geometry_processing/operators/Curvature_potential.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
@@ -36,14 +36,12 @@ namespace internal {
 ///
 /// Costs the factorization of one scalar matrix with a row for each vertex, also for faces: there K
 /// is a diagonal matrix less one whose rank is the number of vertices.
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
 class Potential_metric {
  public:
   /// \param system whose surface is meant, and whose analysis is shared
   /// \param s >= 0, in the unit of area of the system
   /// \throw Solver_error if the factorization fails
-  Potential_metric(const Dirac_system<SolverTraits>& system, Curvature_potential::On on, double s);
+  Potential_metric(const Dirac_system& system, Curvature_potential::On on, double s);
 
   /// M, |V| or |F|
   const Eigen::VectorXd& areas() const { return m_areas; }
@@ -59,8 +57,6 @@ class Potential_metric {
   double squared_norm(const Eigen::VectorXd& d) const { return d.dot(apply(d).col(0)); }
 
  private:
-  using Solver = typename SolverTraits::template Solver<double>;
-
   void assemble_on_vertices(const Surface_ref& surface, double s);
   void assemble_on_faces(const Surface_ref& surface, double s);
   static void check(Solver_status status);
@@ -69,7 +65,7 @@ class Potential_metric {
   Eigen::VectorXd m_diagonal;                // for faces
   Eigen::SparseMatrix<double> m_shares;      // sqrt(3 sqrt(3) s) a_vf / A_v, |V| x |F|, for faces
   Hermitian_sparse_matrix<double> m_matrix;  // K, or 1 - shares diagonal^-1 shares^T
-  Solver m_solver;                           // of this matrix
+  Solver_ref<double> m_solver;               // of this matrix
 };
 
 }  // namespace internal
@@ -77,7 +73,7 @@ class Potential_metric {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Potential_metric_templates.h>
+#include <Conformal_geometry_processing/spin/Potential_metric_impl.h>
 #endif
 
 #endif

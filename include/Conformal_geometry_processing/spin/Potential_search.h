@@ -40,9 +40,6 @@ namespace internal {
 /// solves with this factor. Without constraints, products with S^T S take two of them: the factor
 /// is so near to X - mu M_V that it may stand for it. Gradients, and the spins that a step leads
 /// to, are exact.
-/// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
-template <class SolverTraits = Default_solver_traits,
-          class EigensolverTraits = Lobpcg_eigensolver_traits>
 class Potential_search {
  public:
   /// a rho' with its spins, residuals and constraints
@@ -58,7 +55,7 @@ class Potential_search {
   /// \param residuals, constraints must outlive the object
   /// \param smoothness s of K in squares of the radius of the sphere of the same area: changes
   /// that vary over less than sqrt(s) radii are avoided
-  Potential_search(Dirac_system<SolverTraits>& system, Curvature_potential rho,
+  Potential_search(Dirac_system& system, Curvature_potential rho,
                    std::vector<Spin_residual*> residuals,
                    std::vector<Spin_residual*> constraints = {}, double smoothness = 0.1);
 
@@ -110,7 +107,7 @@ class Potential_search {
 
  private:
   using Spins = Quaternion_vector<double>;
-  using Derivative = Spin_derivative<SolverTraits>;
+  using Derivative = Spin_derivative;
 
   /// a change of rho', and of its solution to first order
   struct Step {
@@ -158,7 +155,7 @@ class Potential_search {
 
   /// after t times the step, on the line along it if there is one
   std::optional<Prediction> predicted(const Step& step, double t,
-                                      const std::optional<Dirac_line<SolverTraits>>& line) const;
+                                      const std::optional<Dirac_line>& line) const;
 
   /// \brief the present rho' plus t times the step; with spins that depart from the predicted ones,
   /// it counts as not converged.
@@ -172,11 +169,11 @@ class Potential_search {
   }
 
   /// \pre a step from the present rho', whose factor is at hand
-  Dirac_line<SolverTraits> line_along(const Step& step);
+  Dirac_line line_along(const Step& step);
 
   /// \brief the t = 1, 1/2, ... for which the merit of the predicted spins is least; `shortest` if
   /// none is less than that of the present rho'.
-  double best_length(const Step& step, const Dirac_line<SolverTraits>& line) const;
+  double best_length(const Step& step, const Dirac_line& line) const;
 
   /// makes the step, or a part of it
   /// \returns whether there is one that reduces the merit
@@ -193,10 +190,10 @@ class Potential_search {
 
   double merit(const Candidate& c) const { return c.sum + m_penalty * c.constraints.norm(); }
 
-  Dirac_system<SolverTraits>& m_system;
+  Dirac_system& m_system;
   Curvature_potential m_rho;
   std::vector<Spin_residual*> m_residuals, m_constraints;
-  Potential_metric<SolverTraits> m_metric;
+  Potential_metric m_metric;
   Candidate m_now;
   int m_factored_at = -1;  // `changes()` of the system when it was that of m_now
   std::optional<Linear_constraints> m_last_constraints;  // of the last step
@@ -209,7 +206,7 @@ class Potential_search {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Potential_search_templates.h>
+#include <Conformal_geometry_processing/spin/Potential_search_impl.h>
 #endif
 
 #endif

@@ -28,16 +28,14 @@ namespace internal {
 /// harmonic. If the problem has several solutions, the one nearest to the guide turns the surface
 /// least.
 ///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits>
 class Prescribed_directions {
  public:
   /// \param surface must outlive the object; its positions may change
   /// \param condition of kind `directions`, with or without targets
   /// \param solver of the same traits; its symbolic analysis is shared
-  template <class Solver>
   Prescribed_directions(const Surface_ref& surface, const Boundary_condition& condition,
-                        std::shared_ptr<const Sparse_pattern> pattern, const Solver& solver)
+                        std::shared_ptr<const Sparse_pattern> pattern,
+                        const Solver_ref<Quaternion<double>>& solver)
       : m_surface(surface),
         m_frames(boundary_frames(surface)),
         m_coefficients(stable_normalized(condition.direction)),
@@ -80,7 +78,7 @@ class Prescribed_directions {
   bool m_has_targets;
   Points m_targets;  // V, unit vectors
   Hermitian_sparse_matrix<double> m_L;
-  Dirichlet_solver<double, SolverTraits> m_harmonic;
+  Dirichlet_solver<double> m_harmonic;
   Reduced_basis<double> m_basis;
   Quaternion_vector<double> m_guide;
 };
@@ -90,7 +88,7 @@ class Prescribed_directions {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Prescribed_directions_templates.h>
+#include <Conformal_geometry_processing/spin/Prescribed_directions_impl.h>
 #endif
 
 #endif

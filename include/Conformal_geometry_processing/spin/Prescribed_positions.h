@@ -32,8 +32,6 @@ namespace internal {
 /// both minimise in addition w / R times the integral along the boundary of the squared difference
 /// from what is given, where pi R^2 is the area.
 ///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits>
 class Prescribed_positions {
  public:
   /// \param surface must outlive the object
@@ -43,10 +41,9 @@ class Prescribed_positions {
   /// \throw Precondition_error if no continuous lambda exists, because the normals of the curve
   /// make one turn too many relative to those of the surface (their spin structures differ); if the
   /// curve folds back at a vertex, or its normal is parallel to it
-  template <class Solver>
   Prescribed_positions(const Surface_ref& surface, const Boundary_condition& condition,
-                       std::shared_ptr<const Sparse_pattern> pattern, const Solver& solver,
-                       const std::string& function)
+                       std::shared_ptr<const Sparse_pattern> pattern,
+                       const Solver_ref<Quaternion<double>>& solver, const std::string& function)
       : m_surface(surface),
         m_frames(frames_of(surface, condition)),
         m_targets(condition.targets),
@@ -101,8 +98,8 @@ class Prescribed_positions {
   Points m_targets;
   Eigen::VectorXd m_weights;  // |V|
   std::vector<Quaternion<double>> m_spins;
-  Dirichlet_solver<Quaternion<double>, SolverTraits> m_lambda;
-  Dirichlet_solver<double, SolverTraits> m_positions;
+  Dirichlet_solver<Quaternion<double>> m_lambda;
+  Dirichlet_solver<double> m_positions;
 };
 
 }  // namespace internal
@@ -110,7 +107,7 @@ class Prescribed_positions {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Prescribed_positions_templates.h>
+#include <Conformal_geometry_processing/spin/Prescribed_positions_impl.h>
 #endif
 
 #endif

@@ -44,6 +44,10 @@ bool exceeds_bound_by_far(const Quaternion_vector<double>& lambda, const Eigen::
                           const Scale_control& control);
 
 /// \ingroup PkgSpin
+/// the logarithms of the wanted factors of lengths, |V|; zeros where none are wanted
+Eigen::VectorXd wanted_log_scales(const Eigen::VectorXd& areas, const Scale_control& control);
+
+/// \ingroup PkgSpin
 /// what a search has kept of rho
 /// \param areas that belong to the values
 /// \param is_closed: both are taken without their means, which have no effect then

@@ -78,6 +78,13 @@ CGP_INLINE bool exceeds_bound_by_far(const Quaternion_vector<double>& lambda,
          measured_scales(lambda, areas, control).excess() > margin;
 }
 
+CGP_INLINE Eigen::VectorXd wanted_log_scales(const Eigen::VectorXd& areas,
+                                             const Scale_control& control)
+{
+  if (control.factors.size() == 0) return Eigen::VectorXd::Zero(areas.size());
+  return control.factors.array().log();
+}
+
 CGP_INLINE void measure_kept(const Curvature_potential& rho, const Curvature_potential& found,
                              const Eigen::VectorXd& areas, bool is_closed,
                              Spin_report::Scales& scales)

@@ -31,15 +31,14 @@ namespace internal {
 /// with the inner product K of `Potential_search`, for the smallest w with which 98 % of the area
 /// are within the bound. What is wide against the limbs *is* scale, and is reduced; what is narrow
 /// survives. \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
-template <class SolverTraits, class EigensolverTraits>
 class Scale_search {
  public:
-  using Search = Potential_search<SolverTraits, EigensolverTraits>;
+  using Search = Potential_search;
   using Limit_of_periods = std::function<double(const Dirac_solution&)>;
 
   /// a rho' that was tried
   struct Trial {
-    typename Search::Candidate candidate = {};
+    Search::Candidate candidate = {};
     double weight = 0;            // w times m_unit
     double exactness_weight = 0;  // of the inexact part of the edges
     double excess = std::numeric_limits<double>::infinity();
@@ -58,10 +57,9 @@ class Scale_search {
   /// \param reconstruction of the surface
   /// \param exactness to keep handles and holes closed, or null
   /// \param period_limit of the surface that a solution gives
-  Scale_search(Dirac_system<SolverTraits>& system, Curvature_potential rho,
-               const Scale_control& control,
-               const Poisson_reconstruction<SolverTraits>& reconstruction,
-               const Exactness_constraints* exactness, Limit_of_periods period_limit);
+  Scale_search(Dirac_system& system, Curvature_potential rho, const Scale_control& control,
+               const Poisson_reconstruction& reconstruction, const Exactness_constraints* exactness,
+               Limit_of_periods period_limit);
 
   /// \brief searches w, and a weight for the inexact part of the edges where these do not close up.
   /// \param share of rho that is wanted, in (0, 1]
@@ -117,7 +115,7 @@ class Scale_search {
   /// \brief the period defect of a solution relative to what counts as closed.
   ///
   /// The limit costs a surface: it is asked for only where it matters.
-  double openness(const typename Search::Candidate& found) const;
+  double openness(const Search::Candidate& found) const;
 
   /// takes the present rho' if it is better than the best one, or nearer beyond the bound
   void judge(double w);
@@ -138,7 +136,7 @@ class Scale_search {
   const Curvature_potential m_rho;
   Eigen::VectorXd m_wanted;  // the share of it
   Scale_residual m_scales;
-  Exactness_residual<SolverTraits> m_inexact;
+  Exactness_residual m_inexact;
   std::optional<Period_residual> m_periods;
   Search m_search;
   const Scale_control& m_control;
@@ -154,7 +152,7 @@ class Scale_search {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Scale_search_templates.h>
+#include <Conformal_geometry_processing/spin/Scale_search_impl.h>
 #endif
 
 #endif

@@ -38,8 +38,6 @@ class No_derivative : public Solver_error {
 ///
 /// Each product costs a few solves with the factor at hand, usually two at a tolerance of 1e-4, and
 /// as many products with X; or one, if the factor may stand for the inverse.
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
 class Spin_derivative {
  public:
   using Vectors = Block<Quaternion<double>>;
@@ -59,7 +57,7 @@ class Spin_derivative {
   /// \param tolerance relative error of products, in the energy norm
   /// \pre `solve_dirac_equation()` has just found lambda; no positions are prescribed
   /// \throw No_derivative if the iterations do not converge
-  Spin_derivative(const Dirac_system<SolverTraits>& system, Curvature_potential potential,
+  Spin_derivative(const Dirac_system& system, Curvature_potential potential,
                   Quaternion_vector<double> lambda, double tolerance = 1e-6);
 
   /// scaled to norm 1
@@ -96,7 +94,7 @@ class Spin_derivative {
 
   bool is_eigenvector() const { return m_system.is_closed() || m_system.directions(); }
 
-  const Dirac_system<SolverTraits>& m_system;
+  const Dirac_system& m_system;
   Curvature_potential m_potential;
   Quaternion_vector<double> m_lambda;  // of norm 1
   double m_length;                     // of lambda
@@ -112,7 +110,7 @@ class Spin_derivative {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Spin_derivative_templates.h>
+#include <Conformal_geometry_processing/spin/Spin_derivative_impl.h>
 #endif
 
 #endif

@@ -26,9 +26,6 @@ namespace internal {
 /// most `max_solves` solves make the error of the spins 1e-3 for the rho of an edit. Neither the
 /// branch is followed nor a bound on lengths kept; around handles and holes, rho is made closed to
 /// first order [CGP 4.5.2].
-/// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
-template <class SolverTraits = Default_solver_traits,
-          class EigensolverTraits = Lobpcg_eigensolver_traits>
 class Spin_preview {
  public:
   static constexpr int max_solves = 10;      ///< of a call
@@ -38,7 +35,7 @@ class Spin_preview {
   /// \param transformation of the surface, which must not move; outlives the object
   /// \throw Precondition_error if it has boundary data
   /// \throw Solver_error if the factorization fails
-  explicit Spin_preview(Spin_transformation<SolverTraits, EigensolverTraits>& transformation);
+  explicit Spin_preview(Spin_transformation& transformation);
 
   /// forgets the last spins: the next call starts from 1
   void restart();
@@ -64,9 +61,9 @@ class Spin_preview {
   /// the spins nearest to 1, on a surface with a free boundary
   void improve_nearest(const Curvature_potential& rho, Dirac_solution& s);
 
-  Spin_transformation<SolverTraits, EigensolverTraits>& m_transformation;
-  Dirac_system<SolverTraits> m_system;  // its factor is that of X(0)
-  Eigen::VectorXd m_weights;            // of nearness to 1, |V|; with a boundary
+  Spin_transformation& m_transformation;
+  Dirac_system m_system;      // its factor is that of X(0)
+  Eigen::VectorXd m_weights;  // of nearness to 1, |V|; with a boundary
   Quaternion_vector<double> m_lambda;
   double m_gamma = 0;  // of the admissible part of rho
 };
@@ -76,7 +73,7 @@ class Spin_preview {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Spin_preview_templates.h>
+#include <Conformal_geometry_processing/spin/Spin_preview_impl.h>
 #endif
 
 #endif

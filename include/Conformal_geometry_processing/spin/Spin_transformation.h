@@ -61,10 +61,6 @@ namespace Conformal_geometry_processing {
 ///
 /// Computes in a frame of unit size around the centre, so that scale and position have no effect.
 ///
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`
-template <class SolverTraits = Default_solver_traits,
-          class EigensolverTraits = Lobpcg_eigensolver_traits>
 class Spin_transformation {
  public:
   /// \param mesh is copied
@@ -98,12 +94,12 @@ class Spin_transformation {
   const internal::Framed_surface& domain() const { return m_stage->domain; }
 
   /// the Dirac operator of the surface, in the frame of the computation
-  const internal::Dirac_system<SolverTraits>& system() const { return m_stage->system; }
-  internal::Dirac_system<SolverTraits>& system() { return m_stage->system; }
+  const internal::Dirac_system& system() const { return m_stage->system; }
+  internal::Dirac_system& system() { return m_stage->system; }
 
   /// \brief finds positions from edge vectors, in the frame of the computation.
   /// \throw Solver_error if the Laplacian cannot be factored
-  const Poisson_reconstruction<SolverTraits>& reconstruction();
+  const Poisson_reconstruction& reconstruction();
 
   /// \brief the constraints that keep the surface exact, in the frame; computed on first use.
   /// \throw Solver_error if a factorization fails, or a solve
@@ -174,8 +170,8 @@ class Spin_transformation {
 
     internal::Stopwatch watch;  // started before all other members
     internal::Framed_surface domain;
-    internal::Dirac_system<SolverTraits> system;
-    std::optional<Poisson_reconstruction<SolverTraits>> poisson;
+    internal::Dirac_system system;
+    std::optional<Poisson_reconstruction> poisson;
     bool is_poisson_old = false;  // the surface has moved since the Laplacian was assembled
     std::optional<internal::Exactness_constraints> exactness;
     double seconds;
@@ -245,7 +241,7 @@ class Spin_transformation {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Spin_transformation_templates.h>
+#include <Conformal_geometry_processing/spin/Spin_transformation_impl.h>
 #endif
 
 #endif

@@ -33,6 +33,7 @@ struct Spin_transformation_options {
   /// mesh, up to rounding; with mollification, of its intrinsic Delaunay triangulation. Cannot be
   /// combined with prescribed positions. See `internal::move_to_class()`
   bool exact_conformal_class = false;
+  Spin_solvers solvers = {};  ///< for the linear systems
 };
 
 }  // namespace Conformal_geometry_processing

@@ -36,13 +36,11 @@ namespace internal {
 /// (`Target_mismatch`), and the search ends where it grows, or where nobody sees the rest. Where
 /// targets are nearly reached, rho_0 is replaced by the best rho found so far, so that what remains
 /// of the distance is not that of rho_0.
-/// \tparam SolverTraits, EigensolverTraits see `Spin_transformation`
-template <class SolverTraits, class EigensolverTraits>
 class Target_search {
  public:
-  using Transformation = Spin_transformation<SolverTraits, EigensolverTraits>;
-  using Search = Potential_search<SolverTraits, EigensolverTraits>;
-  using Candidate = typename Search::Candidate;
+  using Transformation = Spin_transformation;
+  using Search = Potential_search;
+  using Candidate = Search::Candidate;
 
   /// \param transformation must outlive the object
   /// \param targets 3 x |V|, in the frame of the transformation
@@ -89,8 +87,8 @@ class Target_search {
   const Scale_control& m_control;
   Eigen::VectorXd m_areas;
   const Exactness_constraints* m_exactness;
-  Position_residual<SolverTraits> m_positions;
-  Exactness_residual<SolverTraits> m_inexact;
+  Position_residual m_positions;
+  Exactness_residual m_inexact;
   Scale_residual m_scales;
   std::optional<Period_residual> m_periods;
   Candidate m_nearest;  // what the best result was made of; at first, only rho_0
@@ -106,7 +104,7 @@ class Target_search {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/Target_search_templates.h>
+#include <Conformal_geometry_processing/spin/Target_search_impl.h>
 #endif
 
 #endif

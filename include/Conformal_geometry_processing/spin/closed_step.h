@@ -12,6 +12,9 @@
 #include <Eigen/Core>
 
 namespace Conformal_geometry_processing {
+
+class Spin_transformation;
+
 namespace internal {
 
 /// a transformation of a surface with handles or holes
@@ -38,20 +41,28 @@ struct Closed_step {
 /// Costs one numeric factorization of the Dirac matrix for each change; two, and three solves for
 /// each loop, where directions turn.
 ///
-/// \tparam Transformation a `Spin_transformation`, which keeps its surface
 /// \param rho in 1/length, one number per vertex or per face
 /// \param share of the way that the step makes, for the limit
 /// \throw as `Spin_transformation::step()`
-template <class Transformation>
-Closed_step closed_step(Transformation& transformation, const Curvature_potential& rho,
+Closed_step closed_step(Spin_transformation& transformation, const Curvature_potential& rho,
                         const Period_limit& limit, double share, const Dirac_options& options,
                         const Go_further& go_further);
+
+/// \ingroup PkgSpin
+/// a single transformation, with its period defect
+Closed_step measured_step(Spin_transformation& transformation, const Curvature_potential& rho,
+                          const Dirac_options& options, const Go_further& go_further);
+
+/// \ingroup PkgSpin
+/// the derivative of the periods by rho in the unit of the surface, at a step, whose report counts
+/// the costs
+Eigen::MatrixXd period_derivative(Spin_transformation& transformation, Closed_step& step);
 
 }  // namespace internal
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/closed_step_templates.h>
+#include <Conformal_geometry_processing/spin/closed_step_impl.h>
 #endif
 
 #endif

@@ -30,8 +30,6 @@ namespace Conformal_geometry_processing {
 /// \param function named in exceptions
 /// \throw Precondition_error as the constructor of `Nearest_spin_transformation` does
 /// \throw Solver_error if a factorization fails
-template <class SolverTraits = Default_solver_traits,
-          class EigensolverTraits = Lobpcg_eigensolver_traits>
 Curvature_potential nearest_curvature_difference(
     const Mesh_view& mesh, const Points& positions,
     double distance_tolerance = Nearest_spin_options().distance_tolerance,
@@ -42,7 +40,7 @@ Curvature_potential nearest_curvature_difference(
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/nearest_curvature_difference_templates.h>
+#include <Conformal_geometry_processing/spin/nearest_curvature_difference_impl.h>
 #endif
 
 #endif

@@ -35,15 +35,13 @@ namespace Conformal_geometry_processing {
 /// \param is_too_far tells of spins for t rho, t < 1, whether those of rho are of no use any more:
 /// they are not looked for then, and do not count as converged. On closed surfaces only
 ///
-/// \tparam EigensolverTraits a model of `SparseHermitianEigensolverTraits`, for closed surfaces
 ///
 /// \throw Precondition_error if the generalized problem is requested with rho on vertices, or on a
 /// surface with boundary
 /// \throw Solver_error if a factorization fails. Failure to converge is not an error but a field of
 /// the result.
-template <class EigensolverTraits = Lobpcg_eigensolver_traits, class SolverTraits>
 internal::Dirac_solution solve_dirac_equation(
-    internal::Dirac_system<SolverTraits>& system, const Curvature_potential& rho,
+    internal::Dirac_system& system, const Curvature_potential& rho,
     const Dirac_options& options = {},
     const internal::Go_further& go_further = internal::Always_go_further(),
     const internal::Is_too_far& is_too_far = {});
@@ -56,9 +54,8 @@ namespace internal {
 /// On closed surfaces corrects an approximate solution, which costs one factorization as a rule; it
 /// has converged only if the corrected spins are near it. Otherwise calls `solve_dirac_equation()`.
 /// \param guess spins and eigenvalue predicted for rho, gaps of the known solution
-template <class EigensolverTraits = Lobpcg_eigensolver_traits, class SolverTraits>
-Dirac_solution correct_dirac_solution(Dirac_system<SolverTraits>& system,
-                                      const Curvature_potential& rho, const Dirac_solution& guess,
+Dirac_solution correct_dirac_solution(Dirac_system& system, const Curvature_potential& rho,
+                                      const Dirac_solution& guess,
                                       const Dirac_options& options = {},
                                       const Go_further& go_further = Always_go_further());
 
@@ -67,7 +64,7 @@ Dirac_solution correct_dirac_solution(Dirac_system<SolverTraits>& system,
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/spin/solve_dirac_equation_templates.h>
+#include <Conformal_geometry_processing/spin/solve_dirac_equation_impl.h>
 #endif
 
 #endif

@@ -30,8 +30,6 @@ struct Associated_surface {
 ///
 /// They are spin transformations by lambda = cos(theta/2) + sin(theta/2) N: for H = 0 the normal is
 /// in the kernel of D, like 1. The Laplacian is factored once; each angle costs one solve.
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
 class Associated_family {
  public:
   /// \param mesh a minimal surface; is copied
@@ -39,7 +37,8 @@ class Associated_family {
   /// coordinates and positive areas
   /// \throw Solver_error if the Laplacian cannot be factored
   explicit Associated_family(const Mesh_view& mesh,
-                             const std::string& function = "Associated_family");
+                             const std::string& function = "Associated_family",
+                             const Spin_solvers& solvers = {});
 
   Associated_family(const Associated_family&) = delete;
   Associated_family& operator=(const Associated_family&) = delete;
@@ -50,13 +49,13 @@ class Associated_family {
  private:
   Mesh_view m_mesh;
   Points m_normals;
-  Poisson_reconstruction<SolverTraits> m_reconstruction;
+  Poisson_reconstruction m_reconstruction;
 };
 
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/surfaces/associated_family_templates.h>
+#include <Conformal_geometry_processing/surfaces/associated_family_impl.h>
 #endif
 
 #endif

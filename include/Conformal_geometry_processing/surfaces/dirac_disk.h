@@ -24,20 +24,13 @@ namespace Conformal_geometry_processing {
 /// \param wanted in 1/length; the eigenvalue itself is `wanted` plus that of the report
 /// \throw Precondition_error if the mesh is not suitable, or closed
 /// \throw Solver_error if a factorization fails
-template <class SolverTraits = Default_solver_traits>
 Spin_result dirac_disk(const Mesh_view& mesh, double wanted, Dirac_options options = {},
-                       const std::string& function = "dirac_disk")
-{
-  Spin_transformation<SolverTraits> transformation(mesh, {Boundary_condition::binormals()},
-                                                   function);
-  options.branch = Dirac_options::Branch::smallest;
-  const auto rho =
-      Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), wanted));
-  Spin_result result = std::move(transformation).transform(rho, options);
-  result.report.limits.map.flipped_share = 0;
-  return result;
-}
+                       const std::string& function = "dirac_disk");
 
 }  // namespace Conformal_geometry_processing
+
+#ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
+#include <Conformal_geometry_processing/surfaces/dirac_disk_impl.h>
+#endif
 
 #endif

@@ -34,16 +34,9 @@ Points directions_on_sphere(const Mesh_view& mesh, const std::string& function);
 /// \param lambda |V|, not all zero; is rescaled
 /// \throw Precondition_error if the mesh is not suitable, or lambda does not fit it
 /// \throw Solver_error if a factorization fails
-template <class SolverTraits = Default_solver_traits>
 Spin_result surface_of_spin(const Mesh_view& mesh, Quaternion_vector<double> lambda,
-                            const std::string& function = "surface_of_spin")
-{
-  Spin_transformation<SolverTraits> transformation(mesh, {}, function);
-  if (lambda.size() == mesh.size_of_vertices()) fix_gauge(lambda, vertex_areas(mesh));
-  Spin_result result = transformation.integrate(std::move(lambda));
-  result.report.eigenvalue = dirac_quotient(mesh, no_potential(mesh), result.lambda);
-  return result;
-}
+                            const std::string& function = "surface_of_spin",
+                            const Spin_solvers& solvers = {});
 
 /// \ingroup PkgSurfaces
 /// \brief Computes the Dirac sphere of the spherical spinor Omega_kappa,s, on a mesh of a round
@@ -55,18 +48,9 @@ Spin_result surface_of_spin(const Mesh_view& mesh, Quaternion_vector<double> lam
 /// \throw Precondition_error if kappa is zero, s is not one of -|kappa|, ..., |kappa| - 1, or the
 /// mesh is not a closed sphere with normals outward
 /// \throw Solver_error if a factorization fails
-template <class SolverTraits = Default_solver_traits>
 Spin_result spin_to_dirac_sphere(const Mesh_view& mesh, int kappa, int s,
-                                 const std::string& function = "spin_to_dirac_sphere")
-{
-  require_spherical_spinor(kappa, s, function);
-  require_surface(mesh, function);
-  require_closed(mesh, function);
-  const Points p = directions_on_sphere(mesh, function);
-  Quaternion_vector<double> lambda(p.cols());
-  for (Eigen::Index v = 0; v < p.cols(); ++v) lambda[v] = spherical_spinor(kappa, s, p.col(v));
-  return surface_of_spin<SolverTraits>(mesh, std::move(lambda), function);
-}
+                                 const std::string& function = "spin_to_dirac_sphere",
+                                 const Spin_solvers& solvers = {});
 
 }  // namespace Conformal_geometry_processing
 

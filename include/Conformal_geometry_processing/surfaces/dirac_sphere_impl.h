@@ -50,6 +50,31 @@ CGP_INLINE Points directions_on_sphere(const Mesh_view& mesh, const std::string&
   return directions / radius;
 }
 
+CGP_INLINE Spin_result surface_of_spin(const Mesh_view& mesh, Quaternion_vector<double> lambda,
+                                       const std::string& function, const Spin_solvers& solvers)
+{
+  Spin_transformation_options own;
+  own.solvers = solvers;
+  Spin_transformation transformation(mesh, own, function);
+  if (lambda.size() == mesh.size_of_vertices()) fix_gauge(lambda, vertex_areas(mesh));
+  Spin_result result = transformation.integrate(std::move(lambda));
+  result.report.eigenvalue = dirac_quotient(mesh, no_potential(mesh), result.lambda);
+  return result;
+}
+
+CGP_INLINE Spin_result spin_to_dirac_sphere(const Mesh_view& mesh, int kappa, int s,
+                                            const std::string& function,
+                                            const Spin_solvers& solvers)
+{
+  require_spherical_spinor(kappa, s, function);
+  require_surface(mesh, function);
+  require_closed(mesh, function);
+  const Points p = directions_on_sphere(mesh, function);
+  Quaternion_vector<double> lambda(p.cols());
+  for (Eigen::Index v = 0; v < p.cols(); ++v) lambda[v] = spherical_spinor(kappa, s, p.col(v));
+  return surface_of_spin(mesh, std::move(lambda), function, solvers);
+}
+
 }  // namespace Conformal_geometry_processing
 
 #endif

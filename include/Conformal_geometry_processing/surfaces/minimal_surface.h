@@ -34,38 +34,16 @@ void judge_minimality(const Mesh_view& mesh, const Boundary_condition& condition
 Boundary_condition part_of_turn(const Mesh_view& mesh, Boundary_condition condition, double share);
 
 /// a transformation by rho = -share H, with the directions turned by that share
-template <class SolverTraits>
 Spin_result spin_towards_minimal_surface(const Mesh_view& mesh, double share,
                                          Spin_transformation_options own,
                                          const Dirac_options& options, const std::string& function,
-                                         const Go_further& go_further)
-{
-  if (share < 1) own.boundary = part_of_turn(mesh, own.boundary, share);
-  const auto rho = Curvature_potential::on_vertices(-share * mean_curvature(mesh));
-  Spin_result result =
-      Spin_transformation<SolverTraits>(mesh, own, function).transform(rho, options, go_further);
-  judge_minimality(mesh, own.boundary, result.report);
-  return result;
-}
+                                         const Go_further& go_further);
 
 /// the largest share for which that verifies, to 1/64, if all of the way does not
-template <class SolverTraits>
 double share_of_way_to_minimal_surface(const Mesh_view& mesh,
                                        const Spin_transformation_options& own,
                                        const Dirac_options& options, const std::string& function,
-                                       const Go_further& go_further)
-{
-  double exists = 0, fails = 1;
-  for (int k = 0; k < 6; ++k) {
-    const double share = (exists + fails) / 2;
-    const Spin_report r =
-        spin_towards_minimal_surface<SolverTraits>(mesh, share, own, options, function, go_further)
-            .report;
-    if (r.cancelled) break;
-    (r ? exists : fails) = share;
-  }
-  return exists;
-}
+                                       const Go_further& go_further);
 
 }  // namespace internal
 
@@ -85,23 +63,10 @@ double share_of_way_to_minimal_surface(const Mesh_view& mesh,
 /// \param own boundary: usually prescribed tangents or binormals; exactness is not used
 /// \throw Precondition_error if the mesh or the condition are not suitable
 /// \throw Solver_error if a factorization fails
-template <class SolverTraits = Default_solver_traits>
 Spin_result spin_to_minimal_surface(
     const Mesh_view& mesh, Spin_transformation_options own = {Boundary_condition::tangents()},
     Dirac_options options = {}, const std::string& function = "spin_to_minimal_surface",
-    const internal::Go_further& go_further = internal::Always_go_further())
-{
-  own.exactness = std::nullopt;  // steps would leave the curvature that makes it minimal
-  using Branch = Dirac_options::Branch;
-  if (options.branch == Branch::nearest) options.branch = Branch::zero;
-  if (options.kernel_tolerance == 0) options.kernel_tolerance = minimal_kernel_tolerance(mesh);
-  Spin_result result = internal::spin_towards_minimal_surface<SolverTraits>(mesh, 1, own, options,
-                                                                            function, go_further);
-  if (result.report.fault() == Spin_report::Fault::boundary && !own.mollification)
-    result.report.reached = internal::share_of_way_to_minimal_surface<SolverTraits>(
-        mesh, own, options, function, go_further);
-  return result;
-}
+    const internal::Go_further& go_further = internal::Always_go_further());
 
 }  // namespace Conformal_geometry_processing
 

@@ -49,6 +49,53 @@ CGP_INLINE Boundary_condition internal::part_of_turn(const Mesh_view& mesh,
   return condition;
 }
 
+CGP_INLINE Spin_result internal::spin_towards_minimal_surface(const Mesh_view& mesh, double share,
+                                                              Spin_transformation_options own,
+                                                              const Dirac_options& options,
+                                                              const std::string& function,
+                                                              const Go_further& go_further)
+{
+  if (share < 1) own.boundary = part_of_turn(mesh, own.boundary, share);
+  const auto rho = Curvature_potential::on_vertices(-share * mean_curvature(mesh));
+  Spin_result result = Spin_transformation(mesh, own, function).transform(rho, options, go_further);
+  judge_minimality(mesh, own.boundary, result.report);
+  return result;
+}
+
+CGP_INLINE double internal::share_of_way_to_minimal_surface(const Mesh_view& mesh,
+                                                            const Spin_transformation_options& own,
+                                                            const Dirac_options& options,
+                                                            const std::string& function,
+                                                            const Go_further& go_further)
+{
+  double exists = 0, fails = 1;
+  for (int k = 0; k < 6; ++k) {
+    const double share = (exists + fails) / 2;
+    const Spin_report r =
+        spin_towards_minimal_surface(mesh, share, own, options, function, go_further).report;
+    if (r.cancelled) break;
+    (r ? exists : fails) = share;
+  }
+  return exists;
+}
+
+CGP_INLINE Spin_result spin_to_minimal_surface(const Mesh_view& mesh,
+                                               Spin_transformation_options own,
+                                               Dirac_options options, const std::string& function,
+                                               const internal::Go_further& go_further)
+{
+  own.exactness = std::nullopt;  // steps would leave the curvature that makes it minimal
+  using Branch = Dirac_options::Branch;
+  if (options.branch == Branch::nearest) options.branch = Branch::zero;
+  if (options.kernel_tolerance == 0) options.kernel_tolerance = minimal_kernel_tolerance(mesh);
+  Spin_result result =
+      internal::spin_towards_minimal_surface(mesh, 1, own, options, function, go_further);
+  if (result.report.fault() == Spin_report::Fault::boundary && !own.mollification)
+    result.report.reached =
+        internal::share_of_way_to_minimal_surface(mesh, own, options, function, go_further);
+  return result;
+}
+
 }  // namespace Conformal_geometry_processing
 
 #endif

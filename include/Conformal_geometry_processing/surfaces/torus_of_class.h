@@ -18,10 +18,9 @@ namespace Conformal_geometry_processing {
 /// \brief Returns the reduced modulus of a mesh of a torus; computes a harmonic basis.
 /// \throw Precondition_error if the mesh is not a closed torus
 /// \throw Solver_error if the Laplacian cannot be factored
-template <class SolverTraits = Default_solver_traits>
-std::complex<double> conformal_modulus(const Mesh_view& mesh)
+inline std::complex<double> conformal_modulus(const Mesh_view& mesh)
 {
-  return conformal_modulus(mesh, Hodge_decomposition<SolverTraits>(mesh).harmonic_basis());
+  return conformal_modulus(mesh, Hodge_decomposition(mesh).harmonic_basis());
 }
 
 /// \ingroup PkgSurfaces
@@ -34,12 +33,10 @@ std::complex<double> conformal_modulus(const Mesh_view& mesh)
 /// other
 /// \throw Precondition_error if they do not, or a mesh is not a closed torus
 /// \throw Solver_error if a factorization fails
-template <class SolverTraits = Default_solver_traits, class Family>
+template <class Family>
 Mesh_view torus_of_class(Family family, double b, double low, double high)
 {
-  const auto excess = [&](double x) {
-    return conformal_modulus<SolverTraits>(family(x)).imag() - b;
-  };
+  const auto excess = [&](double x) { return conformal_modulus(family(x)).imag() - b; };
   double at_low = excess(low), at_high = excess(high);
   if (!(at_low * at_high <= 0))
     throw Precondition_error("torus_of_class", "the moduli are " + std::to_string(at_low + b) +

@@ -3,7 +3,6 @@
 // Tests include/Conformal_geometry_processing/linear_algebra/adapters/Petsc_handle.h
 // Compiled alone: this program does not start PETSc; it is not given test/support/slepc_main.cpp.
 #include <Conformal_geometry_processing/linear_algebra/adapters/Slepc_eigensolver_traits.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 

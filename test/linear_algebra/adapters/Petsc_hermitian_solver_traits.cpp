@@ -4,7 +4,6 @@
 // include/Conformal_geometry_processing/linear_algebra/adapters/Petsc_hermitian_solver_traits.h
 // Tests include/Conformal_geometry_processing/linear_algebra/adapters/Petsc_multigrid.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Petsc_hermitian_solver_traits.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <limits>
 

@@ -4,7 +4,6 @@
 // Tests include/Conformal_geometry_processing/linear_algebra/adapters/Slepc_lobpcg.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Slepc_eigensolver_traits.h>
 #include <Conformal_geometry_processing/spin/Dirac_system.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
@@ -47,7 +46,7 @@ struct Problem {
   }
 
   Mesh_view mesh;
-  CGP::internal::Dirac_system<> dirac;
+  CGP::internal::Dirac_system dirac;
   CGP::Block<Q> start;
 };
 

@@ -3,7 +3,6 @@
 // Tests
 // include/Conformal_geometry_processing/linear_algebra/adapters/Supernodal_real_solver_traits.h
 #include <Conformal_geometry_processing/linear_algebra/adapters/Supernodal_real_solver_traits.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include "linear_algebra/solver_laws.h"
 

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Conformal Geometry Processing authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tests linear_algebra/dense/hermitian_eigen_decomposition.h
+#include <Conformal_geometry_processing/algebra/quaternion_blocks.h>
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/hermitian_eigen_decomposition.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
@@ -185,22 +185,6 @@ TEST(Hermitian_eigen_decomposition_of_quaternions, goes_over_a_real_tridiagonal_
   for (int i = 0; i < 8; ++i) set(i, i + 1, T.subdiagonal[i]), set(i + 1, i, T.subdiagonal[i]);
   EXPECT_LE((real_form(T.Q).transpose() * real_form(A) * real_form(T.Q) - expected).norm(), 1e-13);
   EXPECT_GE(T.subdiagonal.minCoeff(), 0);
-}
-
-TEST(Hermitian_eigen_decomposition_of_quaternions, works_in_single_and_extended_precision)
-{
-  const CGP::Block<Q> A = random_hermitian_block(4, 7);
-  CGP::Block<CGP::Quaternion<float>> F(4, 4);
-  CGP::Block<CGP::Quaternion<long double>> L(4, 4);
-  for (int j = 0; j < 4; ++j)
-    for (int i = 0; i < 4; ++i) {
-      const Q& q = A(i, j);
-      F(i, j) = {float(q.w), float(q.x), float(q.y), float(q.z)};
-      L(i, j) = {q.w, q.x, q.y, q.z};
-    }
-  const Eigen::VectorXd expected = CGP::hermitian_eigen_decomposition(A).values;
-  EXPECT_LE((CGP::hermitian_eigen_decomposition(F).values.cast<double>() - expected).norm(), 1e-5);
-  EXPECT_LE((CGP::hermitian_eigen_decomposition(L).values.cast<double>() - expected).norm(), 1e-14);
 }
 
 }  // namespace cgp_test::hermitian_eigen_decomposition_tests

@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Dirichlet_solver.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <Eigen/Dense>
 
@@ -30,7 +29,8 @@ template <class Traits_and_scalar>
 class Dirichlet_solver : public testing::Test {
  protected:
   using Scalar = typename Traits_and_scalar::second_type;
-  using Solver = CGP::internal::Dirichlet_solver<Scalar, typename Traits_and_scalar::first_type>;
+  using Solver = CGP::internal::Dirichlet_solver<Scalar>;
+  const CGP::Spin_solvers solvers = typename Traits_and_scalar::first_type();
   using Vectors = CGP::Block<Scalar>;
 
   /// A x = b on the free rows, x = values on the others, by dense matrices
@@ -60,7 +60,7 @@ TYPED_TEST_SUITE(Dirichlet_solver, Models, );
 
 TYPED_TEST(Dirichlet_solver, attaches_unknowns_by_weights)
 {
-  typename TestFixture::Solver solver(this->matrix.shared_pattern(), given);
+  typename TestFixture::Solver solver(this->matrix.shared_pattern(), given, this->solvers);
   Eigen::VectorXd w = Eigen::VectorXd::Zero(n);
   for (const int i : given) w[i] = 1 + .5 * i;
   solver.factorize(this->matrix, w);
@@ -76,14 +76,14 @@ TYPED_TEST(Dirichlet_solver, attaches_unknowns_by_weights)
 
 TYPED_TEST(Dirichlet_solver, solves_the_free_rows_and_keeps_the_given_ones)
 {
-  typename TestFixture::Solver solver(this->pattern, given);
+  typename TestFixture::Solver solver(this->pattern, given, this->solvers);
   solver.factorize(this->matrix);
   this->expect_solution(solver, this->matrix);
 }
 
 TYPED_TEST(Dirichlet_solver, follows_new_values)
 {
-  typename TestFixture::Solver solver(this->pattern, given);
+  typename TestFixture::Solver solver(this->pattern, given, this->solvers);
   for (const std::uint64_t seed : {5u, 6u}) {
     const auto A = random_definite<typename TestFixture::Scalar>(this->pattern, seed);
     solver.factorize(A);
@@ -93,7 +93,7 @@ TYPED_TEST(Dirichlet_solver, follows_new_values)
 
 TYPED_TEST(Dirichlet_solver, shares_the_analysis_of_another_solver)
 {
-  typename TypeParam::first_type::template Solver<double> other;
+  auto other = this->solvers.template solver<typename TestFixture::Scalar>();
   ASSERT_EQ(other.analyze(*this->pattern), CGP::Solver_status::success);
   typename TestFixture::Solver solver(this->pattern, given, other);
   solver.factorize(this->matrix);
@@ -102,7 +102,7 @@ TYPED_TEST(Dirichlet_solver, shares_the_analysis_of_another_solver)
 
 TYPED_TEST(Dirichlet_solver, knows_what_is_given)
 {
-  const typename TestFixture::Solver solver(this->pattern, given);
+  const typename TestFixture::Solver solver(this->pattern, given, this->solvers);
   for (int i = 0; i < n; ++i)
     EXPECT_EQ(solver.is_given(i), std::count(given.begin(), given.end(), i) > 0) << i;
 }
@@ -112,14 +112,14 @@ TYPED_TEST(Dirichlet_solver, needs_the_matrix_to_be_definite_on_the_free_rows_on
   Eigen::VectorXd s = Eigen::VectorXd::Zero(n);
   for (int i : given) s[i] = -100;
   const auto A = plus_diagonal(this->matrix, s);
-  typename TestFixture::Solver solver(this->pattern, given);
+  typename TestFixture::Solver solver(this->pattern, given, this->solvers);
   solver.factorize(A);
   this->expect_solution(solver, A);
 }
 
 TYPED_TEST(Dirichlet_solver, refuses_a_matrix_that_is_not_definite_there)
 {
-  typename TestFixture::Solver solver(this->pattern, given);
+  typename TestFixture::Solver solver(this->pattern, given, this->solvers);
   const auto A = plus_diagonal(this->matrix, Eigen::VectorXd::Constant(n, -100));
   try {
     solver.factorize(A);
@@ -131,13 +131,13 @@ TYPED_TEST(Dirichlet_solver, refuses_a_matrix_that_is_not_definite_there)
 
 TYPED_TEST(Dirichlet_solver, refuses_to_solve_before_it_has_factored)
 {
-  const typename TestFixture::Solver solver(this->pattern, given);
+  const typename TestFixture::Solver solver(this->pattern, given, this->solvers);
   EXPECT_THROW((void)solver.solve(this->matrix, this->b, this->values), CGP::Solver_error);
 }
 
 TEST(Dirichlet_solver_sharing, refuses_a_solver_that_has_none)
 {
-  const CGP::Default_solver_traits::Solver<double> other;
+  const CGP::internal::Solver_ref<double> other;
   EXPECT_THROW(CGP::internal::Dirichlet_solver<double>(random_pattern(n, 1), given, other),
                CGP::Solver_error);
 }

@@ -4,14 +4,15 @@
 #include <Conformal_geometry_processing/exceptions.h>
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <Eigen/Core>
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "linear_algebra/hermitian_matrices.h"
 #include "support/decompositions.h"
@@ -19,7 +20,12 @@
 namespace cgp_test::grounded_solver_tests {
 
 namespace CGP = Conformal_geometry_processing;
-using Solver = CGP::internal::Grounded_solver<CGP::Eigen_hermitian_solver_traits>;
+
+struct Solver : CGP::internal::Grounded_solver {
+  explicit Solver(std::shared_ptr<const CGP::Sparse_pattern> pattern)
+      : Grounded_solver(std::move(pattern), CGP::Eigen_hermitian_solver_traits())
+  {}
+};
 
 constexpr int n = 30;
 
@@ -66,7 +72,9 @@ TEST(Grounded_solver, shares_an_ordering)
 {
   const auto L = random_laplacian(random_pattern(n, 1), 2);
   const CGP::internal::Ordering order = random_permutation(n, 9);
-  Solver solver(L.shared_pattern(), order);
+  CGP::internal::Solver_ref<double> other = CGP::Spin_solvers().solver<double>();
+  ASSERT_EQ(other.analyze(L.pattern(), order), CGP::Solver_status::success);
+  CGP::internal::Grounded_solver solver(L.shared_pattern(), other);
   EXPECT_EQ(solver.ordering(), order);
   solver.factorize(L);
   EXPECT_GE(solver.statistics().factor_entries, L.pattern().size_of_entries());
@@ -88,10 +96,12 @@ TEST(Grounded_solver, does_not_care_about_the_unit_of_the_values)
   }
 }
 
-TEST(Grounded_solver, refuses_a_pattern_or_an_ordering_that_does_not_fit)
+TEST(Grounded_solver, refuses_a_pattern_that_does_not_fit)
 {
   EXPECT_THROW(Solver(std::make_shared<CGP::Sparse_pattern>()), CGP::Solver_error);
-  EXPECT_THROW(Solver(random_pattern(n, 1), CGP::internal::Ordering{0, 1}), CGP::Solver_error);
+  const CGP::internal::Solver_ref<double> not_analyzed;
+  EXPECT_THROW(CGP::internal::Grounded_solver(random_pattern(n, 1), not_analyzed),
+               CGP::Solver_error);
   Solver solver(random_pattern(n, 1));
   EXPECT_THROW(solver.factorize(random_laplacian(random_pattern(n, 2), 3)), CGP::Solver_error);
 }

@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 

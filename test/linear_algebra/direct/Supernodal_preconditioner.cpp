@@ -3,7 +3,6 @@
 // Tests include/Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h
 // Tests linear_algebra/direct/Supernodal_instances.h
 #include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 #include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/Lobpcg.h>
 #include <Conformal_geometry_processing/linear_algebra/krylov/inverse_power_method.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <Eigen/Core>
 

@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <Conformal_geometry_processing/operators/cotan_laplacian.h>
 #include <Conformal_geometry_processing/operators/dirac_energy.h>

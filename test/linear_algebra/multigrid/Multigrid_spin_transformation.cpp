@@ -4,12 +4,12 @@
 
 #include <Conformal_geometry_processing/linear_algebra/multigrid/Multigrid_solver.h>
 #include <Conformal_geometry_processing/spin/Spin_transformation.h>
-#include <Conformal_geometry_processing/templates.h>
 
 #include <gtest/gtest.h>
 
 #include "support/dense.h"
 #include "support/meshes.h"
+#include "support/with_solvers.h"
 
 namespace cgp_test::multigrid_spin_transformation_tests {
 
@@ -22,7 +22,7 @@ CGP::Spin_result transformed(const Mesh_view& mesh, double tolerance)
 {
   CGP::Dirac_options options;
   options.tolerance = tolerance;
-  CGP::Spin_transformation<Solver_traits> transformation(mesh);
+  CGP::Spin_transformation transformation(mesh, with_solvers<Solver_traits>());
   const auto rho = rho_of_section_3_on_vertices(mesh);
   return transformation.transform(CGP::Curvature_potential::on_vertices(rho), options);
 }

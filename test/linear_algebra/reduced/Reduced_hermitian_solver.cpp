@@ -33,7 +33,7 @@ TEST(Reduced_hermitian_solver, has_two_forms_that_agree)
   for (const Mesh_view& mesh : {disk(12), annulus(1, 2, 60, 10), grid(60, 4)}) {
     const Reduced_problem p = reduced_problem(mesh, 1);
     const auto b = random_block<Q>(p.X.size(), 2, 2);
-    const Eigen::MatrixXd real = solution<CGP::internal::Real_reduced_solver<>>(p, b);
+    const Eigen::MatrixXd real = solution<CGP::internal::Real_reduced_solver>(p, b);
     EXPECT_LE((solution<CGP::internal::Schur_reduced_solver>(p, b) - real).norm(),
               1e-11 * real.norm());
     EXPECT_LE((solution<Reduced_hermitian_solver>(p, b) - real).norm(), 1e-11 * real.norm());
@@ -54,7 +54,7 @@ TEST(Reduced_hermitian_solver, takes_the_form_that_suits_the_mesh)
                 Solver_status::success);
       EXPECT_EQ(solver.has_real_form(), is_strip);
       ASSERT_EQ(solver.factorize(p.X, p.shift, p.basis()), Solver_status::success);
-      const Eigen::MatrixXd expected = solution<CGP::internal::Real_reduced_solver<>>(p, b);
+      const Eigen::MatrixXd expected = solution<CGP::internal::Real_reduced_solver>(p, b);
       EXPECT_LE((real_columns(CGP::inverse_operator(solver)(b)) - expected).norm(),
                 1e-11 * expected.norm());
     }

@@ -58,7 +58,7 @@ Eigen::VectorXd smallest_eigenvalues(const Reduced_problem& p, int iterations, V
 {
   const auto basis = p.basis();
   const Eigen::VectorXd areas = 1e3 * p.shift;
-  CGP::internal::Real_reduced_solver<> solver;
+  CGP::internal::Real_reduced_solver solver;
   EXPECT_EQ(solver.analyze(p.X.pattern(), p.rows(), random_permutation(p.X.size(), 6)),
             CGP::Solver_status::success);
   EXPECT_EQ(solver.factorize(p.X, p.shift, basis), CGP::Solver_status::success);

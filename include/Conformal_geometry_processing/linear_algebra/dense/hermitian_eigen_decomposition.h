@@ -20,6 +20,19 @@ struct Hermitian_eigen_decomposition {
   Block<Scalar> vectors;
 };
 
+/// \brief A = Q T Q^H with Q^H Q = 1 and a *real* symmetric tridiagonal T, for a quaternionic
+/// Hermitian matrix A.
+struct Quaternionic_tridiagonalization {
+  Block<Quaternion<double>> Q;
+  Vector<double> diagonal;
+  Vector<double> subdiagonal;  ///< not negative; has one entry less
+};
+
+/// \brief by reflections, each of which annihilates a column below the subdiagonal, and by phases
+/// that make the subdiagonal real. About 7/3 d^3 quaternionic products.
+/// \pre A is Hermitian
+Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<double>> A);
+
 }  // namespace internal
 
 /// \ingroup PkgLinearAlgebra
@@ -32,11 +45,10 @@ struct Hermitian_eigen_decomposition {
 /// in the complex form, from which one vector of each pair would have to be selected again; a real
 /// A has real eigenvectors. O(d^3); errors of eigenvalues are rounding errors of the norm of A.
 ///
-/// The library contains the instances for double, std::complex<double> and Quaternion<double>,
-/// because Eigen's decomposition compiles slowly; `templates.h` is for others.
 /// \pre A is Hermitian
 /// \throw Solver_error if the iteration for the tridiagonal matrix does not converge, for example
 /// because of values that are not finite
+/// \tparam Scalar `double`, `std::complex<double>` or `Quaternion<double>`
 template <class Scalar>
 internal::Hermitian_eigen_decomposition<Scalar> hermitian_eigen_decomposition(Block<Scalar> A);
 

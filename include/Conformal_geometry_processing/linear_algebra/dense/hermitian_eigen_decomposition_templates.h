@@ -17,42 +17,31 @@
 namespace Conformal_geometry_processing {
 namespace internal {
 
-/// \brief A = Q T Q^H with Q^H Q = 1 and a *real* symmetric tridiagonal T, for a quaternionic
-/// Hermitian matrix A.
-template <class FT>
-struct Quaternionic_tridiagonalization {
-  Block<Quaternion<FT>> Q;
-  Vector<FT> diagonal;
-  Vector<FT> subdiagonal;  ///< not negative; has one entry less
-};
-
 /// The reflection 1 - v v^H / scale that maps x to a multiple of the first unit vector.
-template <class FT>
 struct Quaternionic_reflection {
-  Quaternion_vector<FT> v;
-  FT scale = 0;                      // |v|^2 / 2; zero means the identity
-  Quaternion<FT> image{0, 0, 0, 0};  // the first entry of the reflected x
+  Quaternion_vector<double> v;
+  double scale = 0;                      // |v|^2 / 2; zero means the identity
+  Quaternion<double> image{0, 0, 0, 0};  // the first entry of the reflected x
 
-  explicit Quaternionic_reflection(const Quaternion_vector<FT>& x) : v(x), image(x[0])
+  explicit Quaternionic_reflection(const Quaternion_vector<double>& x) : v(x), image(x[0])
   {
-    const FT length = std::sqrt(inner_product(x, x).w), first = norm(x[0]);
+    const double length = std::sqrt(inner_product(x, x).w), first = norm(x[0]);
     if (!(length > first)) return;
-    const Quaternion<FT> phase = first > 0 ? x[0] / first : Quaternion<FT>{1, 0, 0, 0};
+    const Quaternion<double> phase = first > 0 ? x[0] / first : Quaternion<double>{1, 0, 0, 0};
     v[0] += phase * length;
     scale = length * (length + first);
     image = -phase * length;
   }
 };
 
-template <class FT>
-void reflect_both_sides(Block<Quaternion<FT>>& A, Eigen::Index k,
-                        const Quaternionic_reflection<FT>& H)
+inline void reflect_both_sides(Block<Quaternion<double>>& A, Eigen::Index k,
+                               const Quaternionic_reflection& H)
 {
   const Eigen::Index n = A.rows() - k;
-  Quaternion_vector<FT> w = Quaternion_vector<FT>::Constant(n, {});
+  Quaternion_vector<double> w = Quaternion_vector<double>::Constant(n, {});
   for (Eigen::Index j = 0; j < n; ++j)
-    add_multiple(w, A.col(k + j).tail(n), Quaternion<FT>(H.v[j] / H.scale));
-  const FT half = inner_product(H.v, w).w / (2 * H.scale);
+    add_multiple(w, A.col(k + j).tail(n), Quaternion<double>(H.v[j] / H.scale));
+  const double half = inner_product(H.v, w).w / (2 * H.scale);
   for (Eigen::Index j = 0; j < n; ++j) w[j] -= half * H.v[j];
   for (Eigen::Index j = 0; j < n; ++j) {
     add_multiple(A.col(k + j).tail(n), H.v, -conjugate(w[j]));
@@ -60,36 +49,32 @@ void reflect_both_sides(Block<Quaternion<FT>>& A, Eigen::Index k,
   }
 }
 
-template <class FT>
-void reflect_columns(Block<Quaternion<FT>>& Q, Eigen::Index k, const Quaternionic_reflection<FT>& H)
+inline void reflect_columns(Block<Quaternion<double>>& Q, Eigen::Index k,
+                            const Quaternionic_reflection& H)
 {
-  Quaternion_vector<FT> q = Quaternion_vector<FT>::Constant(Q.rows(), {});
+  Quaternion_vector<double> q = Quaternion_vector<double>::Constant(Q.rows(), {});
   for (Eigen::Index j = 0; j < H.v.size(); ++j) add_multiple(q, Q.col(k + j), H.v[j]);
   for (Eigen::Index j = 0; j < H.v.size(); ++j)
-    add_multiple(Q.col(k + j), q, Quaternion<FT>(-conjugate(H.v[j]) / H.scale));
+    add_multiple(Q.col(k + j), q, Quaternion<double>(-conjugate(H.v[j]) / H.scale));
 }
 
-/// \brief by reflections, each of which annihilates a column below the subdiagonal, and by phases
-/// that make the subdiagonal real. About 7/3 d^3 quaternionic products.
-/// \pre A is Hermitian
-template <class FT>
-Quaternionic_tridiagonalization<FT> tridiagonalized(Block<Quaternion<FT>> A)
+inline Quaternionic_tridiagonalization tridiagonalized(Block<Quaternion<double>> A)
 {
   const Eigen::Index d = A.rows();
-  Quaternionic_tridiagonalization<FT> T{Block<Quaternion<FT>>::Constant(d, d, {}), Vector<FT>(d),
-                                        Vector<FT>(d > 0 ? d - 1 : 0)};
+  Quaternionic_tridiagonalization T{Block<Quaternion<double>>::Constant(d, d, {}),
+                                    Vector<double>(d), Vector<double>(d > 0 ? d - 1 : 0)};
   for (Eigen::Index i = 0; i < d; ++i) T.Q(i, i).w = 1;
-  Quaternion<FT> phase{1, 0, 0, 0};  // of column k of Q
+  Quaternion<double> phase{1, 0, 0, 0};  // of column k of Q
   for (Eigen::Index k = 0; k + 1 < d; ++k) {
     T.diagonal[k] = A(k, k).w;
-    const Quaternionic_reflection<FT> H(A.col(k).tail(d - k - 1));
+    const Quaternionic_reflection H(A.col(k).tail(d - k - 1));
     if (H.scale > 0) {
       reflect_both_sides(A, k + 1, H);
       reflect_columns(T.Q, k + 1, H);
     }
-    const Quaternion<FT> below = H.image * phase;
+    const Quaternion<double> below = H.image * phase;
     T.subdiagonal[k] = norm(below);
-    phase = T.subdiagonal[k] > 0 ? below / T.subdiagonal[k] : Quaternion<FT>{1, 0, 0, 0};
+    phase = T.subdiagonal[k] > 0 ? below / T.subdiagonal[k] : Quaternion<double>{1, 0, 0, 0};
     // Later reflections do not change this column.
     for (Eigen::Index i = 0; i < d; ++i) T.Q(i, k + 1) = T.Q(i, k + 1) * phase;
   }
@@ -114,16 +99,17 @@ Hermitian_eigen_decomposition<Scalar> decomposition_of(const Block<Scalar>& A)
   return found_by_eigen<Scalar>([&A](auto& solver) { solver.compute(A); });
 }
 
-template <class FT>
-Hermitian_eigen_decomposition<Quaternion<FT>> decomposition_of(Block<Quaternion<FT>> A)
+inline Hermitian_eigen_decomposition<Quaternion<double>> decomposition_of(
+    Block<Quaternion<double>> A)
 {
   const Eigen::Index d = A.rows();
-  const Quaternionic_tridiagonalization<FT> T = tridiagonalized(std::move(A));
-  const Hermitian_eigen_decomposition<FT> real = found_by_eigen<FT>(
+  const Quaternionic_tridiagonalization T = tridiagonalized(std::move(A));
+  const Hermitian_eigen_decomposition<double> real = found_by_eigen<double>(
       [&T](auto& solver) { solver.computeFromTridiagonal(T.diagonal, T.subdiagonal); });
-  Hermitian_eigen_decomposition<Quaternion<FT>> result{real.values, Block<Quaternion<FT>>(d, d)};
-  Eigen::Map<Block<FT>>(&result.vectors.data()->w, 4 * d, d).noalias() =
-      Eigen::Map<const Block<FT>>(&T.Q.data()->w, 4 * d, d) * real.vectors;
+  Hermitian_eigen_decomposition<Quaternion<double>> result{real.values,
+                                                           Block<Quaternion<double>>(d, d)};
+  Eigen::Map<Block<double>>(&result.vectors.data()->w, 4 * d, d).noalias() =
+      Eigen::Map<const Block<double>>(&T.Q.data()->w, 4 * d, d) * real.vectors;
   return result;
 }
 

@@ -5,7 +5,7 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 
 #include <cstddef>
 #include <memory>
@@ -27,22 +27,20 @@ namespace internal {
 /// Instead, unknowns can be attached to their values by weights: x then minimises
 /// <x, A x>/2 - <b, x> + sum w_i |x_i - v_i|^2/2, and A must be positive definite together with w.
 /// \tparam Scalar numbers or quaternions
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class Scalar, class SolverTraits = Default_solver_traits>
+template <class Scalar>
 class Dirichlet_solver {
  public:
-  using Solver = typename SolverTraits::template Solver<Scalar>;
   using Matrix = Hermitian_sparse_matrix<Scalar>;
 
   /// \param given the rows whose unknowns are prescribed, in any order
-  Dirichlet_solver(std::shared_ptr<const Sparse_pattern> pattern, const std::vector<int>& given);
-
-  /// Shares the analysis of another solver of the same traits and pattern
-  /// \tparam OtherSolver a model of `SparseHermitianSolver`
-  template <class OtherSolver, class = typename OtherSolver::Scalar>
   Dirichlet_solver(std::shared_ptr<const Sparse_pattern> pattern, const std::vector<int>& given,
-                   const OtherSolver& other)
-      : Dirichlet_solver(given, std::move(pattern))
+                   const Spin_solvers& solvers = {});
+
+  /// Uses another solver like one for the same pattern, and shares its analysis
+  template <class OtherScalar>
+  Dirichlet_solver(std::shared_ptr<const Sparse_pattern> pattern, const std::vector<int>& given,
+                   const Solver_ref<OtherScalar>& other)
+      : Dirichlet_solver(given, std::move(pattern), other.template another<Scalar>())
   {
     check("analysis", m_solver.analyze_like(m_matrix.pattern(), other));
   }
@@ -62,13 +60,14 @@ class Dirichlet_solver {
   Block<Scalar> solve(const Matrix& A, const Block<Scalar>& b, const Block<Scalar>& values) const;
 
  private:
-  Dirichlet_solver(const std::vector<int>& given, std::shared_ptr<const Sparse_pattern> pattern);
+  Dirichlet_solver(const std::vector<int>& given, std::shared_ptr<const Sparse_pattern> pattern,
+                   Solver_ref<Scalar> solver);
   static void check(const char* step, Solver_status status);
 
   Matrix m_matrix;
   std::vector<char> m_is_given;
   Eigen::VectorXd m_weights;  // empty: unknowns are prescribed
-  Solver m_solver;
+  Solver_ref<Scalar> m_solver;
 };
 
 }  // namespace internal

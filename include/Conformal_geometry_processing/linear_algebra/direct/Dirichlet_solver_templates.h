@@ -15,16 +15,17 @@
 
 namespace Conformal_geometry_processing {
 
-template <class Scalar, class SolverTraits>
-internal::Dirichlet_solver<Scalar, SolverTraits>::Dirichlet_solver(
-    std::shared_ptr<const Sparse_pattern> pattern, const std::vector<int>& given)
-    : Dirichlet_solver(given, std::move(pattern))
+template <class Scalar>
+internal::Dirichlet_solver<Scalar>::Dirichlet_solver(std::shared_ptr<const Sparse_pattern> pattern,
+                                                     const std::vector<int>& given,
+                                                     const Spin_solvers& solvers)
+    : Dirichlet_solver(given, std::move(pattern), solvers.template solver<Scalar>())
 {
   check("analysis", m_solver.analyze(m_matrix.pattern()));
 }
 
-template <class Scalar, class SolverTraits>
-void internal::Dirichlet_solver<Scalar, SolverTraits>::factorize(const Matrix& A)
+template <class Scalar>
+void internal::Dirichlet_solver<Scalar>::factorize(const Matrix& A)
 {
   int k = 0;
   A.for_each_entry([&](int i, int j, const Scalar& a) {
@@ -35,16 +36,16 @@ void internal::Dirichlet_solver<Scalar, SolverTraits>::factorize(const Matrix& A
   check("factorization", m_solver.factorize(m_matrix, {}));
 }
 
-template <class Scalar, class SolverTraits>
-void internal::Dirichlet_solver<Scalar, SolverTraits>::factorize(const Matrix& A, Eigen::VectorXd w)
+template <class Scalar>
+void internal::Dirichlet_solver<Scalar>::factorize(const Matrix& A, Eigen::VectorXd w)
 {
   m_weights = std::move(w);
   check("factorization", m_solver.factorize(A, m_weights));
 }
 
-template <class Scalar, class SolverTraits>
-Block<Scalar> internal::Dirichlet_solver<Scalar, SolverTraits>::solve(
-    const Matrix& A, const Block<Scalar>& b, const Block<Scalar>& values) const
+template <class Scalar>
+Block<Scalar> internal::Dirichlet_solver<Scalar>::solve(const Matrix& A, const Block<Scalar>& b,
+                                                        const Block<Scalar>& values) const
 {
   Block<Scalar> known = values, x;
   if (m_weights.size() > 0) {
@@ -63,16 +64,19 @@ Block<Scalar> internal::Dirichlet_solver<Scalar, SolverTraits>::solve(
   return x;
 }
 
-template <class Scalar, class SolverTraits>
-internal::Dirichlet_solver<Scalar, SolverTraits>::Dirichlet_solver(
-    const std::vector<int>& given, std::shared_ptr<const Sparse_pattern> pattern)
-    : m_matrix(std::move(pattern)), m_is_given(static_cast<std::size_t>(m_matrix.size()), 0)
+template <class Scalar>
+internal::Dirichlet_solver<Scalar>::Dirichlet_solver(const std::vector<int>& given,
+                                                     std::shared_ptr<const Sparse_pattern> pattern,
+                                                     internal::Solver_ref<Scalar> solver)
+    : m_matrix(std::move(pattern)),
+      m_is_given(static_cast<std::size_t>(m_matrix.size()), 0),
+      m_solver(std::move(solver))
 {
   for (int i : given) m_is_given[static_cast<std::size_t>(i)] = 1;
 }
 
-template <class Scalar, class SolverTraits>
-void internal::Dirichlet_solver<Scalar, SolverTraits>::check(const char* step, Solver_status status)
+template <class Scalar>
+void internal::Dirichlet_solver<Scalar>::check(const char* step, Solver_status status)
 {
   if (status != Solver_status::success)
     throw Solver_error("Dirichlet_solver", std::string(step) + " failed: " + to_string(status));
@@ -83,8 +87,8 @@ void internal::Dirichlet_solver<Scalar, SolverTraits>::check(const char* step, S
 #ifndef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
 namespace Conformal_geometry_processing {
 
-extern template class internal::Dirichlet_solver<double, Default_solver_traits>;
-extern template class internal::Dirichlet_solver<Quaternion<double>, Default_solver_traits>;
+extern template class internal::Dirichlet_solver<double>;
+extern template class internal::Dirichlet_solver<Quaternion<double>>;
 
 }  // namespace Conformal_geometry_processing
 #endif

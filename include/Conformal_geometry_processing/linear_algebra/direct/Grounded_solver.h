@@ -5,8 +5,8 @@
 
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/linear_algebra/dense/Solver_status.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Default_solver_traits.h>
 #include <Conformal_geometry_processing/linear_algebra/direct/Ordering.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
 
 #include <memory>
 #include <utility>
@@ -24,29 +24,22 @@ namespace internal {
 /// solution does not depend on the choice of the row.
 ///
 /// Every function throws `Solver_error` if the solver fails.
-/// \tparam SolverTraits a model of `SparseHermitianSolverTraits`
-template <class SolverTraits = Default_solver_traits>
 class Grounded_solver {
  public:
   /// Computes an ordering
-  explicit Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern);
+  explicit Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern,
+                           const Spin_solvers& solvers = {});
 
-  /// Uses the given ordering
-  Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern, const Ordering& order);
-
-  /// Shares the analysis of another solver of the same traits and pattern
-  /// \tparam OtherSolver a model of `SparseHermitianSolver`
-  template <class OtherSolver, class = typename OtherSolver::Scalar>
-  Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern, const OtherSolver& other)
-      : m_grounded(std::move(pattern))
+  /// Uses another solver like one for the same pattern, and shares its analysis
+  template <class Scalar>
+  Grounded_solver(std::shared_ptr<const Sparse_pattern> pattern, const Solver_ref<Scalar>& other)
+      : m_grounded(std::move(pattern)), m_solver(other.template another<double>())
   {
     check("analysis", m_solver.analyze_like(m_grounded.pattern(), other));
   }
 
-  using Solver = typename SolverTraits::template Solver<double>;
-
   /// Solves with the grounded matrix
-  const Solver& solver() const { return m_solver; }
+  const Solver_ref<double>& solver() const { return m_solver; }
 
   const Ordering& ordering() const { return m_solver.ordering(); }
   Solver_statistics statistics() const { return m_solver.statistics(); }
@@ -66,7 +59,7 @@ class Grounded_solver {
   static void check(const char* step, Solver_status status);
 
   Hermitian_sparse_matrix<double> m_grounded;
-  Solver m_solver;
+  Solver_ref<double> m_solver;
 };
 
 }  // namespace internal
@@ -74,7 +67,7 @@ class Grounded_solver {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver_templates.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Grounded_solver_impl.h>
 #endif
 
 #endif

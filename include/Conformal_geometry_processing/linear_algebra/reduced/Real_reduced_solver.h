@@ -6,7 +6,9 @@
 #include <Conformal_geometry_processing/algebra/Hermitian_sparse_matrix.h>
 #include <Conformal_geometry_processing/algebra/Reduced_basis.h>
 #include <Conformal_geometry_processing/algebra/Reduced_rows.h>
-#include <Conformal_geometry_processing/linear_algebra/direct/Supernodal_cholesky.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
+
+#include <utility>
 
 namespace Conformal_geometry_processing {
 
@@ -18,12 +20,12 @@ namespace internal {
 ///
 /// The n-vertex graph is ordered; its ordering is expanded such that the coordinates of each vertex
 /// are adjacent. For all functions see `Reduced_hermitian_solver`.
-/// \tparam RealSolver a model of SparseHermitianSolver for real numbers
-template <class RealSolver = Supernodal_cholesky<double>>
 class Real_reduced_solver {
  public:
-  using FT = typename RealSolver::FT;
-  using Scalar = Quaternion<FT>;
+  using FT = double;
+  using Scalar = Quaternion<double>;
+
+  explicit Real_reduced_solver(Solver_ref<double> solver = {}) : m_solver(std::move(solver)) {}
 
   Solver_status analyze(const Sparse_pattern& pattern, const Reduced_rows& rows,
                         const Ordering& order);
@@ -40,7 +42,7 @@ class Real_reduced_solver {
   Reduced_basis<FT> m_basis;
   int m_entries = 0;
   Hermitian_sparse_matrix<FT> m_matrix;
-  RealSolver m_solver;
+  Solver_ref<double> m_solver;
   bool m_is_factorized = false;
 };
 
@@ -49,7 +51,7 @@ class Real_reduced_solver {
 }  // namespace Conformal_geometry_processing
 
 #ifdef CONFORMAL_GEOMETRY_PROCESSING_HEADER_ONLY
-#include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver_templates.h>
+#include <Conformal_geometry_processing/linear_algebra/reduced/Real_reduced_solver_impl.h>
 #endif
 
 #endif

@@ -47,7 +47,7 @@ class Reduced_hermitian_solver {
                         const Ordering& order);
 
   /// Returns whether the whole matrix is factored as a real one
-  bool has_real_form() const { return std::holds_alternative<Real_reduced_solver<>>(m_solver); }
+  bool has_real_form() const { return std::holds_alternative<Real_reduced_solver>(m_solver); }
 
   /// \brief Factorizes R.
   ///
@@ -75,7 +75,7 @@ class Reduced_hermitian_solver {
   Solver_status adopt(const Sparse_pattern& pattern, const Reduced_rows& rows,
                       const Reduced_form& form);
 
-  std::variant<Schur_reduced_solver, Real_reduced_solver<>> m_solver;
+  std::variant<Schur_reduced_solver, Real_reduced_solver> m_solver;
 };
 
 }  // namespace internal

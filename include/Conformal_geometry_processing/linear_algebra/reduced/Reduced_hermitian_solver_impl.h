@@ -83,7 +83,7 @@ CGP_INLINE Solver_status internal::Reduced_hermitian_solver::adopt(
     const internal::Reduced_form& form)
 {
   if (form.is_real)
-    return m_solver.emplace<internal::Real_reduced_solver<>>().analyze(pattern, rows, form.order);
+    return m_solver.emplace<internal::Real_reduced_solver>().analyze(pattern, rows, form.order);
   return m_solver.emplace<internal::Schur_reduced_solver>().analyze(pattern, rows, form.order);
 }
 

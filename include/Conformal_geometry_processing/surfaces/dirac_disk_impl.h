@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DIRAC_DISK_IMPL_H
+#define CONFORMAL_GEOMETRY_PROCESSING_SURFACES_DIRAC_DISK_IMPL_H
+
+#include <Conformal_geometry_processing/config.h>
+#include <Conformal_geometry_processing/surfaces/dirac_disk.h>
+
+#include <Eigen/Core>
+
+#include <string>
+#include <utility>
+
+namespace Conformal_geometry_processing {
+
+CGP_INLINE Spin_result dirac_disk(const Mesh_view& mesh, double wanted, Dirac_options options,
+                                  const std::string& function)
+{
+  Spin_transformation transformation(mesh, {Boundary_condition::binormals()}, function);
+  options.branch = Dirac_options::Branch::smallest;
+  const auto rho =
+      Curvature_potential::on_vertices(Eigen::VectorXd::Constant(mesh.size_of_vertices(), wanted));
+  Spin_result result = std::move(transformation).transform(rho, options);
+  result.report.limits.map.flipped_share = 0;
+  return result;
+}
+
+}  // namespace Conformal_geometry_processing
+
+#endif

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Tests include/Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h
+#include <Conformal_geometry_processing/linear_algebra/adapters/Eigen_hermitian_solver_traits.h>
+#include <Conformal_geometry_processing/linear_algebra/direct/Solver_ref.h>
+
+#include <gtest/gtest.h>
+
+#include "linear_algebra/solver_laws.h"
+#include "support/Counted_solver_traits.h"
+
+namespace cgp_test::solver_ref_tests {
+
+using Q = Quaternion<double>;
+
+/// solvers of some traits, behind virtual calls, keep all that the concept promises
+template <class SolverTraits, class Scalar_>
+struct Wrapped : CGP::internal::Solver_ref<Scalar_> {
+  Wrapped()
+      : CGP::internal::Solver_ref<Scalar_>(
+            CGP::Spin_solvers(SolverTraits()).template solver<Scalar_>())
+  {}
+};
+
+using Solvers = testing::Types<CGP::internal::Solver_ref<double>, CGP::internal::Solver_ref<Q>,
+                               Wrapped<CGP::Eigen_hermitian_solver_traits, double>,
+                               Wrapped<CGP::Eigen_hermitian_solver_traits, Q>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Wrapped, Hermitian_solver, Solvers);
+
+TEST(Solver_ref, calls_each_operation_of_the_wrapped_solver_once)
+{
+  const auto A = random_definite<Q>(random_pattern(20, 1), 2);
+  const auto b = random_block<Q>(20, 3, 3);
+  CGP::Block<Q> x;
+  auto solver = CGP::Spin_solvers(Counted_solver_traits()).solver<Q>();
+  Counted_solver_traits::reset();
+  ASSERT_EQ(solver.analyze(A.pattern()), CGP::Solver_status::success);
+  ASSERT_EQ(solver.factorize(A, {}), CGP::Solver_status::success);
+  ASSERT_EQ(solver.solve(b, x), CGP::Solver_status::success);
+  ASSERT_EQ(solver.factorize_preconditioner(A, {}), CGP::Solver_status::success);
+  ASSERT_EQ(solver.precondition(b, x), CGP::Solver_status::success);
+  const Solver_counts counts = Counted_solver_traits::quaternionic;
+  EXPECT_EQ(counts.analyses, 1);
+  EXPECT_EQ(counts.factorizations, 2);
+  EXPECT_EQ(counts.solves, 6);
+}
+
+TEST(Solver_ref, shares_the_analysis_of_any_other)
+{
+  const Pattern pattern = random_pattern(20, 1);
+  const CGP::internal::Ordering order = random_permutation(20, 9);
+  const CGP::Spin_solvers own, eigen = CGP::Eigen_hermitian_solver_traits();
+  for (const auto& [from, to] : {std::pair(own, own), {own, eigen}, {eigen, own}, {eigen, eigen}}) {
+    auto other = from.solver<Q>();
+    ASSERT_EQ(other.analyze(*pattern, order), CGP::Solver_status::success);
+    auto real = to.solver<double>();
+    auto same = to.solver<Q>();
+    EXPECT_EQ(real.analyze_like(*pattern, other), CGP::Solver_status::success);
+    EXPECT_EQ(same.analyze_like(*pattern, other), CGP::Solver_status::success);
+    EXPECT_EQ(real.ordering(), order);
+    EXPECT_EQ(same.ordering(), order);
+  }
+}
+
+TEST(Solver_ref, makes_another_of_the_same_traits)
+{
+  const CGP::Spin_solvers counted = Counted_solver_traits();
+  const Pattern pattern = random_pattern(20, 1);
+  Counted_solver_traits::reset();
+  const auto first = counted.solver<Q>();
+  ASSERT_EQ(first.another().analyze(*pattern), CGP::Solver_status::success);
+  ASSERT_EQ(first.another<double>().analyze(*pattern), CGP::Solver_status::success);
+  EXPECT_EQ(Counted_solver_traits::quaternionic.analyses, 1);
+  EXPECT_EQ(Counted_solver_traits::real.analyses, 1);
+  EXPECT_TRUE(first.ordering().empty());
+}
+
+}  // namespace cgp_test::solver_ref_tests

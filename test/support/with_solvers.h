@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The Conformal Geometry Processing authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef TEST_SUPPORT_WITH_SOLVERS_H
+#define TEST_SUPPORT_WITH_SOLVERS_H
+
+#include <Conformal_geometry_processing/spin/Spin_transformation_options.h>
+
+namespace cgp_test {
+
+/// options of a transformation, a flow or a search, with solvers of some traits
+template <class SolverTraits,
+          class Options = Conformal_geometry_processing::Spin_transformation_options>
+Options with_solvers(Options options = {})
+{
+  options.solvers = SolverTraits();
+  return options;
+}
+
+}  // namespace cgp_test
+
+#endif
